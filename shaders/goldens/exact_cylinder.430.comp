@@ -198,9 +198,9 @@ const uint BOTTOM = 2u;
 
 float exact_one = 0.0;
 
-layout(std430, binding = 0) readonly buffer type_3_block_0Compute { ExactCylinderCase _group_0_binding_0_cs[]; };
+layout(std430, binding = 0) readonly buffer type_4_block_0Compute { ExactCylinderCase _group_0_binding_0_cs[]; };
 
-layout(std430, binding = 1) buffer type_4_block_1Compute { ExactReport _group_0_binding_1_cs[]; };
+layout(std430, binding = 1) buffer type_5_block_1Compute { ExactReport _group_0_binding_1_cs[]; };
 
 
 float vec3_dot(vec3 a, vec3 b) {
@@ -258,13 +258,16 @@ UnitAndLength vec3_unit_and_length(vec3 v_4) {
     return UnitAndLength((v_4 / vec3(_e12)), _e12);
 }
 
-bool tie_later_is_closer(float lambda_2, float closest) {
-    return (lambda_2 <= closest);
+bool tie_later_cap_is_closer(float lambda_2, float closest) {
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 && ((lambda_3 < closest_1) || (order >= closest_order)));
+int tie_rank(uint order, bool on_cap) {
+    return (on_cap ? (-1 - int(order)) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank) {
+    return ((lambda_3 < closest_1) || ((lambda_3 <= closest_1) && (rank >= closest_rank)));
 }
 
 CylinderRecord cylinder_with_unit_axis(vec3 center, float radius, vec3 axis_1, float half_height) {
@@ -328,7 +331,7 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_1) {
 }
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some && (!(closest_2.some) || _e8));
     float lambda_11 = (replaces ? later.lambda : closest_2.lambda);
     return CylinderRoot((closest_2.some || later.some), lambda_11, (replaces ? part_1 : closest_2.part));
@@ -1009,23 +1012,29 @@ bool precise_in_scale(DoubleDouble length_squared_3) {
     return _e10;
 }
 
+DoubleDouble precise_least_lambda() {
+    float _e2 = exact_one;
+    float _e6 = exact_one;
+    return DoubleDouble((0.001 * _e2), (-1.0842022e-19 * _e6));
+}
+
 bool precise_in_range(PreciseLimits limits_2, DoubleDouble lambda_8) {
-    DoubleDouble _e3 = dd_constant(0.001);
-    DoubleDouble _e5 = dd_constant(limits_2.lambda_error);
-    DoubleDouble _e6 = dd_add(_e3, _e5);
-    bool _e7 = dd_less_equal(_e6, lambda_8);
-    return _e7;
+    DoubleDouble _e2 = precise_least_lambda();
+    DoubleDouble _e4 = dd_constant(limits_2.lambda_error);
+    DoubleDouble _e5 = dd_add(_e2, _e4);
+    bool _e6 = dd_less_equal(_e5, lambda_8);
+    return _e6;
 }
 
 bool precise_bound_is_too_small(PreciseBound bound_4, DoubleDouble a_20, DoubleDouble numerator_3, DoubleDouble root_3) {
-    DoubleDouble _e5 = dd_constant(0.001);
-    DoubleDouble _e8 = dd_constant(bound_4.limits.lambda_error);
-    DoubleDouble _e9 = dd_sub(_e5, _e8);
-    DoubleDouble _e11 = dd_mul(a_20, _e9);
-    DoubleDouble _e12 = dd_sub(_e11, numerator_3);
-    DoubleDouble _e13 = dd_mul(_e12, root_3);
-    bool _e14 = dd_less(bound_4.error, _e13);
-    return _e14;
+    DoubleDouble _e4 = precise_least_lambda();
+    DoubleDouble _e7 = dd_constant(bound_4.limits.lambda_error);
+    DoubleDouble _e8 = dd_sub(_e4, _e7);
+    DoubleDouble _e10 = dd_mul(a_20, _e8);
+    DoubleDouble _e11 = dd_sub(_e10, numerator_3);
+    DoubleDouble _e12 = dd_mul(_e11, root_3);
+    bool _e13 = dd_less(bound_4.error, _e12);
+    return _e13;
 }
 
 PreciseOutcome precise_bound_root(PreciseBound bound_5, DoubleDouble a_21, DoubleDouble numerator_4, DoubleDouble root_4) {
@@ -1281,84 +1290,84 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
     DoubleDouble _e34 = dd_add(_e30, _e33);
     if (_e21) {
         DoubleDouble _e37 = dd_sub(_e12, _e16);
-        DoubleDouble _e39 = dd_constant(0.001);
-        DoubleDouble _e40 = dd_mul(_e37, _e39);
-        bool _e41 = dd_less(_e34, _e40);
-        local_49 = _e41;
+        DoubleDouble _e38 = precise_least_lambda();
+        DoubleDouble _e39 = dd_mul(_e37, _e38);
+        bool _e40 = dd_less(_e34, _e39);
+        local_49 = _e40;
     } else {
         local_49 = false;
     }
-    bool _e43 = local_49;
-    if (_e43) {
-        PreciseDecision _e44 = precise_miss();
-        return _e44;
+    bool _e42 = local_49;
+    if (_e42) {
+        PreciseDecision _e43 = precise_miss();
+        return _e43;
     }
-    DoubleDouble _e45 = dd_div(_e9, _e11);
-    DoubleDouble _e46 = distance_;
-    DoubleDouble _e48 = dd_constant(4398046500000.0);
-    DoubleDouble _e49 = dd_mul(_e46, _e48);
-    bool _e50 = dd_less(_e29, _e49);
-    if (_e50) {
-        DoubleDouble _e54 = dd_constant(8796093000000.0);
-        DoubleDouble _e55 = dd_mul(_e12, _e54);
-        bool _e56 = dd_less(_e13, _e55);
-        local_50 = _e56;
+    DoubleDouble _e44 = dd_div(_e9, _e11);
+    DoubleDouble _e45 = distance_;
+    DoubleDouble _e47 = dd_constant(4398046500000.0);
+    DoubleDouble _e48 = dd_mul(_e45, _e47);
+    bool _e49 = dd_less(_e29, _e48);
+    if (_e49) {
+        DoubleDouble _e53 = dd_constant(8796093000000.0);
+        DoubleDouble _e54 = dd_mul(_e12, _e53);
+        bool _e55 = dd_less(_e13, _e54);
+        local_50 = _e55;
     } else {
         local_50 = false;
     }
     bool accurate_4 = local_50;
     if (accurate_4) {
-        PreciseLimits _e61 = precise_cylinder_limits();
-        bool _e62 = precise_in_range(_e61, _e45);
-        local_51 = _e62;
+        PreciseLimits _e60 = precise_cylinder_limits();
+        bool _e61 = precise_in_range(_e60, _e44);
+        local_51 = _e61;
     } else {
         local_51 = false;
     }
     bool is_in_range_1 = local_51;
-    DoubleDouble3_ _e65 = dd3_scaled(direction_4, _e45);
-    DoubleDouble3_ _e66 = dd3_add(origin_2, _e65);
-    DoubleDouble3_ _e67 = dd3_sub(_e66, center_5);
-    DoubleDouble _e68 = dd3_dot(_e67, _e67);
-    DoubleDouble _e69 = dd_sqrt(_e68);
-    DoubleDouble _e70 = precise_cylinder_margin(cylinder_18, direction_4, _e45);
+    DoubleDouble3_ _e64 = dd3_scaled(direction_4, _e44);
+    DoubleDouble3_ _e65 = dd3_add(origin_2, _e64);
+    DoubleDouble3_ _e66 = dd3_sub(_e65, center_5);
+    DoubleDouble _e67 = dd3_dot(_e66, _e66);
+    DoubleDouble _e68 = dd_sqrt(_e67);
+    DoubleDouble _e69 = precise_cylinder_margin(cylinder_18, direction_4, _e44);
     if (_e21) {
         local_52 = is_in_range_1;
     } else {
         local_52 = false;
     }
-    bool _e74 = local_52;
-    if (_e74) {
-        DoubleDouble _e78 = dd_sub(cylinder_18.radius, _e70);
-        bool _e79 = dd_less(_e69, _e78);
-        local_53 = _e79;
+    bool _e73 = local_52;
+    if (_e73) {
+        DoubleDouble _e77 = dd_sub(cylinder_18.radius, _e69);
+        bool _e78 = dd_less(_e68, _e77);
+        local_53 = _e78;
     } else {
         local_53 = false;
     }
-    bool _e81 = local_53;
-    if (_e81) {
-        PreciseDecision _e82 = precise_hit(_e45, part_5);
-        return _e82;
+    bool _e80 = local_53;
+    if (_e80) {
+        PreciseDecision _e81 = precise_hit(_e44, part_5);
+        return _e81;
     }
     if (_e21) {
         local_54 = is_in_range_1;
     } else {
         local_54 = false;
     }
-    bool _e86 = local_54;
-    if (_e86) {
-        DoubleDouble _e90 = dd_add(cylinder_18.radius, _e70);
-        bool _e91 = dd_less(_e90, _e69);
-        local_55 = _e91;
+    bool _e85 = local_54;
+    if (_e85) {
+        DoubleDouble _e89 = dd_add(cylinder_18.radius, _e69);
+        bool _e90 = dd_less(_e89, _e68);
+        local_55 = _e90;
     } else {
         local_55 = false;
     }
-    bool _e93 = local_55;
-    if (_e93) {
-        PreciseDecision _e94 = precise_miss();
-        return _e94;
+    bool _e92 = local_55;
+    if (_e92) {
+        PreciseDecision _e93 = precise_miss();
+        return _e93;
     }
-    PreciseDecision _e95 = precise_uncertain();
-    return _e95;
+    PreciseDecision _e94 = precise_uncertain();
+    return _e94;
 }
 
 PreciseDecision precise_cylinder_filtered(vec3 center_6, float radius_3, vec3 axis_5, Ray ray_13) {

@@ -324,15 +324,19 @@ UnitAndLength vec3_unit_and_length(float3 v_4)
     return unitandlength_1;
 }
 
-bool tie_later_is_closer(float lambda_2, float closest)
+bool tie_later_cap_is_closer(float lambda_2, float closest)
 {
-    return (lambda_2 <= closest);
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+int tie_rank(uint order, bool on_cap)
 {
-    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
+    return (on_cap ? asint(asuint(int(-1)) - asuint(int(order))) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank)
+{
+    return ((lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank)));
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
@@ -453,7 +457,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
 {
-    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    const bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some & (!(closest_2.some) | _e8));
     float lambda_11 = (replaces ? later.lambda : closest_2.lambda);
     const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_11, (replaces ? part_1 : closest_2.part));
@@ -1370,25 +1374,33 @@ bool precise_in_scale(DoubleDouble length_squared_3)
     return _e10;
 }
 
+DoubleDouble precise_least_lambda()
+{
+    float _e2 = exact_one;
+    float _e6 = exact_one;
+    const DoubleDouble doubledouble_14 = ConstructDoubleDouble((0.001 * _e2), (-1.0842022e-19 * _e6));
+    return doubledouble_14;
+}
+
 bool precise_in_range(PreciseLimits limits_2, DoubleDouble lambda_8)
 {
-    const DoubleDouble _e3 = dd_constant(0.001);
-    const DoubleDouble _e5 = dd_constant(limits_2.lambda_error);
-    const DoubleDouble _e6 = dd_add(_e3, _e5);
-    const bool _e7 = dd_less_equal(_e6, lambda_8);
-    return _e7;
+    const DoubleDouble _e2 = precise_least_lambda();
+    const DoubleDouble _e4 = dd_constant(limits_2.lambda_error);
+    const DoubleDouble _e5 = dd_add(_e2, _e4);
+    const bool _e6 = dd_less_equal(_e5, lambda_8);
+    return _e6;
 }
 
 bool precise_bound_is_too_small(PreciseBound bound_4, DoubleDouble a_20, DoubleDouble numerator_3, DoubleDouble root_3)
 {
-    const DoubleDouble _e5 = dd_constant(0.001);
-    const DoubleDouble _e8 = dd_constant(bound_4.limits.lambda_error);
-    const DoubleDouble _e9 = dd_sub(_e5, _e8);
-    const DoubleDouble _e11 = dd_mul(a_20, _e9);
-    const DoubleDouble _e12 = dd_sub(_e11, numerator_3);
-    const DoubleDouble _e13 = dd_mul(_e12, root_3);
-    const bool _e14 = dd_less(bound_4.error, _e13);
-    return _e14;
+    const DoubleDouble _e4 = precise_least_lambda();
+    const DoubleDouble _e7 = dd_constant(bound_4.limits.lambda_error);
+    const DoubleDouble _e8 = dd_sub(_e4, _e7);
+    const DoubleDouble _e10 = dd_mul(a_20, _e8);
+    const DoubleDouble _e11 = dd_sub(_e10, numerator_3);
+    const DoubleDouble _e12 = dd_mul(_e11, root_3);
+    const bool _e13 = dd_less(bound_4.error, _e12);
+    return _e13;
 }
 
 PreciseOutcome ConstructPreciseOutcome(DoubleDouble arg0, bool arg1, bool arg2) {
@@ -1489,8 +1501,8 @@ DoubleDouble precise_cylinder_extent(PreciseCylinder cylinder_14)
     const DoubleDouble _e6 = dd_add(_e4, cylinder_14.half_height);
     const DoubleDouble _e8 = dd_constant(EXTENT_UNDERFLOW);
     const DoubleDouble _e9 = dd_add(_e6, _e8);
-    const DoubleDouble doubledouble_14 = _e9;
-    return doubledouble_14;
+    const DoubleDouble doubledouble_15 = _e9;
+    return doubledouble_15;
 }
 
 DoubleDouble precise_cylinder_margin(PreciseCylinder cylinder_15, DoubleDouble3_ direction_1, DoubleDouble lambda_9)
@@ -1503,8 +1515,8 @@ DoubleDouble precise_cylinder_margin(PreciseCylinder cylinder_15, DoubleDouble3_
     const DoubleDouble _e10 = dd_constant(1.2621775e-29);
     const DoubleDouble _e11 = dd_mul(_e8, _e10);
     const DoubleDouble _e12 = dd_add(_e7, _e11);
-    const DoubleDouble doubledouble_15 = _e12;
-    return doubledouble_15;
+    const DoubleDouble doubledouble_16 = _e12;
+    return doubledouble_16;
 }
 
 PreciseSide ConstructPreciseSide(PreciseBound arg0, DoubleDouble arg1, DoubleDouble arg2, DoubleDouble arg3, DoubleDouble arg4, DoubleDouble arg5, DoubleDouble arg6) {
@@ -1716,64 +1728,64 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
     const DoubleDouble _e34 = dd_add(_e30, _e33);
     if (_e21) {
         const DoubleDouble _e37 = dd_sub(_e12, _e16);
-        const DoubleDouble _e39 = dd_constant(0.001);
-        const DoubleDouble _e40 = dd_mul(_e37, _e39);
-        const bool _e41 = dd_less(_e34, _e40);
-        local_49 = _e41;
+        const DoubleDouble _e38 = precise_least_lambda();
+        const DoubleDouble _e39 = dd_mul(_e37, _e38);
+        const bool _e40 = dd_less(_e34, _e39);
+        local_49 = _e40;
     } else {
         local_49 = false;
     }
-    bool _e43 = local_49;
-    if (_e43) {
-        const PreciseDecision _e44 = precise_miss();
-        const PreciseDecision precisedecision_4 = _e44;
+    bool _e42 = local_49;
+    if (_e42) {
+        const PreciseDecision _e43 = precise_miss();
+        const PreciseDecision precisedecision_4 = _e43;
         return precisedecision_4;
     }
-    const DoubleDouble _e45 = dd_div(_e9, _e11);
-    DoubleDouble _e46 = distance_;
-    const DoubleDouble _e48 = dd_constant(4398046500000.0);
-    const DoubleDouble _e49 = dd_mul(_e46, _e48);
-    const bool _e50 = dd_less(_e29, _e49);
-    if (_e50) {
-        const DoubleDouble _e54 = dd_constant(8796093000000.0);
-        const DoubleDouble _e55 = dd_mul(_e12, _e54);
-        const bool _e56 = dd_less(_e13, _e55);
-        local_50 = _e56;
+    const DoubleDouble _e44 = dd_div(_e9, _e11);
+    DoubleDouble _e45 = distance_;
+    const DoubleDouble _e47 = dd_constant(4398046500000.0);
+    const DoubleDouble _e48 = dd_mul(_e45, _e47);
+    const bool _e49 = dd_less(_e29, _e48);
+    if (_e49) {
+        const DoubleDouble _e53 = dd_constant(8796093000000.0);
+        const DoubleDouble _e54 = dd_mul(_e12, _e53);
+        const bool _e55 = dd_less(_e13, _e54);
+        local_50 = _e55;
     } else {
         local_50 = false;
     }
     bool accurate_4 = local_50;
     if (accurate_4) {
-        const PreciseLimits _e61 = precise_cylinder_limits();
-        const bool _e62 = precise_in_range(_e61, _e45);
-        local_51 = _e62;
+        const PreciseLimits _e60 = precise_cylinder_limits();
+        const bool _e61 = precise_in_range(_e60, _e44);
+        local_51 = _e61;
     } else {
         local_51 = false;
     }
     bool is_in_range_1 = local_51;
-    const DoubleDouble3_ _e65 = dd3_scaled(direction_4, _e45);
-    const DoubleDouble3_ _e66 = dd3_add(origin_2, _e65);
-    const DoubleDouble3_ _e67 = dd3_sub(_e66, center_5);
-    const DoubleDouble _e68 = dd3_dot(_e67, _e67);
-    const DoubleDouble _e69 = dd_sqrt(_e68);
-    const DoubleDouble _e70 = precise_cylinder_margin(cylinder_18, direction_4, _e45);
+    const DoubleDouble3_ _e64 = dd3_scaled(direction_4, _e44);
+    const DoubleDouble3_ _e65 = dd3_add(origin_2, _e64);
+    const DoubleDouble3_ _e66 = dd3_sub(_e65, center_5);
+    const DoubleDouble _e67 = dd3_dot(_e66, _e66);
+    const DoubleDouble _e68 = dd_sqrt(_e67);
+    const DoubleDouble _e69 = precise_cylinder_margin(cylinder_18, direction_4, _e44);
     if (_e21) {
         local_52 = is_in_range_1;
     } else {
         local_52 = false;
     }
-    bool _e74 = local_52;
-    if (_e74) {
-        const DoubleDouble _e78 = dd_sub(cylinder_18.radius, _e70);
-        const bool _e79 = dd_less(_e69, _e78);
-        local_53 = _e79;
+    bool _e73 = local_52;
+    if (_e73) {
+        const DoubleDouble _e77 = dd_sub(cylinder_18.radius, _e69);
+        const bool _e78 = dd_less(_e68, _e77);
+        local_53 = _e78;
     } else {
         local_53 = false;
     }
-    bool _e81 = local_53;
-    if (_e81) {
-        const PreciseDecision _e82 = precise_hit(_e45, part_5);
-        const PreciseDecision precisedecision_5 = _e82;
+    bool _e80 = local_53;
+    if (_e80) {
+        const PreciseDecision _e81 = precise_hit(_e44, part_5);
+        const PreciseDecision precisedecision_5 = _e81;
         return precisedecision_5;
     }
     if (_e21) {
@@ -1781,22 +1793,22 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
     } else {
         local_54 = false;
     }
-    bool _e86 = local_54;
-    if (_e86) {
-        const DoubleDouble _e90 = dd_add(cylinder_18.radius, _e70);
-        const bool _e91 = dd_less(_e90, _e69);
-        local_55 = _e91;
+    bool _e85 = local_54;
+    if (_e85) {
+        const DoubleDouble _e89 = dd_add(cylinder_18.radius, _e69);
+        const bool _e90 = dd_less(_e89, _e68);
+        local_55 = _e90;
     } else {
         local_55 = false;
     }
-    bool _e93 = local_55;
-    if (_e93) {
-        const PreciseDecision _e94 = precise_miss();
-        const PreciseDecision precisedecision_6 = _e94;
+    bool _e92 = local_55;
+    if (_e92) {
+        const PreciseDecision _e93 = precise_miss();
+        const PreciseDecision precisedecision_6 = _e93;
         return precisedecision_6;
     }
-    const PreciseDecision _e95 = precise_uncertain();
-    const PreciseDecision precisedecision_7 = _e95;
+    const PreciseDecision _e94 = precise_uncertain();
+    const PreciseDecision precisedecision_7 = _e94;
     return precisedecision_7;
 }
 

@@ -195,8 +195,8 @@ struct ExactCylinderCase {
     PackedVec3_ axis;
     real one;
 };
-typedef ExactCylinderCase type_3[1];
-typedef ExactReport type_4[1];
+typedef ExactCylinderCase type_4[1];
+typedef ExactReport type_5[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
 constant real BELOW_ONE = 0.99999994;
@@ -297,21 +297,27 @@ UnitAndLength vec3_unit_and_length(
     return UnitAndLength {v_4 / metal::float3(_e12), _e12};
 }
 
-bool tie_later_is_closer(
+bool tie_later_cap_is_closer(
     real lambda_2,
     real closest
 ) {
-    return lambda_2 <= closest;
+    return lambda_2 < closest;
+}
+
+int tie_rank(
+    uint order,
+    bool on_cap
+) {
+    return on_cap ? as_type<int>(as_type<uint>(-1) - as_type<uint>(static_cast<int>(order))) : static_cast<int>(order);
 }
 
 bool tie_is_closer(
     real lambda_3,
-    uint order,
+    int rank,
     real closest_1,
-    uint closest_order
+    int closest_rank
 ) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+    return (lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank));
 }
 
 CylinderRecord cylinder_with_unit_axis(
@@ -411,7 +417,7 @@ CylinderRoot cylinder_closer(
     Root later,
     uint part_1
 ) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = later.some & (!(closest_2.some) | _e8);
     real lambda_11 = replaces ? later.lambda : closest_2.lambda;
     return CylinderRoot {closest_2.some | later.some, {}, lambda_11, replaces ? part_1 : closest_2.part};
@@ -1259,16 +1265,24 @@ bool precise_in_scale(
     return _e10;
 }
 
+DoubleDouble precise_least_lambda(
+    thread real& exact_one
+) {
+    real _e2 = exact_one;
+    real _e6 = exact_one;
+    return DoubleDouble {0.001 * _e2, -0.00000000000000000010842022 * _e6};
+}
+
 bool precise_in_range(
     PreciseLimits limits_2,
     DoubleDouble lambda_8,
     thread real& exact_one
 ) {
-    DoubleDouble _e3 = dd_constant(0.001, exact_one);
-    DoubleDouble _e5 = dd_constant(limits_2.lambda_error, exact_one);
-    DoubleDouble _e6 = dd_add(_e3, _e5, exact_one);
-    bool _e7 = dd_less_equal(_e6, lambda_8);
-    return _e7;
+    DoubleDouble _e2 = precise_least_lambda(exact_one);
+    DoubleDouble _e4 = dd_constant(limits_2.lambda_error, exact_one);
+    DoubleDouble _e5 = dd_add(_e2, _e4, exact_one);
+    bool _e6 = dd_less_equal(_e5, lambda_8);
+    return _e6;
 }
 
 bool precise_bound_is_too_small(
@@ -1278,14 +1292,14 @@ bool precise_bound_is_too_small(
     DoubleDouble root_3,
     thread real& exact_one
 ) {
-    DoubleDouble _e5 = dd_constant(0.001, exact_one);
-    DoubleDouble _e8 = dd_constant(bound_4.limits.lambda_error, exact_one);
-    DoubleDouble _e9 = dd_sub(_e5, _e8, exact_one);
-    DoubleDouble _e11 = dd_mul(a_20, _e9, exact_one);
-    DoubleDouble _e12 = dd_sub(_e11, numerator_3, exact_one);
-    DoubleDouble _e13 = dd_mul(_e12, root_3, exact_one);
-    bool _e14 = dd_less(bound_4.error, _e13);
-    return _e14;
+    DoubleDouble _e4 = precise_least_lambda(exact_one);
+    DoubleDouble _e7 = dd_constant(bound_4.limits.lambda_error, exact_one);
+    DoubleDouble _e8 = dd_sub(_e4, _e7, exact_one);
+    DoubleDouble _e10 = dd_mul(a_20, _e8, exact_one);
+    DoubleDouble _e11 = dd_sub(_e10, numerator_3, exact_one);
+    DoubleDouble _e12 = dd_mul(_e11, root_3, exact_one);
+    bool _e13 = dd_less(bound_4.error, _e12);
+    return _e13;
 }
 
 PreciseOutcome precise_bound_root(
@@ -1585,84 +1599,84 @@ PreciseDecision precise_cap_filtered(
     DoubleDouble _e34 = dd_add(_e30, _e33, exact_one);
     if (_e21) {
         DoubleDouble _e37 = dd_sub(_e12, _e16, exact_one);
-        DoubleDouble _e39 = dd_constant(0.001, exact_one);
-        DoubleDouble _e40 = dd_mul(_e37, _e39, exact_one);
-        bool _e41 = dd_less(_e34, _e40);
-        local_49 = _e41;
+        DoubleDouble _e38 = precise_least_lambda(exact_one);
+        DoubleDouble _e39 = dd_mul(_e37, _e38, exact_one);
+        bool _e40 = dd_less(_e34, _e39);
+        local_49 = _e40;
     } else {
         local_49 = false;
     }
-    bool _e43 = local_49;
-    if (_e43) {
-        PreciseDecision _e44 = precise_miss(exact_one);
-        return _e44;
+    bool _e42 = local_49;
+    if (_e42) {
+        PreciseDecision _e43 = precise_miss(exact_one);
+        return _e43;
     }
-    DoubleDouble _e45 = dd_div(_e9, _e11, exact_one);
-    DoubleDouble _e46 = distance;
-    DoubleDouble _e48 = dd_constant(4398046500000.0, exact_one);
-    DoubleDouble _e49 = dd_mul(_e46, _e48, exact_one);
-    bool _e50 = dd_less(_e29, _e49);
-    if (_e50) {
-        DoubleDouble _e54 = dd_constant(8796093000000.0, exact_one);
-        DoubleDouble _e55 = dd_mul(_e12, _e54, exact_one);
-        bool _e56 = dd_less(_e13, _e55);
-        local_50 = _e56;
+    DoubleDouble _e44 = dd_div(_e9, _e11, exact_one);
+    DoubleDouble _e45 = distance;
+    DoubleDouble _e47 = dd_constant(4398046500000.0, exact_one);
+    DoubleDouble _e48 = dd_mul(_e45, _e47, exact_one);
+    bool _e49 = dd_less(_e29, _e48);
+    if (_e49) {
+        DoubleDouble _e53 = dd_constant(8796093000000.0, exact_one);
+        DoubleDouble _e54 = dd_mul(_e12, _e53, exact_one);
+        bool _e55 = dd_less(_e13, _e54);
+        local_50 = _e55;
     } else {
         local_50 = false;
     }
     bool accurate_4 = local_50;
     if (accurate_4) {
-        PreciseLimits _e61 = precise_cylinder_limits();
-        bool _e62 = precise_in_range(_e61, _e45, exact_one);
-        local_51 = _e62;
+        PreciseLimits _e60 = precise_cylinder_limits();
+        bool _e61 = precise_in_range(_e60, _e44, exact_one);
+        local_51 = _e61;
     } else {
         local_51 = false;
     }
     bool is_in_range_1 = local_51;
-    DoubleDouble3_ _e65 = dd3_scaled(direction_4, _e45, exact_one);
-    DoubleDouble3_ _e66 = dd3_add(origin_2, _e65, exact_one);
-    DoubleDouble3_ _e67 = dd3_sub(_e66, center_5, exact_one);
-    DoubleDouble _e68 = dd3_dot(_e67, _e67, exact_one);
-    DoubleDouble _e69 = dd_sqrt(_e68, exact_one);
-    DoubleDouble _e70 = precise_cylinder_margin(cylinder_18, direction_4, _e45, exact_one);
+    DoubleDouble3_ _e64 = dd3_scaled(direction_4, _e44, exact_one);
+    DoubleDouble3_ _e65 = dd3_add(origin_2, _e64, exact_one);
+    DoubleDouble3_ _e66 = dd3_sub(_e65, center_5, exact_one);
+    DoubleDouble _e67 = dd3_dot(_e66, _e66, exact_one);
+    DoubleDouble _e68 = dd_sqrt(_e67, exact_one);
+    DoubleDouble _e69 = precise_cylinder_margin(cylinder_18, direction_4, _e44, exact_one);
     if (_e21) {
         local_52 = is_in_range_1;
     } else {
         local_52 = false;
     }
-    bool _e74 = local_52;
-    if (_e74) {
-        DoubleDouble _e78 = dd_sub(cylinder_18.radius, _e70, exact_one);
-        bool _e79 = dd_less(_e69, _e78);
-        local_53 = _e79;
+    bool _e73 = local_52;
+    if (_e73) {
+        DoubleDouble _e77 = dd_sub(cylinder_18.radius, _e69, exact_one);
+        bool _e78 = dd_less(_e68, _e77);
+        local_53 = _e78;
     } else {
         local_53 = false;
     }
-    bool _e81 = local_53;
-    if (_e81) {
-        PreciseDecision _e82 = precise_hit(_e45, part_5);
-        return _e82;
+    bool _e80 = local_53;
+    if (_e80) {
+        PreciseDecision _e81 = precise_hit(_e44, part_5);
+        return _e81;
     }
     if (_e21) {
         local_54 = is_in_range_1;
     } else {
         local_54 = false;
     }
-    bool _e86 = local_54;
-    if (_e86) {
-        DoubleDouble _e90 = dd_add(cylinder_18.radius, _e70, exact_one);
-        bool _e91 = dd_less(_e90, _e69);
-        local_55 = _e91;
+    bool _e85 = local_54;
+    if (_e85) {
+        DoubleDouble _e89 = dd_add(cylinder_18.radius, _e69, exact_one);
+        bool _e90 = dd_less(_e89, _e68);
+        local_55 = _e90;
     } else {
         local_55 = false;
     }
-    bool _e93 = local_55;
-    if (_e93) {
-        PreciseDecision _e94 = precise_miss(exact_one);
-        return _e94;
+    bool _e92 = local_55;
+    if (_e92) {
+        PreciseDecision _e93 = precise_miss(exact_one);
+        return _e93;
     }
-    PreciseDecision _e95 = precise_uncertain(exact_one);
-    return _e95;
+    PreciseDecision _e94 = precise_uncertain(exact_one);
+    return _e94;
 }
 
 PreciseDecision precise_cylinder_filtered(
@@ -1817,8 +1831,8 @@ struct exact_cylinderInput {
 };
 kernel void exact_cylinder(
   metal::uint3 id [[thread_position_in_grid]]
-, device type_3 const& cases [[buffer(0)]]
-, device type_4& reports [[buffer(1)]]
+, device type_4 const& cases [[buffer(0)]]
+, device type_5& reports [[buffer(1)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
 ) {
     real exact_one = {};

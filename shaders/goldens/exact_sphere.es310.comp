@@ -175,9 +175,9 @@ const uint BOTTOM = 2u;
 
 float exact_one = 0.0;
 
-layout(std430, binding = 0) readonly buffer type_3_block_0Compute { ExactSphereCase _group_0_binding_0_cs[]; };
+layout(std430, binding = 0) readonly buffer type_4_block_0Compute { ExactSphereCase _group_0_binding_0_cs[]; };
 
-layout(std430, binding = 1) buffer type_4_block_1Compute { ExactReport _group_0_binding_1_cs[]; };
+layout(std430, binding = 1) buffer type_5_block_1Compute { ExactReport _group_0_binding_1_cs[]; };
 
 
 float vec3_dot(vec3 a, vec3 b) {
@@ -272,13 +272,16 @@ UnitAndLength vec3_unit_and_length(vec3 v_4) {
     return UnitAndLength((v_4 / vec3(_e12)), _e12);
 }
 
-bool tie_later_is_closer(float lambda_2, float closest) {
-    return (lambda_2 <= closest);
+bool tie_later_cap_is_closer(float lambda_2, float closest) {
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 && ((lambda_3 < closest_1) || (order >= closest_order)));
+int tie_rank(uint order, bool on_cap) {
+    return (on_cap ? (-1 - int(order)) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank) {
+    return ((lambda_3 < closest_1) || ((lambda_3 <= closest_1) && (rank >= closest_rank)));
 }
 
 CylinderRecord cylinder_with_unit_axis(vec3 center_1, float radius_1, vec3 axis_1, float half_height) {
@@ -342,7 +345,7 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
 }
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some && (!(closest_2.some) || _e8));
     float lambda_10 = (replaces ? later.lambda : closest_2.lambda);
     return CylinderRoot((closest_2.some || later.some), lambda_10, (replaces ? part_1 : closest_2.part));
@@ -862,23 +865,29 @@ bool precise_in_scale(DoubleDouble length_squared_3) {
     return _e10;
 }
 
+DoubleDouble precise_least_lambda() {
+    float _e2 = exact_one;
+    float _e6 = exact_one;
+    return DoubleDouble((0.001 * _e2), (-1.0842022e-19 * _e6));
+}
+
 bool precise_in_range(PreciseLimits limits_2, DoubleDouble lambda_7) {
-    DoubleDouble _e3 = dd_constant(0.001);
-    DoubleDouble _e5 = dd_constant(limits_2.lambda_error);
-    DoubleDouble _e6 = dd_add(_e3, _e5);
-    bool _e7 = dd_less_equal(_e6, lambda_7);
-    return _e7;
+    DoubleDouble _e2 = precise_least_lambda();
+    DoubleDouble _e4 = dd_constant(limits_2.lambda_error);
+    DoubleDouble _e5 = dd_add(_e2, _e4);
+    bool _e6 = dd_less_equal(_e5, lambda_7);
+    return _e6;
 }
 
 bool precise_bound_is_too_small(PreciseBound bound_4, DoubleDouble a_22, DoubleDouble numerator_2, DoubleDouble root_2) {
-    DoubleDouble _e5 = dd_constant(0.001);
-    DoubleDouble _e8 = dd_constant(bound_4.limits.lambda_error);
-    DoubleDouble _e9 = dd_sub(_e5, _e8);
-    DoubleDouble _e11 = dd_mul(a_22, _e9);
-    DoubleDouble _e12 = dd_sub(_e11, numerator_2);
-    DoubleDouble _e13 = dd_mul(_e12, root_2);
-    bool _e14 = dd_less(bound_4.error, _e13);
-    return _e14;
+    DoubleDouble _e4 = precise_least_lambda();
+    DoubleDouble _e7 = dd_constant(bound_4.limits.lambda_error);
+    DoubleDouble _e8 = dd_sub(_e4, _e7);
+    DoubleDouble _e10 = dd_mul(a_22, _e8);
+    DoubleDouble _e11 = dd_sub(_e10, numerator_2);
+    DoubleDouble _e12 = dd_mul(_e11, root_2);
+    bool _e13 = dd_less(bound_4.error, _e12);
+    return _e13;
 }
 
 PreciseOutcome precise_bound_root(PreciseBound bound_5, DoubleDouble a_23, DoubleDouble numerator_3, DoubleDouble root_3) {

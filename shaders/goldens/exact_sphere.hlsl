@@ -378,15 +378,19 @@ UnitAndLength vec3_unit_and_length(float3 v_4)
     return unitandlength_1;
 }
 
-bool tie_later_is_closer(float lambda_2, float closest)
+bool tie_later_cap_is_closer(float lambda_2, float closest)
 {
-    return (lambda_2 <= closest);
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+int tie_rank(uint order, bool on_cap)
 {
-    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
+    return (on_cap ? asint(asuint(int(-1)) - asuint(int(order))) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank)
+{
+    return ((lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank)));
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
@@ -500,7 +504,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
 {
-    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    const bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some & (!(closest_2.some) | _e8));
     float lambda_10 = (replaces ? later.lambda : closest_2.lambda);
     const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_10, (replaces ? part_1 : closest_2.part));
@@ -1225,25 +1229,33 @@ bool precise_in_scale(DoubleDouble length_squared_3)
     return _e10;
 }
 
+DoubleDouble precise_least_lambda()
+{
+    float _e2 = exact_one;
+    float _e6 = exact_one;
+    const DoubleDouble doubledouble_14 = ConstructDoubleDouble((0.001 * _e2), (-1.0842022e-19 * _e6));
+    return doubledouble_14;
+}
+
 bool precise_in_range(PreciseLimits limits_2, DoubleDouble lambda_7)
 {
-    const DoubleDouble _e3 = dd_constant(0.001);
-    const DoubleDouble _e5 = dd_constant(limits_2.lambda_error);
-    const DoubleDouble _e6 = dd_add(_e3, _e5);
-    const bool _e7 = dd_less_equal(_e6, lambda_7);
-    return _e7;
+    const DoubleDouble _e2 = precise_least_lambda();
+    const DoubleDouble _e4 = dd_constant(limits_2.lambda_error);
+    const DoubleDouble _e5 = dd_add(_e2, _e4);
+    const bool _e6 = dd_less_equal(_e5, lambda_7);
+    return _e6;
 }
 
 bool precise_bound_is_too_small(PreciseBound bound_4, DoubleDouble a_22, DoubleDouble numerator_2, DoubleDouble root_2)
 {
-    const DoubleDouble _e5 = dd_constant(0.001);
-    const DoubleDouble _e8 = dd_constant(bound_4.limits.lambda_error);
-    const DoubleDouble _e9 = dd_sub(_e5, _e8);
-    const DoubleDouble _e11 = dd_mul(a_22, _e9);
-    const DoubleDouble _e12 = dd_sub(_e11, numerator_2);
-    const DoubleDouble _e13 = dd_mul(_e12, root_2);
-    const bool _e14 = dd_less(bound_4.error, _e13);
-    return _e14;
+    const DoubleDouble _e4 = precise_least_lambda();
+    const DoubleDouble _e7 = dd_constant(bound_4.limits.lambda_error);
+    const DoubleDouble _e8 = dd_sub(_e4, _e7);
+    const DoubleDouble _e10 = dd_mul(a_22, _e8);
+    const DoubleDouble _e11 = dd_sub(_e10, numerator_2);
+    const DoubleDouble _e12 = dd_mul(_e11, root_2);
+    const bool _e13 = dd_less(bound_4.error, _e12);
+    return _e13;
 }
 
 PreciseOutcome ConstructPreciseOutcome(DoubleDouble arg0, bool arg1, bool arg2) {

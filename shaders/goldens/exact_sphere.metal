@@ -169,8 +169,8 @@ struct ExactSphereCase {
     real radius;
     real one;
 };
-typedef ExactSphereCase type_3[1];
-typedef ExactReport type_4[1];
+typedef ExactSphereCase type_4[1];
+typedef ExactReport type_5[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
 constant real BELOW_ONE = 0.99999994;
@@ -328,21 +328,27 @@ UnitAndLength vec3_unit_and_length(
     return UnitAndLength {v_4 / metal::float3(_e12), _e12};
 }
 
-bool tie_later_is_closer(
+bool tie_later_cap_is_closer(
     real lambda_2,
     real closest
 ) {
-    return lambda_2 <= closest;
+    return lambda_2 < closest;
+}
+
+int tie_rank(
+    uint order,
+    bool on_cap
+) {
+    return on_cap ? as_type<int>(as_type<uint>(-1) - as_type<uint>(static_cast<int>(order))) : static_cast<int>(order);
 }
 
 bool tie_is_closer(
     real lambda_3,
-    uint order,
+    int rank,
     real closest_1,
-    uint closest_order
+    int closest_rank
 ) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+    return (lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank));
 }
 
 CylinderRecord cylinder_with_unit_axis(
@@ -442,7 +448,7 @@ CylinderRoot cylinder_closer(
     Root later,
     uint part_1
 ) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = later.some & (!(closest_2.some) | _e8);
     real lambda_10 = replaces ? later.lambda : closest_2.lambda;
     return CylinderRoot {closest_2.some | later.some, {}, lambda_10, replaces ? part_1 : closest_2.part};
@@ -1113,16 +1119,24 @@ bool precise_in_scale(
     return _e10;
 }
 
+DoubleDouble precise_least_lambda(
+    thread real& exact_one
+) {
+    real _e2 = exact_one;
+    real _e6 = exact_one;
+    return DoubleDouble {0.001 * _e2, -0.00000000000000000010842022 * _e6};
+}
+
 bool precise_in_range(
     PreciseLimits limits_2,
     DoubleDouble lambda_7,
     thread real& exact_one
 ) {
-    DoubleDouble _e3 = dd_constant(0.001, exact_one);
-    DoubleDouble _e5 = dd_constant(limits_2.lambda_error, exact_one);
-    DoubleDouble _e6 = dd_add(_e3, _e5, exact_one);
-    bool _e7 = dd_less_equal(_e6, lambda_7);
-    return _e7;
+    DoubleDouble _e2 = precise_least_lambda(exact_one);
+    DoubleDouble _e4 = dd_constant(limits_2.lambda_error, exact_one);
+    DoubleDouble _e5 = dd_add(_e2, _e4, exact_one);
+    bool _e6 = dd_less_equal(_e5, lambda_7);
+    return _e6;
 }
 
 bool precise_bound_is_too_small(
@@ -1132,14 +1146,14 @@ bool precise_bound_is_too_small(
     DoubleDouble root_2,
     thread real& exact_one
 ) {
-    DoubleDouble _e5 = dd_constant(0.001, exact_one);
-    DoubleDouble _e8 = dd_constant(bound_4.limits.lambda_error, exact_one);
-    DoubleDouble _e9 = dd_sub(_e5, _e8, exact_one);
-    DoubleDouble _e11 = dd_mul(a_22, _e9, exact_one);
-    DoubleDouble _e12 = dd_sub(_e11, numerator_2, exact_one);
-    DoubleDouble _e13 = dd_mul(_e12, root_2, exact_one);
-    bool _e14 = dd_less(bound_4.error, _e13);
-    return _e14;
+    DoubleDouble _e4 = precise_least_lambda(exact_one);
+    DoubleDouble _e7 = dd_constant(bound_4.limits.lambda_error, exact_one);
+    DoubleDouble _e8 = dd_sub(_e4, _e7, exact_one);
+    DoubleDouble _e10 = dd_mul(a_22, _e8, exact_one);
+    DoubleDouble _e11 = dd_sub(_e10, numerator_2, exact_one);
+    DoubleDouble _e12 = dd_mul(_e11, root_2, exact_one);
+    bool _e13 = dd_less(bound_4.error, _e12);
+    return _e13;
 }
 
 PreciseOutcome precise_bound_root(
@@ -1307,8 +1321,8 @@ struct exact_sphereInput {
 };
 kernel void exact_sphere(
   metal::uint3 id [[thread_position_in_grid]]
-, device type_3 const& cases [[buffer(0)]]
-, device type_4& reports [[buffer(1)]]
+, device type_4 const& cases [[buffer(0)]]
+, device type_5& reports [[buffer(1)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
 ) {
     real exact_one = {};

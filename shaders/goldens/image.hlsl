@@ -356,15 +356,19 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
     return root_2;
 }
 
-bool tie_later_is_closer(float lambda_2, float closest)
+bool tie_later_cap_is_closer(float lambda_2, float closest)
 {
-    return (lambda_2 <= closest);
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+int tie_rank(uint order, bool on_cap)
 {
-    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
+    return (on_cap ? asint(asuint(int(-1)) - asuint(int(order))) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank)
+{
+    return ((lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank)));
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
@@ -470,7 +474,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
 {
-    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    const bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some & (!(closest_2.some) | _e8));
     float lambda_8 = (replaces ? later.lambda : closest_2.lambda);
     const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_8, (replaces ? part_1 : closest_2.part));
@@ -682,10 +686,12 @@ Background picture_background()
     return background_1;
 }
 
-bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1)
+bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1, uint part_2)
 {
-    const bool _e7 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
-    return (!(closest_3.some) | _e7);
+    const int _e8 = tie_rank(closest_3.order, (closest_3.part != SIDE));
+    const int _e11 = tie_rank(order_1, (part_2 != SIDE));
+    const bool _e15 = tie_is_closer(lambda_5, _e11, closest_3.lambda, _e8);
+    return (!(closest_3.some) | _e15);
 }
 
 ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
@@ -717,12 +723,12 @@ ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_9, uint index_1)
     const Root _e7 = sphere_intersect(_e6, ray_9);
     uint order_2 = placed.order;
     result = closest_4;
-    const bool _e12 = is_closer(closest_4, _e7.lambda, order_2);
-    if ((_e7.some & _e12)) {
+    const bool _e13 = is_closer(closest_4, _e7.lambda, order_2, SIDE);
+    if ((_e7.some & _e13)) {
         result = ConstructClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
     }
-    ClosestHit _e19 = result;
-    const ClosestHit closesthit = _e19;
+    ClosestHit _e20 = result;
+    const ClosestHit closesthit = _e20;
     return closesthit;
 }
 
@@ -746,12 +752,12 @@ ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_10, uint index_2)
     const CylinderRoot _e7 = cylinder_intersect(_e6, ray_10);
     uint order_3 = placed_1.order;
     result_1 = closest_5;
-    const bool _e12 = is_closer(closest_5, _e7.lambda, order_3);
-    if ((_e7.some & _e12)) {
+    const bool _e13 = is_closer(closest_5, _e7.lambda, order_3, _e7.part);
+    if ((_e7.some & _e13)) {
         result_1 = ConstructClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
     }
-    ClosestHit _e19 = result_1;
-    const ClosestHit closesthit_1 = _e19;
+    ClosestHit _e20 = result_1;
+    const ClosestHit closesthit_1 = _e20;
     return closesthit_1;
 }
 

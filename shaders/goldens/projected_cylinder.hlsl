@@ -285,15 +285,19 @@ UnitAndLength vec3_unit_and_length(float3 v_4)
     return unitandlength_1;
 }
 
-bool tie_later_is_closer(float lambda_2, float closest)
+bool tie_later_cap_is_closer(float lambda_2, float closest)
 {
-    return (lambda_2 <= closest);
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+int tie_rank(uint order, bool on_cap)
 {
-    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
+    return (on_cap ? asint(asuint(int(-1)) - asuint(int(order))) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank)
+{
+    return ((lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank)));
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
@@ -407,7 +411,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
 {
-    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    const bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some & (!(closest_2.some) | _e8));
     float lambda_8 = (replaces ? later.lambda : closest_2.lambda);
     const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_8, (replaces ? part_1 : closest_2.part));

@@ -106,9 +106,9 @@ const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;
 
-layout(std430, binding = 0) readonly buffer type_3_block_0Compute { ProjectedSphereCase _group_0_binding_0_cs[]; };
+layout(std430, binding = 0) readonly buffer type_4_block_0Compute { ProjectedSphereCase _group_0_binding_0_cs[]; };
 
-layout(std430, binding = 1) buffer type_4_block_1Compute { HitReport _group_0_binding_1_cs[]; };
+layout(std430, binding = 1) buffer type_5_block_1Compute { HitReport _group_0_binding_1_cs[]; };
 
 
 float vec3_dot(vec3 a, vec3 b) {
@@ -196,13 +196,16 @@ UnitAndLength vec3_unit_and_length(vec3 v_4) {
     return UnitAndLength((v_4 / vec3(_e12)), _e12);
 }
 
-bool tie_later_is_closer(float lambda_2, float closest) {
-    return (lambda_2 <= closest);
+bool tie_later_cap_is_closer(float lambda_2, float closest) {
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 && ((lambda_3 < closest_1) || (order >= closest_order)));
+int tie_rank(uint order, bool on_cap) {
+    return (on_cap ? (-1 - int(order)) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank) {
+    return ((lambda_3 < closest_1) || ((lambda_3 <= closest_1) && (rank >= closest_rank)));
 }
 
 CylinderRecord cylinder_with_unit_axis(vec3 center_1, float radius_1, vec3 axis_1, float half_height) {
@@ -266,7 +269,7 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
 }
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some && (!(closest_2.some) || _e8));
     float lambda_8 = (replaces ? later.lambda : closest_2.lambda);
     return CylinderRoot((closest_2.some || later.some), lambda_8, (replaces ? part_1 : closest_2.part));

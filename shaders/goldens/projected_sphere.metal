@@ -101,8 +101,8 @@ struct ProjectedSphereCase {
     PackedVec3_ center;
     real radius;
 };
-typedef ProjectedSphereCase type_3[1];
-typedef HitReport type_4[1];
+typedef ProjectedSphereCase type_4[1];
+typedef HitReport type_5[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
 constant real BELOW_ONE = 0.99999994;
@@ -249,21 +249,27 @@ UnitAndLength vec3_unit_and_length(
     return UnitAndLength {v_4 / metal::float3(_e12), _e12};
 }
 
-bool tie_later_is_closer(
+bool tie_later_cap_is_closer(
     real lambda_2,
     real closest
 ) {
-    return lambda_2 <= closest;
+    return lambda_2 < closest;
+}
+
+int tie_rank(
+    uint order,
+    bool on_cap
+) {
+    return on_cap ? as_type<int>(as_type<uint>(-1) - as_type<uint>(static_cast<int>(order))) : static_cast<int>(order);
 }
 
 bool tie_is_closer(
     real lambda_3,
-    uint order,
+    int rank,
     real closest_1,
-    uint closest_order
+    int closest_rank
 ) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+    return (lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank));
 }
 
 CylinderRecord cylinder_with_unit_axis(
@@ -363,7 +369,7 @@ CylinderRoot cylinder_closer(
     Root later,
     uint part_1
 ) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = later.some & (!(closest_2.some) | _e8);
     real lambda_8 = replaces ? later.lambda : closest_2.lambda;
     return CylinderRoot {closest_2.some | later.some, {}, lambda_8, replaces ? part_1 : closest_2.part};
@@ -520,8 +526,8 @@ struct projected_sphereInput {
 };
 kernel void projected_sphere(
   metal::uint3 id [[thread_position_in_grid]]
-, device type_3 const& cases [[buffer(0)]]
-, device type_4& reports [[buffer(1)]]
+, device type_4 const& cases [[buffer(0)]]
+, device type_5& reports [[buffer(1)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
 ) {
     if (id.x >= (1 + (_buffer_sizes.size0 - 0 - 40) / 40)) {

@@ -118,8 +118,8 @@ struct Picture {
     uint convention;
     uint unused;
 };
-typedef PlacedSphere type_3[1];
-typedef PlacedCylinder type_4[1];
+typedef PlacedSphere type_4[1];
+typedef PlacedCylinder type_5[1];
 struct ClosestHit {
     bool some;
     char _pad1[3];
@@ -144,8 +144,8 @@ struct PackedPath {
     uint attenuation_count;
     uint ended;
 };
-typedef PackedVec3_ type_5[1];
-typedef PackedPath type_6[1];
+typedef PackedVec3_ type_6[1];
+typedef PackedPath type_7[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
 constant real BELOW_ONE = 0.99999994;
@@ -271,21 +271,27 @@ Root sphere_intersect(
     return Root {!((_e8.discriminant < 0.0)) & _e11.some, {}, _e11.lambda};
 }
 
-bool tie_later_is_closer(
+bool tie_later_cap_is_closer(
     real lambda_2,
     real closest
 ) {
-    return lambda_2 <= closest;
+    return lambda_2 < closest;
+}
+
+int tie_rank(
+    uint order,
+    bool on_cap
+) {
+    return on_cap ? as_type<int>(as_type<uint>(-1) - as_type<uint>(static_cast<int>(order))) : static_cast<int>(order);
 }
 
 bool tie_is_closer(
     real lambda_3,
-    uint order,
+    int rank,
     real closest_1,
-    uint closest_order
+    int closest_rank
 ) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+    return (lambda_3 < closest_1) | ((lambda_3 <= closest_1) & (rank >= closest_rank));
 }
 
 CylinderRecord cylinder_with_unit_axis(
@@ -375,7 +381,7 @@ CylinderRoot cylinder_closer(
     Root later,
     uint part_1
 ) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = later.some & (!(closest_2.some) | _e8);
     real lambda_8 = replaces ? later.lambda : closest_2.lambda;
     return CylinderRoot {closest_2.some | later.some, {}, lambda_8, replaces ? part_1 : closest_2.part};
@@ -445,17 +451,20 @@ CylinderRecord cylinder_load(
 bool is_closer(
     ClosestHit closest_3,
     real lambda_5,
-    uint order_1
+    uint order_1,
+    uint part_2
 ) {
-    bool _e7 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
-    return !(closest_3.some) | _e7;
+    int _e8 = tie_rank(closest_3.order, closest_3.part != SIDE);
+    int _e11 = tie_rank(order_1, part_2 != SIDE);
+    bool _e15 = tie_is_closer(lambda_5, _e11, closest_3.lambda, _e8);
+    return !(closest_3.some) | _e15;
 }
 
 ClosestHit intersect_sphere(
     ClosestHit closest_4,
     Ray ray_8,
     uint index,
-    device type_3 const& spheres,
+    device type_4 const& spheres,
     constant _mslBufferSizes& _buffer_sizes
 ) {
     ClosestHit result = {};
@@ -464,19 +473,19 @@ ClosestHit intersect_sphere(
     Root _e7 = sphere_intersect(_e6, ray_8);
     uint order_2 = placed.order;
     result = closest_4;
-    bool _e12 = is_closer(closest_4, _e7.lambda, order_2);
-    if (_e7.some & _e12) {
+    bool _e13 = is_closer(closest_4, _e7.lambda, order_2, SIDE);
+    if (_e7.some & _e13) {
         result = ClosestHit {true, {}, _e7.lambda, order_2, false, {}, index, SIDE};
     }
-    ClosestHit _e19 = result;
-    return _e19;
+    ClosestHit _e20 = result;
+    return _e20;
 }
 
 ClosestHit intersect_cylinder(
     ClosestHit closest_5,
     Ray ray_9,
     uint index_1,
-    device type_4 const& cylinders,
+    device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
     ClosestHit result_1 = {};
@@ -485,19 +494,19 @@ ClosestHit intersect_cylinder(
     CylinderRoot _e7 = cylinder_intersect(_e6, ray_9);
     uint order_3 = placed_1.order;
     result_1 = closest_5;
-    bool _e12 = is_closer(closest_5, _e7.lambda, order_3);
-    if (_e7.some & _e12) {
+    bool _e13 = is_closer(closest_5, _e7.lambda, order_3, _e7.part);
+    if (_e7.some & _e13) {
         result_1 = ClosestHit {true, {}, _e7.lambda, order_3, true, {}, index_1, _e7.part};
     }
-    ClosestHit _e19 = result_1;
-    return _e19;
+    ClosestHit _e20 = result_1;
+    return _e20;
 }
 
 SurfaceHit surface_at(
     ClosestHit closest_6,
     Ray ray_10,
-    device type_3 const& spheres,
-    device type_4 const& cylinders,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
     metal::float3 outward_1 = {};
@@ -542,8 +551,8 @@ SurfaceHit surface_at(
 ClosestHit intersect_every_object(
     Ray ray_11,
     device Picture const& picture,
-    device type_3 const& spheres,
-    device type_4 const& cylinders,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
     ClosestHit closest_7 = {};
@@ -606,8 +615,8 @@ ClosestHit intersect_every_object(
 SurfaceHit closest_hit(
     Ray ray_12,
     device Picture const& picture,
-    device type_3 const& spheres,
-    device type_4 const& cylinders,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
     ClosestHit _e1 = intersect_every_object(ray_12, picture, spheres, cylinders, _buffer_sizes);
@@ -620,10 +629,10 @@ struct raysInput {
 kernel void rays(
   metal::uint3 id [[thread_position_in_grid]]
 , device Picture const& picture [[buffer(0)]]
-, device type_3 const& spheres [[buffer(1)]]
-, device type_4 const& cylinders [[buffer(2)]]
-, device type_5& pixels [[buffer(5)]]
-, device type_6 const& paths [[buffer(6)]]
+, device type_4 const& spheres [[buffer(1)]]
+, device type_5 const& cylinders [[buffer(2)]]
+, device type_6& pixels [[buffer(5)]]
+, device type_7 const& paths [[buffer(6)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(7)]]
 ) {
     bool closest_hit_gave_up = {};

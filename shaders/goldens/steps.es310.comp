@@ -183,15 +183,15 @@ const uint max_depth = 5u;
 
 layout(std430, binding = 0) readonly buffer Picture_block_0Compute { Picture _group_0_binding_0_cs; };
 
-layout(std430, binding = 1) readonly buffer type_4_block_1Compute { PlacedSphere _group_0_binding_1_cs[]; };
+layout(std430, binding = 1) readonly buffer type_5_block_1Compute { PlacedSphere _group_0_binding_1_cs[]; };
 
-layout(std430, binding = 2) readonly buffer type_5_block_2Compute { PlacedCylinder _group_0_binding_2_cs[]; };
+layout(std430, binding = 2) readonly buffer type_6_block_2Compute { PlacedCylinder _group_0_binding_2_cs[]; };
 
-layout(std430, binding = 3) readonly buffer type_6_block_3Compute { PackedMaterial _group_0_binding_3_cs[]; };
+layout(std430, binding = 3) readonly buffer type_7_block_3Compute { PackedMaterial _group_0_binding_3_cs[]; };
 
 bool closest_hit_gave_up = false;
 
-layout(std430, binding = 5) buffer type_7_block_4Compute { Step _group_0_binding_5_cs[]; };
+layout(std430, binding = 5) buffer type_8_block_4Compute { Step _group_0_binding_5_cs[]; };
 
 
 float vec3_dot(vec3 a, vec3 b) {
@@ -268,13 +268,16 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_2) {
     return Root((!((_e8.discriminant < 0.0)) && _e11.some), _e11.lambda);
 }
 
-bool tie_later_is_closer(float lambda_2, float closest) {
-    return (lambda_2 <= closest);
+bool tie_later_cap_is_closer(float lambda_2, float closest) {
+    return (lambda_2 < closest);
 }
 
-bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
-    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    return (_e4 && ((lambda_3 < closest_1) || (order >= closest_order)));
+int tie_rank(uint order, bool on_cap) {
+    return (on_cap ? (-1 - int(order)) : int(order));
+}
+
+bool tie_is_closer(float lambda_3, int rank, float closest_1, int closest_rank) {
+    return ((lambda_3 < closest_1) || ((lambda_3 <= closest_1) && (rank >= closest_rank)));
 }
 
 CylinderRecord cylinder_with_unit_axis(vec3 center_1, float radius_1, vec3 axis_1, float half_height) {
@@ -332,7 +335,7 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
 }
 
 CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1) {
-    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool _e8 = tie_later_cap_is_closer(later.lambda, closest_2.lambda);
     bool replaces = (later.some && (!(closest_2.some) || _e8));
     float lambda_8 = (replaces ? later.lambda : closest_2.lambda);
     return CylinderRoot((closest_2.some || later.some), lambda_8, (replaces ? part_1 : closest_2.part));
@@ -454,9 +457,11 @@ Background picture_background() {
     return Background(_e4, _e9);
 }
 
-bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1) {
-    bool _e7 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
-    return (!(closest_3.some) || _e7);
+bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1, uint part_2) {
+    int _e8 = tie_rank(closest_3.order, (closest_3.part != SIDE));
+    int _e11 = tie_rank(order_1, (part_2 != SIDE));
+    bool _e15 = tie_is_closer(lambda_5, _e11, closest_3.lambda, _e8);
+    return (!(closest_3.some) || _e15);
 }
 
 ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_8, uint index_1) {
@@ -466,12 +471,12 @@ ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_8, uint index_1) {
     Root _e7 = sphere_intersect(_e6, ray_8);
     uint order_2 = placed.order;
     result = closest_4;
-    bool _e12 = is_closer(closest_4, _e7.lambda, order_2);
-    if ((_e7.some && _e12)) {
+    bool _e13 = is_closer(closest_4, _e7.lambda, order_2, SIDE);
+    if ((_e7.some && _e13)) {
         result = ClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
     }
-    ClosestHit _e19 = result;
-    return _e19;
+    ClosestHit _e20 = result;
+    return _e20;
 }
 
 ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_9, uint index_2) {
@@ -481,12 +486,12 @@ ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_9, uint index_2) {
     CylinderRoot _e7 = cylinder_intersect(_e6, ray_9);
     uint order_3 = placed_1.order;
     result_1 = closest_5;
-    bool _e12 = is_closer(closest_5, _e7.lambda, order_3);
-    if ((_e7.some && _e12)) {
+    bool _e13 = is_closer(closest_5, _e7.lambda, order_3, _e7.part);
+    if ((_e7.some && _e13)) {
         result_1 = ClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
     }
-    ClosestHit _e19 = result_1;
-    return _e19;
+    ClosestHit _e20 = result_1;
+    return _e20;
 }
 
 SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10) {

@@ -109,7 +109,7 @@ fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
 }
 
 // The part of CylinderRecord::intersect after the side. Returns the closest hit of the side, the top cap and the bottom
-// cap. Of hits at equal lambdas, the later in this order counts.
+// cap. Of hits at equal lambdas, the first in this order counts.
 fn cylinder_with_caps(cylinder: CylinderRecord, ray: Ray, side: Root) -> CylinderRoot {
     let top = cylinder_cap(cylinder, ray, cylinder.top);
     let bottom = cylinder_cap(cylinder, ray, cylinder.bottom);
@@ -117,10 +117,10 @@ fn cylinder_with_caps(cylinder: CylinderRecord, ray: Ray, side: Root) -> Cylinde
     return cylinder_closer(closest, bottom, BOTTOM);
 }
 
-// A step of CylinderRecord::intersect: returns the closer of `closest` and the hit `later` on `part`. Either may be
-// missing. At equal lambdas `later` counts.
+// A step of CylinderRecord::intersect: returns the closer of `closest` and the hit `later` on the cap `part`. Either may
+// be missing. At equal lambdas `closest` counts.
 fn cylinder_closer(closest: CylinderRoot, later: Root, part: u32) -> CylinderRoot {
-    let replaces = later.some & (!closest.some | tie_later_is_closer(later.lambda, closest.lambda));
+    let replaces = later.some & (!closest.some | tie_later_cap_is_closer(later.lambda, closest.lambda));
     let lambda = select(closest.lambda, later.lambda, replaces);
     return CylinderRoot(closest.some | later.some, lambda, select(closest.part, part, replaces));
 }

@@ -14,9 +14,11 @@ struct ClosestHit {
     part: u32,
 }
 
-// ClosestHit::update: returns whether a hit at `lambda` replaces the closest hit found so far.
-fn is_closer(closest: ClosestHit, lambda: real, order: u32) -> bool {
-    return !closest.some | tie_is_closer(lambda, order, closest.lambda, closest.order);
+// ClosestHit::update: returns whether a hit at `lambda` on `part` replaces the closest hit found so far.
+fn is_closer(closest: ClosestHit, lambda: real, order: u32, part: u32) -> bool {
+    let closest_rank = tie_rank(closest.order, closest.part != SIDE);
+    let rank = tie_rank(order, part != SIDE);
+    return !closest.some | tie_is_closer(lambda, rank, closest.lambda, closest_rank);
 }
 
 // The surface that a ray hits first, if `some` is true. Only steps.wgsl and debug views read `lambda`, `order` and
@@ -36,7 +38,7 @@ fn intersect_sphere(closest: ClosestHit, ray: Ray, index: u32) -> ClosestHit {
     let root = sphere_intersect(sphere_load(placed), ray);
     let order = placed.order;
     var result = closest;
-    if root.some & is_closer(closest, root.lambda, order) {
+    if root.some & is_closer(closest, root.lambda, order, SIDE) {
         result = ClosestHit(true, root.lambda, order, false, index, SIDE);
     }
     return result;
@@ -48,7 +50,7 @@ fn intersect_cylinder(closest: ClosestHit, ray: Ray, index: u32) -> ClosestHit {
     let root = cylinder_intersect(cylinder_load(placed), ray);
     let order = placed.order;
     var result = closest;
-    if root.some & is_closer(closest, root.lambda, order) {
+    if root.some & is_closer(closest, root.lambda, order, root.part) {
         result = ClosestHit(true, root.lambda, order, true, index, root.part);
     }
     return result;

@@ -205,7 +205,7 @@ impl<B: Boxes> Accelerator for Bvh<B> {
                 again.intersect(objects, from, ray);
             }
             if again.is_hit() {
-                closest.update(again.lambda, again.object, again.order, again.part);
+                closest.update_by(&again);
                 if self.isolated.is(from) {
                     return closest;
                 }

@@ -3,7 +3,7 @@
 use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
 use crate::exact::{self, error_bound::Decision};
-use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::is_closer};
+use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::NO_RANK, tie::is_closer, tie::rank};
 use crate::layout::Objects;
 
 /// The closest hit among the objects intersected so far.
@@ -13,15 +13,16 @@ pub struct ClosestHit {
     pub lambda: f64,
     /// The object that is hit, or [`NO_OBJECT`] if there is no hit.
     pub object: ObjectId,
-    /// The object's place in the scene file, which decides between two hits at the same lambda.
-    pub order: u32,
+    /// The [rank] of the hit among hits at the same lambda.
+    pub rank: i64,
     /// The part of a cylinder that is hit. It is the side for a sphere.
     pub part: CylinderPart,
 }
 
 impl ClosestHit {
     /// The value before any hit. Every hit replaces it, even one whose lambda is infinite.
-    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NO_OBJECT, order: 0, part: CylinderPart::Side };
+    pub const NOTHING: Self =
+        Self { lambda: f64::INFINITY, object: NO_OBJECT, rank: NO_RANK, part: CylinderPart::Side };
 
     /// Whether any object is hit.
     #[inline(always)]
@@ -29,12 +30,19 @@ impl ClosestHit {
         self.object != NO_OBJECT
     }
 
-    /// Replaces the hit by the one that the parameters describe, if that one is closer. Of two hits at the same lambda
-    /// the one that is later in the scene file counts.
+    /// Replaces the hit by the one that the parameters describe, if that one is closer. `order` is the object's place in
+    /// the scene file. Of two hits at the same lambda, the one with the higher [rank] counts.
     #[inline(always)]
     pub fn update(&mut self, lambda: f64, object: ObjectId, order: u32, part: CylinderPart) {
-        if is_closer((lambda, order), (self.lambda, self.order)) {
-            *self = Self { lambda, object, order, part };
+        self.update_by(&Self { lambda, object, rank: rank(order, part != CylinderPart::Side), part });
+    }
+
+    /// Replaces the hit by `other`, which must be a hit, if that one is closer.
+    #[inline(always)]
+    pub fn update_by(&mut self, other: &Self) {
+        debug_assert!(other.is_hit());
+        if is_closer((other.lambda, other.rank), (self.lambda, self.rank)) {
+            *self = *other;
         }
     }
 
@@ -110,14 +118,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_closest_hit_counts_and_of_two_at_the_same_lambda_the_later() {
+    fn the_closest_hit_counts_and_of_those_at_the_same_lambda_the_last_side_or_the_first_cap() {
         let mut closest = ClosestHit::NOTHING;
         assert!(!closest.is_hit());
         closest.update(2.0, 7, 3, CylinderPart::Side);
         closest.update(2.0, 8, 1, CylinderPart::Side);
         assert_eq!(closest.object, 7);
-        closest.update(2.0, 9, 4, CylinderPart::Top);
-        assert_eq!((closest.object, closest.part), (9, CylinderPart::Top));
+        closest.update(2.0, 6, 4, CylinderPart::Top);
+        closest.update(2.0, 9, 5, CylinderPart::Side);
+        assert_eq!((closest.object, closest.part), (9, CylinderPart::Side));
         closest.update(1.0, 1, 0, CylinderPart::Side);
         closest.update(1.5, 2, 9, CylinderPart::Side);
         assert_eq!((closest.object, closest.lambda), (1, 1.0));

@@ -5,8 +5,8 @@
 //! whether a ray enters it. A wrong prediction costs time, but never changes the closest hit.
 
 use crate::accel::{
-    bounds::Bounds, conservative::ConservativeRay, extent::Extent, object::ObjectId, object::bounding_sphere,
-    object::count, target::Target,
+    bounds::Bounds, conservative::ConservativeRay, extent::Extent, isolated::SEPARATION, object::ObjectId,
+    object::bounding_sphere, object::count, target::Target,
 };
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
@@ -52,7 +52,7 @@ impl DominantSphere {
         // Let q be the squared distance from the ray's origin to the centre. Rounding in the plain formula moves a
         // point away from the surface by some 26 units in the last place of (q + r^2) / r.
         let squares = 12.0 * extent.max_coordinate * extent.max_coordinate;
-        let slack = 1e-9 * extent.max_coordinate + 64.0 * f64::EPSILON * squares / radius;
+        let slack = SEPARATION * extent.max_coordinate + 64.0 * f64::EPSILON * squares / radius;
         let overlaps =
             |&id: &ObjectId| !self.is(id) && Bounds::of_object(objects, id, extent).distance(center) <= radius + slack;
         let ids = (0..count(objects) as ObjectId).filter(overlaps);

@@ -12,7 +12,7 @@ use crate::exact::{
     cylinder_side::LIMITS, cylinder_side::extent, cylinder_side::magnitude, cylinder_side::margin,
     error_bound::Decision, error_bound::Outcome,
 };
-use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::LAMBDA_MIN, ray::Ray};
+use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, ray::least_lambda};
 use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// Intersects the ray with the cap around `center`. Returns `Certain(Some((lambda, part)))` if the ray certainly hits
@@ -46,7 +46,7 @@ pub(super) struct Plane<T: Rounding> {
     /// The dot product of the ray's direction and the axis.
     slope: T,
     /// The plane is certainly not hit. It is parallel to the ray, it is behind the ray's origin, or lambda is below
-    /// [`LAMBDA_MIN`].
+    /// [`least_lambda`].
     pub fails: T::Mask,
     /// The ray is certainly not parallel to the plane.
     steep: T::Mask,
@@ -69,7 +69,7 @@ impl<T: Rounding> Plane<T> {
         let distance = to_plane.flipped_by(slope);
         let size = extent(record) + magnitude(to_center);
         let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
-        let too_near = (distance + distance_error).less((steepness - slope_error) * T::of(LAMBDA_MIN));
+        let too_near = (distance + distance_error).less((steepness - slope_error) * least_lambda());
         let accurate =
             size.less(distance * T::of(4.0 * condition)) & size_of_direction.less(steepness * T::of(8.0 * condition));
         Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate }

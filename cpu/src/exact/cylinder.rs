@@ -19,7 +19,7 @@ use crate::simd::fused::run_fused;
 type Hit<T> = Option<(T, CylinderPart)>;
 
 /// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
-/// misses all three. Of parts at the same lambda, the later in this order counts. [`CylinderRecord::intersect`] follows
+/// misses all three. Of parts at the same lambda, the first in this order counts. [`CylinderRecord::intersect`] follows
 /// this rule with rounding errors, but here rounding never changes a decision. `axis` is the axis of the scene file,
 /// and its length is the cylinder's height. `record` must be made from this axis.
 ///
@@ -29,9 +29,9 @@ type Hit<T> = Option<(T, CylinderPart)>;
 ///
 /// let axis = Vec3::new(0.0, 4.0, 0.0);
 /// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
-/// // The ray passes exactly through the rim. Side and cap have the same lambda, and the later one, the cap, counts.
+/// // The ray passes exactly through the rim. Side and cap have the same lambda, and the side counts.
 /// let ray = Ray { origin: Vec3::new(0.0, 4.0, -3.0), direction: Vec3::new(0.0, -1.0, 1.0) };
-/// assert_eq!(intersect::cylinder(&cylinder, &axis, &ray), Some((2.0, CylinderPart::Top)));
+/// assert_eq!(intersect::cylinder(&cylinder, &axis, &ray), Some((2.0, CylinderPart::Side)));
 /// ```
 #[inline(always)]
 #[must_use]
@@ -150,11 +150,11 @@ mod tests {
     }
 
     #[test]
-    fn through_the_rim_the_cap_counts() {
-        assert_eq!(hit(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Top)));
-        assert_eq!(hit(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, CylinderPart::Bottom)));
+    fn through_the_rim_the_side_counts() {
+        assert_eq!(hit(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Side)));
+        assert_eq!(hit(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, CylinderPart::Side)));
         // The ray leaves the cylinder through the rim.
-        assert_eq!(hit(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, CylinderPart::Top)));
+        assert_eq!(hit(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, CylinderPart::Side)));
     }
 
     #[test]

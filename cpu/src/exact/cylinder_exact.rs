@@ -10,7 +10,10 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::{sphere_exact::Exact3, sphere_exact::NotFinite, sphere_exact::Quadratic, sphere_exact::exact};
+use crate::exact::{
+    sphere_exact::Exact3, sphere_exact::NotFinite, sphere_exact::Quadratic, sphere_exact::exact,
+    sphere_exact::least_lambda,
+};
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, ray::LAMBDA_MIN, ray::Ray};
 use crate::math::{dyadic::Dyadic, dyadic::power_of_two, vec3::Vec3};
 
@@ -30,7 +33,7 @@ struct Inputs {
     slope: Dyadic,
     /// `q.V`.
     height: Dyadic,
-    /// [`LAMBDA_MIN`].
+    /// [`least_lambda`].
     least: Dyadic,
 }
 
@@ -46,7 +49,7 @@ pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Opt
     let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
     let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
     let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
-    let (radius_squared, least) = (exact(radius)?.squared(), exact(LAMBDA_MIN)?);
+    let (radius_squared, least) = (exact(radius)?.squared(), least_lambda()?);
     let inputs = Inputs { direction, r_c, axis, radius_squared, half, slope, height, least };
     let side = inputs.side();
     let caps = [inputs.cap(false)?, inputs.cap(true)?];
@@ -100,18 +103,18 @@ impl Inputs {
     }
 }
 
-/// Returns lambda and name of the closest part, or `None` if no part is hit. Of parts at the same lambda, the later in
-/// the order side, top, bottom counts ([`crate::geometry::tie`]).
+/// Returns lambda and name of the closest part, or `None` if no part is hit. Of parts at the same lambda, the first in
+/// the order side, top, bottom counts, because a cap does not replace what is at the same lambda
+/// ([`crate::geometry::tie`]).
 fn closest_part(side: Option<(Quadratic, bool)>, [top, bottom]: [Option<Fraction>; 2]) -> Option<(f64, CylinderPart)> {
-    let side_is_closer = |cap: &Fraction| {
-        side.as_ref().is_some_and(|(quadratic, larger)| {
-            // The side is closer if `lambda_side - lambda_cap` is not at least 0.
-            !quadratic.is_linear_form_positive(&-&cap.numerator, &cap.denominator, *larger)
+    let before_side = |cap: &Fraction| {
+        side.as_ref().is_none_or(|(quadratic, larger)| {
+            // The cap is closer if `lambda_cap - lambda_side` is not at least 0.
+            !quadratic.is_linear_form_positive(&cap.numerator, &-&cap.denominator, *larger)
         })
     };
-    let top = top.filter(|top| !side_is_closer(top));
-    let bottom =
-        bottom.filter(|bottom| !side_is_closer(bottom) && top.as_ref().is_none_or(|top| bottom.is_at_most(top)));
+    let top = top.filter(before_side);
+    let bottom = bottom.filter(|bottom| before_side(bottom) && top.as_ref().is_none_or(|top| bottom.is_below(top)));
     match (side, top, bottom) {
         (_, _, Some(bottom)) => Some((bottom.value(), CylinderPart::Bottom)),
         (_, Some(top), None) => Some((top.value(), CylinderPart::Top)),
@@ -121,9 +124,9 @@ fn closest_part(side: Option<(Quadratic, bool)>, [top, bottom]: [Option<Fraction
 }
 
 impl Fraction {
-    fn is_at_most(&self, other: &Self) -> bool {
+    fn is_below(&self, other: &Self) -> bool {
         let (left, right) = (&self.numerator * &other.denominator, &other.numerator * &self.denominator);
-        (&left - &right).sign() != Ordering::Greater
+        (&left - &right).sign() == Ordering::Less
     }
 
     /// Returns the nearest `f64`, or a neighbour of it.

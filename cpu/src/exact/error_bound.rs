@@ -8,14 +8,14 @@
 //! values of all quantities:
 //!
 //! - the ray misses if `-D > E`;
-//! - a root is below [`LAMBDA_MIN`] if `(a LAMBDA_MIN - n) sqrt(D) > E`;
+//! - a root is below [`least_lambda`] if `(a least_lambda - n) sqrt(D) > E`;
 //! - a root is accurate if `M + 4 n^2 < condition_limit n sqrt(D)`, and then `D > 0` is certain too.
 //!
 //! If a quantity overflows, the result is uncertain, because every comparison with NaN is false. Underflow cannot make
 //! a wrong result certain, for two reasons: a tiny constant is added to `M`, and the direction must be [in
 //! scale](in_scale).
 
-use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
+use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::least_lambda, math::real::Real, math::rounding::Rounding};
 
 /// The answer of a floating-point filter: the result of a formula if it is certain. If rounding may have changed the
 /// result, the answer is [`Decision::Uncertain`]. A certain miss is `Certain(None)`.
@@ -52,10 +52,10 @@ impl Limits {
         256.0 * self.condition_limit::<T>() * T::UNIT_ROUNDOFF
     }
 
-    /// Whether `lambda`, which must be accurate, certainly is at least [`LAMBDA_MIN`].
+    /// Whether `lambda`, which must be accurate, certainly is at least [`least_lambda`].
     #[inline(always)]
     pub fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
-        (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.lambda_error::<T>())).less_equal(lambda)
+        (least_lambda::<T>() + T::of(LAMBDA_MIN * self.lambda_error::<T>())).less_equal(lambda)
     }
 }
 
@@ -127,12 +127,12 @@ impl<T: Rounding> ErrorBound<T> {
         Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
     }
 
-    /// Whether the lambda `numerator / a` certainly is below [`LAMBDA_MIN`]. This is cheaper than [`ErrorBound::root`],
+    /// Whether the lambda `numerator / a` certainly is below [`least_lambda`]. This is cheaper than [`ErrorBound::root`],
     /// because there is no division.
     #[inline(always)]
     pub fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
-        // The limit is lowered by more than the relative error of `a`.
-        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
+        // The limit is lowered by more than the relative error of `a` and the rounding of the limit.
+        let least = least_lambda::<T>() - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
         self.error.less((a * least - numerator) * root)
     }
 }

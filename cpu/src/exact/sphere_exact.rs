@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
+use crate::geometry::{ray::HALF_STEP, ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
 use crate::math::dyadic::{Dyadic, power_of_two, sign_with_root};
 use crate::math::{double_double::DoubleDouble, real::Real, vec3::Vec3};
 
@@ -43,6 +43,11 @@ impl Exact3 {
 /// Returns `value` as a dyadic number, without rounding.
 pub fn exact(value: f64) -> Result<Dyadic, NotFinite> {
     Dyadic::new(value).ok_or(NotFinite)
+}
+
+/// Returns the smallest lambda of a hit that counts, without rounding. See [`HALF_STEP`].
+pub fn least_lambda() -> Result<Dyadic, NotFinite> {
+    Ok(&exact(LAMBDA_MIN)? - &exact(HALF_STEP)?)
 }
 
 /// The equation `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0`, and the discriminant `h^2 - a c` is at
@@ -101,7 +106,7 @@ pub fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFin
     let Some(quadratic) = Quadratic::with_roots(direction.dot(&direction), direction.dot(&r_c), c) else {
         return Ok(None);
     };
-    let (least, one) = (exact(-LAMBDA_MIN)?, Dyadic::one());
+    let (least, one) = (-&least_lambda()?, Dyadic::one());
     let root = [false, true].into_iter().find(|&larger| quadratic.is_linear_form_positive(&least, &one, larger));
     Ok(root.map(|larger| quadratic.root(larger).max(LAMBDA_MIN)))
 }

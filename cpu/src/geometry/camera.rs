@@ -2,6 +2,7 @@
 
 use crate::geometry::ray::Ray;
 use crate::input::{config::Config, error::Error, error::Picture, size::Size};
+use crate::math::dyadic::{Dyadic, power_of_two};
 use crate::math::{real::Real, tangent::tangent, vec3::Vec3, vec3::broadcast};
 
 /// The largest offset of a sample from the middle of its pixel, in pixels (specification, section 6.2).
@@ -47,14 +48,15 @@ impl Camera {
         // place of the product of their lengths.
         const PARALLEL: f64 = 4.0 * f64::EPSILON;
 
-        let (position, target, north) = (config.camera_position, config.camera_target, config.camera_north);
+        let (position, target) = (config.camera_position, config.camera_target);
+        let north = scaled(config.camera_north);
         if position == target {
             return Err(Picture::CameraAtTarget);
         }
         let (width, height) = (size.width() as f64, size.height() as f64);
         let focal = position - target;
         let focal_distance = focal.length();
-        if !(focal_distance.is_finite() && focal_distance > 0.0 && north.length().is_finite()) {
+        if !(focal_distance.is_finite() && focal_distance > 0.0 && north.is_finite()) {
             return Err(Picture::CameraOutOfRange);
         }
         let fov = config.field_of_view * std::f64::consts::PI / 180.0;
@@ -74,6 +76,17 @@ impl Camera {
         let camera = Self { position, origin, delta_x, delta_y };
         let finite = [position, origin, delta_x, delta_y].iter().all(|vector| vector.is_finite());
         if finite { Ok(camera) } else { Err(Picture::CameraOutOfRange) }
+    }
+}
+
+/// Returns the vector times the power of two that brings its largest component to the range from 1/2 to 1, so that the
+/// squares of the components neither overflow nor underflow. A null vector, an infinite one and one with NaN are
+/// returned as they are.
+fn scaled(vector: Vec3) -> Vec3 {
+    let largest = vector.to_array().into_iter().map(f64::abs).fold(0.0, f64::max);
+    match Dyadic::new(largest).and_then(|largest| largest.order()) {
+        Some(order) if vector.is_finite() => vector.map(|component| power_of_two(component, -order)),
+        _ => vector,
     }
 }
 
@@ -137,6 +150,24 @@ mod tests {
         });
         assert_eq!(parallel_up_to_rounding, Err(Picture::NorthParallel));
         assert!(camera(|config| config.camera_north = Vec3::new(0.0, 1e-9, 1.0)).is_ok());
+    }
+
+    #[test]
+    fn north_may_have_any_length() {
+        let north = Vec3::new(0.1, 0.7, -0.2);
+        let expected = camera(|config| config.camera_north = north).expect("there is a window");
+        for power in [-1070, -600, -200, 200, 600, 1023] {
+            let north = north.map(|component| power_of_two(component, power));
+            let actual = camera(|config| config.camera_north = north).expect("there is a window");
+            let difference = (actual.delta_x - expected.delta_x).length() + (actual.origin - expected.origin).length();
+            // 2^-1070 is so small that the components have only a few bits.
+            assert!(difference <= if power == -1070 { 3.0 } else { 0.0 }, "2^{power}: {difference}");
+        }
+        for north in [[0.0, f64::MAX, 0.0], [0.0, 1e155, 0.0], [0.0, 1e-170, 0.0], [0.0, 5e-324, 0.0]] {
+            assert_eq!(camera(|config| config.camera_north = north.into()), camera(|_| ()), "{north:?}");
+        }
+        let infinite = camera(|config| config.camera_north = Vec3::new(0.0, f64::INFINITY, 0.0));
+        assert_eq!(infinite, Err(Picture::CameraOutOfRange));
     }
 
     #[test]

@@ -7,7 +7,7 @@
 //! counts if its point, measured along the axis, is at most half the height from the centre. The caps are discs in the
 //! planes at both ends ([`cap`]).
 
-use crate::geometry::{cap, ray::Ray, ray::in_range, tie::later_is_closer};
+use crate::geometry::{cap, ray::Ray, ray::in_range, tie::later_cap_is_closer};
 use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// A cylinder in the form that the formulas use. The terms that do not depend on the ray are computed once.
@@ -158,7 +158,7 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
         }
         for (center, part) in [(self.top, CylinderPart::Top), (self.bottom, CylinderPart::Bottom)] {
             if let Some(lambda) = cap::intersect(center, self.axis, self.radius, ray)
-                && nearest.is_none_or(|(closest, _)| later_is_closer(lambda, closest))
+                && nearest.is_none_or(|(closest, _)| later_cap_is_closer(lambda, closest))
             {
                 nearest = Some((lambda, part));
             }

@@ -5,6 +5,18 @@ use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 /// The smallest lambda of a hit that counts, in lengths of the ray's direction (specification, section 8.2).
 pub const LAMBDA_MIN: f64 = 1e-3;
 
+/// Half of the distance between [`LAMBDA_MIN`] and the `f64` below it, 2^-63. A hit counts if its exact lambda, rounded
+/// to `f64`, is at least [`LAMBDA_MIN`]. So the limit of exact lambdas is `LAMBDA_MIN - HALF_STEP`, which itself counts,
+/// because it is rounded to `LAMBDA_MIN`, the number whose last bit is even.
+pub const HALF_STEP: f64 = (LAMBDA_MIN - LAMBDA_MIN.next_down()) / 2.0;
+
+/// Returns the smallest lambda of a hit that counts, as exactly as the arithmetic `T` allows. It is
+/// `LAMBDA_MIN - HALF_STEP` in double-double, and [`LAMBDA_MIN`] in `f64` and `f32`.
+#[inline(always)]
+pub fn least_lambda<T: Real>() -> T {
+    T::of(LAMBDA_MIN) - T::of(HALF_STEP)
+}
+
 /// A half-line from `origin` along `direction`, which need not have length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
@@ -76,6 +88,10 @@ mod tests {
 
     #[test]
     fn hits_start_at_a_thousandth() {
+        use crate::math::double_double::DoubleDouble;
+        assert_eq!(least_lambda::<f64>(), LAMBDA_MIN);
+        let DoubleDouble { high, low } = least_lambda();
+        assert_eq!((high, low), (LAMBDA_MIN, -(2.0_f64.powi(-63))));
         assert!(in_range(1e-3) && in_range(f64::INFINITY));
         assert!(!in_range(1e-3_f64.next_down()) && !in_range(-1.0_f64) && !in_range(f64::NAN));
     }

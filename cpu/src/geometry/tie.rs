@@ -1,29 +1,84 @@
-//! The rule for two hits at the same lambda: the later one counts (specification, section 8.2).
+//! The rule for two hits at the same lambda (specification, section 8.2): a sphere or the side of a cylinder replaces
+//! what was found before, and a cap does not.
 //!
-//! "Later" means later in the order of the scene file, with spheres and cylinders together. Within a cylinder the order
-//! is side, top cap, bottom cap. All comparisons of the hits on two objects call the functions of this module. In lanes
-//! the objects are intersected in the order of the scene file (`object::in_order` and `render/frustum.rs` sort them by
-//! the places that `layout.rs` gives). Before the first hit lambda is infinite (`accel/closest_hit.rs`,
-//! `render/hit_lanes.rs`). The order of a cylinder's parts stands in `intersect` of `geometry/cylinder.rs`. Two parts
-//! of a cylinder have the same lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there.
-//! Elsewhere there is no tie, so `exact/cylinder.rs` and `exact/cylinder_lanes.rs` find the part without this rule. The
-//! reference has a literal copy of this rule in `update` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
+//! "Before" means earlier in the order of the scene file, with spheres and cylinders together. Within a cylinder the
+//! order is side, top cap, bottom cap. So of surfaces at the same lambda the last sphere or side counts. If all of them
+//! are caps, the first one counts.
+//!
+//! All comparisons of the hits on two objects call the functions of this module. In lanes the objects are intersected
+//! in the order of the scene file (`object::in_order` and `render/frustum.rs` sort them by the places that `layout.rs`
+//! gives). Searches in any order compare the [ranks](rank) of two hits. Two parts of a cylinder have the same lambda
+//! only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie, so
+//! `exact/cylinder.rs` and `exact/cylinder_lanes.rs` find the part without this rule. The reference has a literal copy of
+//! this rule in `update` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
 
 use crate::math::real::Real;
 
-/// Returns `lambda <= closest`: whether a later hit, at `lambda`, replaces the closest hit so far, which is at
-/// `closest`. Of two hits at the same lambda the later one counts. So the caller must take the objects in the order of
-/// the scene file, and the parts of a cylinder in the order side, top, bottom. Without a hit so far, `closest` is
-/// infinite.
+/// Returns `lambda <= closest`: whether a later hit at `lambda`, on a sphere or on the side of a cylinder, replaces the
+/// closest hit so far, which is at `closest`. Without a hit so far, `closest` is infinite.
 #[inline(always)]
 pub fn later_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
     lambda.less_equal(closest)
 }
 
-/// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
-/// are equal and its object is later in the scene file. Each hit is a pair of lambda and the object's place in the
-/// scene file. The objects may come in any order. It serves one ray; lanes call [`later_is_closer`].
+/// Returns `lambda < closest`: whether a later hit at `lambda`, on a cap, replaces the closest hit so far, which is at
+/// `closest`. The caller asks only if there is a hit so far.
 #[inline(always)]
-pub fn is_closer<T: Real<Mask = bool>>((lambda, order): (T, u32), (closest, closest_order): (T, u32)) -> bool {
-    later_is_closer(lambda, closest) && (lambda.less(closest) || order >= closest_order)
+pub fn later_cap_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
+    lambda.less(closest)
+}
+
+/// The rank of no hit. Every hit has a higher rank.
+pub const NO_RANK: i64 = i64::MIN;
+
+/// Returns the rank of a hit among the hits at the same lambda: the hit with the highest rank counts. `order` is the
+/// object's place in the scene file.
+#[inline(always)]
+pub fn rank(order: u32, on_cap: bool) -> i64 {
+    if on_cap { -1 - i64::from(order) } else { i64::from(order) }
+}
+
+/// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
+/// are equal and its rank is not lower. Each hit is a pair of lambda and [`rank`]. The objects may come in any order. It
+/// serves one ray; lanes call [`later_is_closer`] and [`later_cap_is_closer`].
+#[inline(always)]
+pub fn is_closer<T: Real<Mask = bool>>((lambda, rank): (T, i64), (closest, closest_rank): (T, i64)) -> bool {
+    lambda.less_equal(closest) && (lambda.less(closest) || rank >= closest_rank)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns the index of the hit that counts, by the statement's rule, of hits at one lambda in the order of the
+    /// scene file. Each hit says whether it is on a cap.
+    fn counts(on_cap: [bool; 3]) -> usize {
+        (0..3).fold(0, |best, later| if on_cap[later] { best } else { later })
+    }
+
+    #[test]
+    fn in_any_order_of_search_the_hit_of_the_statement_counts() {
+        for bits in 0..8 {
+            let on_cap = [0, 1, 2].map(|index| bits >> index & 1 == 1);
+            for search in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+                let (mut found, mut closest) = (usize::MAX, (f64::INFINITY, NO_RANK));
+                for index in search {
+                    let hit = (2.0, rank(index as u32, on_cap[index]));
+                    if is_closer(hit, closest) {
+                        (found, closest) = (index, hit);
+                    }
+                }
+                assert_eq!(found, counts(on_cap), "{on_cap:?} in the order {search:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_smaller_lambda_wins_whatever_the_rank() {
+        assert!(is_closer((1.0, rank(5, true)), (2.0, rank(9, false))));
+        assert!(!is_closer((2.0, rank(9, false)), (1.0, rank(5, true))));
+        assert!(later_is_closer(2.0_f64, 2.0));
+        assert!(!later_cap_is_closer(2.0_f64, 2.0) && later_cap_is_closer(1.0_f64, 2.0));
+        assert!(rank(u32::MAX, true) > NO_RANK && rank(0, false) > rank(0, true));
+    }
 }

@@ -13,6 +13,8 @@ pub(super) struct Hit {
     pub point: Vec3,
     /// The normal that points out of the object.
     pub outward: Vec3,
+    /// Whether the hit is on a cylinder's cap.
+    pub on_cap: bool,
 }
 
 /// Whether a hit at `lambda` counts (specification, section 8.2). NaN never counts.
@@ -20,10 +22,13 @@ fn in_range(lambda: f64) -> bool {
     lambda >= 1e-3
 }
 
-/// Replaces `nearest` by `hit` if the lambda of `hit` is smaller or equal. Of two hits at the same lambda the later one
-/// counts. Returns whether `nearest` was replaced.
+/// Replaces `nearest` by `hit` if there is no `nearest`, or if the lambda of `hit` is smaller. At the same lambda a
+/// sphere and the side of a cylinder replace `nearest`, and a cap does not (specification, section 8.2). Returns whether
+/// `nearest` was replaced.
 pub(super) fn update(nearest: &mut Option<Hit>, hit: Option<Hit>) -> bool {
-    let is_nearer = hit.is_some_and(|hit| nearest.is_none_or(|nearest| hit.lambda <= nearest.lambda));
+    let is_nearer = hit.is_some_and(|hit| {
+        nearest.is_none_or(|nearest| hit.lambda < nearest.lambda || hit.lambda == nearest.lambda && !hit.on_cap)
+    });
     if is_nearer {
         *nearest = hit;
     }
@@ -35,7 +40,7 @@ pub(super) fn update(nearest: &mut Option<Hit>, hit: Option<Hit>) -> bool {
 pub(super) fn sphere_by<P: Intersect>(sphere: &Sphere, ray: &Ray) -> Option<Hit> {
     let lambda = P::sphere(&SphereRecord::new(sphere.center, sphere.radius), ray).filter(|&lambda| in_range(lambda))?;
     let point = ray.origin + ray.direction * lambda;
-    Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius })
+    Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius, on_cap: false })
 }
 
 /// Returns the hit with a cylinder at the lambda and on the part that `P` returns (specification, sections 9.2 and
@@ -50,7 +55,7 @@ pub(super) fn cylinder_by<P: Intersect>(cylinder: &Cylinder, ray: &Ray) -> Optio
         CylinderPart::Top => axis,
         CylinderPart::Bottom => -axis,
     };
-    Some(Hit { lambda, point, outward })
+    Some(Hit { lambda, point, outward, on_cap: part != CylinderPart::Side })
 }
 
 /// Returns the hit with a sphere by the plain formula, or `None` if the ray misses it.
@@ -61,7 +66,7 @@ pub(super) fn sphere(sphere: &Sphere, &Ray { origin, direction }: &Ray) -> Optio
     let c = r_c.dot(r_c) - sphere.radius * sphere.radius;
     let lambda = roots(a, b, c)?.into_iter().find(|&lambda| in_range(lambda))?;
     let point = origin + direction * lambda;
-    Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius })
+    Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius, on_cap: false })
 }
 
 /// Returns the hit with a cylinder by the plain formulas, or `None` if the ray misses it. The side is tested first,
@@ -85,7 +90,7 @@ fn side(cylinder: &Cylinder, height: f64, axis: Vec3, &Ray { origin, direction }
         let point = origin + direction * lambda;
         let along = (point - cylinder.center).dot(axis);
         let outward = (point - cylinder.center) - axis * along;
-        (in_range(lambda) && along.abs() <= height / 2.0).then_some(Hit { lambda, point, outward })
+        (in_range(lambda) && along.abs() <= height / 2.0).then_some(Hit { lambda, point, outward, on_cap: false })
     })
 }
 
@@ -100,7 +105,7 @@ fn cap(cylinder: &Cylinder, height: f64, normal: Vec3, &Ray { origin, direction 
     let lambda = (center - origin).dot(normal) / normal_component;
     let point = origin + direction * lambda;
     let is_hit = in_range(lambda) && (point - center).length() <= cylinder.radius;
-    is_hit.then_some(Hit { lambda, point, outward: normal })
+    is_hit.then_some(Hit { lambda, point, outward: normal, on_cap: true })
 }
 
 /// Returns the roots of `a x^2 + b x + c`, the smaller one first, or `None` if there is no real root.

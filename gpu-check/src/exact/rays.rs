@@ -1,7 +1,7 @@
 //! The cases of the exact kernels: those of the plain formulas, and the hard rays of `stability`.
 
 use cpu::internals::sampling::uniform::Uniform;
-use stability::regimes::{CYLINDERS, EXTREMES, Regime, SPHERES};
+use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, Regime, SPHERES};
 
 use crate::kernels::{CYLINDER, SPHERE};
 use crate::special::{self, Row};
@@ -25,13 +25,13 @@ const FACTORS: [f64; 12] = [
 
 /// Returns cases of spheres; see [`super::ExactKernel::cases`].
 pub fn spheres(count: usize, seed: u64) -> Vec<f64> {
-    let extremes = EXTREMES.iter().filter(|regime| regime.name.starts_with("spheres"));
+    let extremes = EXTREMES.iter().chain(&LIMITS).filter(|regime| regime.name.starts_with("spheres"));
     all(&SPHERE, SPHERES.iter().chain(extremes), count, seed)
 }
 
 /// Returns cases of cylinders; see [`super::ExactKernel::cases`].
 pub fn cylinders(count: usize, seed: u64) -> Vec<f64> {
-    let extremes = EXTREMES.iter().filter(|regime| !regime.name.starts_with("spheres"));
+    let extremes = EXTREMES.iter().chain(&LIMITS).filter(|regime| !regime.name.starts_with("spheres"));
     all(&CYLINDER, CYLINDERS.iter().chain(extremes), count, seed)
 }
 

@@ -7,7 +7,7 @@ use cpu::internals::geometry::cap;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord, CylinderView};
 use cpu::internals::geometry::ray::in_range;
 use cpu::internals::geometry::sphere::{SphereRecord, SphereView};
-use cpu::internals::geometry::tie::later_is_closer;
+use cpu::internals::geometry::tie::later_cap_is_closer;
 use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::vec3::NEGLIGIBLE;
 use cpu::internals::render::background::Background;
@@ -63,7 +63,7 @@ fn of_rays<T: Float>(name: &str) -> Option<Twin<T>> {
         "ray_at" => |_, mut of| vector(of.ray().at(of.number())),
         "in_range" => |_, mut of| flag(in_range(of.number())),
         "hit_facing" => |_, mut of| hit(&Hit::facing(of.vector(), of.vector(), of.vector())),
-        "tie_later_is_closer" => |_, mut of| flag(later_is_closer(of.number(), of.number())),
+        "tie_later_cap_is_closer" => |_, mut of| flag(later_cap_is_closer(of.number(), of.number())),
         _ => return None,
     })
 }

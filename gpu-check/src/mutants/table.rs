@@ -50,9 +50,11 @@ mutants! {
         "length * SHORT_SQUARED" => "length * SHORT_SCALE",
     ;
     "tie":
-        "return lambda <= closest" => "return lambda < closest",
+        "return lambda < closest" => "return lambda <= closest",
         "(lambda < closest) |" => "(lambda > closest) |",
-        "order >= closest_order" => "order < closest_order",
+        "lambda <= closest" => "lambda < closest",
+        "rank >= closest_rank" => "rank < closest_rank",
+        "-1 - i32(order)" => "i32(order)",
     ;
     "cylinder":
         "unit.length / real(2.0)" => "unit.length / real(4.0)",
@@ -70,7 +72,7 @@ mutants! {
         "ray, cylinder.bottom)" => "ray, cylinder.top)",
         "select(-cylinder.axis, cylinder.axis" => "select(cylinder.axis, cylinder.axis",
         "!(quadratic.discriminant < real(0.0))" => "!(quadratic.discriminant <= real(0.0))",
-        "tie_later_is_closer(later.lambda, closest.lambda)" => "later.lambda < closest.lambda",
+        "tie_later_cap_is_closer(later.lambda, closest.lambda)" => "later.lambda <= closest.lambda",
         "closest.some | later.some" => "later.some",
         "bottom, BOTTOM" => "bottom, TOP",
     ;
@@ -125,7 +127,8 @@ mutants! {
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
     "surface":
-        "lambda, order, closest.lambda, closest.order" => "closest.lambda, closest.order, lambda, order",
+        "lambda, rank, closest.lambda, closest_rank" => "closest.lambda, closest_rank, lambda, rank",
+        "tie_rank(order, part != SIDE)" => "tie_rank(order, part == SIDE)",
         "closest.part, point" => "TOP, point",
     ;
     "every_object":

@@ -49,9 +49,14 @@ fn precise_in_scale(length_squared: DoubleDouble) -> bool {
     return long_enough && dd_less_equal(length_squared, dd_constant(LONGEST_SQUARED));
 }
 
-// Limits::in_range: returns whether `lambda`, which must be accurate, certainly is at least LAMBDA_MIN.
+// least_lambda: returns the smallest lambda of a hit that counts, LAMBDA_MIN - 2^-63. It is rounded to LAMBDA_MIN.
+fn precise_least_lambda() -> DoubleDouble {
+    return DoubleDouble(real(1e-3) * exact_one, real(-1.0842021724855044e-19) * exact_one);
+}
+
+// Limits::in_range: returns whether `lambda`, which must be accurate, certainly is at least `least_lambda`.
 fn precise_in_range(limits: PreciseLimits, lambda: DoubleDouble) -> bool {
-    return dd_less_equal(dd_add(dd_constant(real(1e-3)), dd_constant(limits.lambda_error)), lambda);
+    return dd_less_equal(dd_add(precise_least_lambda(), dd_constant(limits.lambda_error)), lambda);
 }
 
 fn precise_bound_is_too_small(
@@ -60,7 +65,7 @@ fn precise_bound_is_too_small(
     numerator: DoubleDouble,
     root: DoubleDouble,
 ) -> bool {
-    let least = dd_sub(dd_constant(real(1e-3)), dd_constant(bound.limits.lambda_error));
+    let least = dd_sub(precise_least_lambda(), dd_constant(bound.limits.lambda_error));
     return dd_less(bound.error, dd_mul(dd_sub(dd_mul(a, least), numerator), root));
 }
 

@@ -25,7 +25,7 @@ fn precise_cap_filtered(
     }
     let size = dd_add(precise_cylinder_extent(cylinder), dd3_magnitude(to_center));
     let farthest = dd_add(distance, dd_mul(size, dd_constant(real(3.1554436208840472e-30))));
-    if steep && dd_less(farthest, dd_mul(dd_sub(steepness, slope_error), dd_constant(real(1e-3)))) {
+    if steep && dd_less(farthest, dd_mul(dd_sub(steepness, slope_error), precise_least_lambda())) {
         return precise_miss();
     }
     let lambda = dd_div(to_plane, slope);

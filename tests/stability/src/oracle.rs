@@ -87,8 +87,11 @@ fn at_most(a: &Big, b: &Big) -> bool {
     a <= b || magnitude(&(a - b)) << EQUAL_BITS <= magnitude(a).max(magnitude(b))
 }
 
+/// Whether `lambda`, rounded to `f64`, is at least `LAMBDA_MIN`. The limit is the midpoint between `LAMBDA_MIN` and the
+/// number below it. The midpoint is rounded up, because the last bit of `LAMBDA_MIN` is even.
 fn in_range(lambda: &Big) -> bool {
-    at_most(&big(LAMBDA_MIN), lambda)
+    assert_eq!(LAMBDA_MIN.to_bits() % 2, 0);
+    at_most(&((big(LAMBDA_MIN) + big(LAMBDA_MIN.next_down())) >> 1), lambda)
 }
 
 /// Returns the exact answer for a case.
@@ -168,8 +171,8 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
         crossings.push(lambda);
     }
 
-    // The hit with the smallest lambda. Of hits with equal lambdas, the later one counts.
-    let truth = hits.into_iter().reduce(|best, hit| if at_most(&hit.lambda, &best.lambda) { hit } else { best });
+    // The hit with the smallest lambda. Of hits with equal lambdas, the first one counts.
+    let truth = hits.into_iter().reduce(|best, hit| if at_most(&best.lambda, &hit.lambda) { best } else { hit });
     Judgement { truth, crossings, slack: None }
 }
 

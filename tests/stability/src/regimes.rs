@@ -3,6 +3,7 @@
 mod cylinders;
 mod extremes;
 pub mod large;
+mod limits;
 mod spheres;
 
 use crate::case::Case;
@@ -23,6 +24,8 @@ pub const SPHERES: [Regime; 9] = spheres::REGIMES;
 pub const CYLINDERS: [Regime; 10] = cylinders::REGIMES;
 /// The regimes of spheres and cylinders whose numbers are outside the range of f32.
 pub const EXTREMES: [Regime; 6] = extremes::REGIMES;
+/// The regimes of spheres and cylinders at the limits of lambda and of the slope.
+pub const LIMITS: [Regime; 4] = limits::REGIMES;
 
 impl Regime {
     /// Returns `count` random cases. Equal seeds give equal cases.

@@ -1,5 +1,5 @@
-//! Tests of the exact intersections in every regime, including those in which squares underflow or nearly overflow, or
-//! terms cancel to zero.
+//! Tests of the exact intersections in every regime, including those in which squares underflow or nearly overflow,
+//! terms cancel to zero, or a surface is at the least lambda.
 //!
 //! The variable RENDER_REGIME_RAYS sets the number of rays for each regime, and RENDER_REGIME_SEED sets another seed.
 
@@ -12,7 +12,7 @@ use stability::case::Case;
 use stability::climb::exact_answer;
 use stability::measure::lambda_error;
 use stability::oracle;
-use stability::regimes::{CYLINDERS, EXTREMES, SPHERES};
+use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, SPHERES};
 use stability::run::{self, PROVEN_ERRORS};
 
 /// Number of rays for each regime, unless RENDER_REGIME_RAYS is set.
@@ -29,7 +29,7 @@ fn hex(bits: u64) -> f64 {
 #[test]
 fn every_decision_is_right_and_every_lambda_within_its_bound() {
     let (rays, seed) = (number("RENDER_REGIME_RAYS", RAYS) as usize, number("RENDER_REGIME_SEED", 3));
-    for regime in SPHERES.iter().chain(&CYLINDERS).chain(&EXTREMES) {
+    for regime in SPHERES.iter().chain(&CYLINDERS).chain(&EXTREMES).chain(&LIMITS) {
         // `share` is the largest quotient of an error and the proven bound for that kind of object.
         let (mut hits, mut worst, mut share) = (0, 0.0_f64, 0.0_f64);
         for case in regime.cases(seed, rays) {

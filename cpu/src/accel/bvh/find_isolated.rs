@@ -2,7 +2,9 @@
 //! [`isolated`](crate::accel::isolated) for what they are good for.
 
 use crate::accel::bvh::{boxes::Boxes, node::Kind, node::Node, node::lanes_in};
-use crate::accel::{bounds::Bounds, dominant_sphere::DominantSphere, extent::Extent, isolated::Isolated};
+use crate::accel::{
+    bounds::Bounds, dominant_sphere::DominantSphere, extent::Extent, isolated::Isolated, isolated::SEPARATION,
+};
 use crate::accel::{object::ObjectId, object::count};
 use crate::{input::error::Error, layout::Objects, simd::Kernel, simd::Simd};
 
@@ -29,8 +31,7 @@ impl<B: Boxes, O: Objects> Kernel for FindIsolated<'_, B, O> {
     fn call<S: Simd>(self, _: S) -> Result<Isolated, Error> {
         let count = count(self.objects);
         let mut isolated = Isolated::none(count)?;
-        // The box of each object is enlarged by more than rounding can move a point of its surface.
-        let slack = (1e-9 * self.extent.max_coordinate) as f32;
+        let slack = (SEPARATION * self.extent.max_coordinate) as f32;
         for id in 0..count as ObjectId {
             if !self.dominant.is(id) && !self.overlaps_another::<S>(id, &self.bounds_of(id).enlarged(slack)) {
                 isolated.insert(id);

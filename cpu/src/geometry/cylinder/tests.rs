@@ -53,9 +53,9 @@ fn beyond_the_rim_nothing_is_met() {
 
 #[test]
 fn a_ray_from_above_the_top_meets_the_base() {
-    // The ray enters the infinite cylinder above the top cap. So the smaller root does not count, and the cap is hit.
     let hit = upright().intersect(&ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0]));
-    assert_eq!(hit, Some((2.0, CylinderPart::Top)), "on the rim side and cap are equally near, and the later wins");
+    assert_eq!(hit, Some((2.0, CylinderPart::Side)), "on the rim the cap is not nearer than the side");
+    // The ray enters the infinite cylinder above the top cap. So the smaller root does not count, and the cap is hit.
     let hit = upright().intersect(&ray([0.0, 4.5, -3.0], [0.0, -1.0, 1.0]));
     assert_eq!(hit, Some((2.5, CylinderPart::Top)));
 }

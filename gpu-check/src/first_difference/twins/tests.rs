@@ -4,7 +4,7 @@ use crate::kernels::KERNELS;
 use shaders::{Library, Precision};
 
 /// Functions without a twin: parts of functions that have one, and functions that read buffers.
-const WITHOUT: [&str; 19] = [
+const WITHOUT: [&str; 20] = [
     "bounce_attenuated",
     "cylinder_closer",
     "cylinder_side",
@@ -24,6 +24,7 @@ const WITHOUT: [&str; 19] = [
     "sphere_first_root",
     "surface_at",
     "tie_is_closer",
+    "tie_rank",
 ];
 
 #[test]

@@ -53,7 +53,8 @@ mutants! {
     ;
     "exact/precise_bound":
         "dd_less(bound.error, dd_neg(discriminant))" => "dd_less(bound.error, discriminant)",
-        "dd_add(dd_constant(real(1e-3)), dd_constant(limits.lambda_error))" => "dd_constant(real(1e-3))",
+        "dd_add(precise_least_lambda(), dd_constant(limits.lambda_error))" => "precise_least_lambda()",
+        "real(-1.0842021724855044e-19)" => "real(0.0)",
         "dd_constant(share * real(4.0))" => "dd_constant(share)",
         "dd_less(dd_add(size, square), dd_mul(root, numerator))" => "dd_less(size, dd_mul(root, numerator))",
     ;

@@ -6,7 +6,7 @@ use cpu::internals::geometry::cap;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::ray::in_range;
 use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::internals::geometry::tie::later_is_closer;
+use cpu::internals::geometry::tie::later_cap_is_closer;
 use cpu::internals::math::real::Real;
 use cpu::{Ray, Vec3};
 
@@ -43,5 +43,5 @@ pub fn cylinder<T: Real<Mask = bool>>(cylinder: &CylinderRecord<T>, ray: &Ray<T>
         (cap(cylinder.bottom), CylinderPart::Bottom),
     ];
     let found = hits.into_iter().filter_map(|(lambda, part)| Some((lambda?, part)));
-    found.reduce(|best, hit| if later_is_closer(hit.0, best.0) { hit } else { best })
+    found.reduce(|best, hit| if later_cap_is_closer(hit.0, best.0) { hit } else { best })
 }

@@ -27,14 +27,14 @@ fn the_slack_is_the_distance_to_the_nearest_other_decision() {
 }
 
 #[test]
-fn cylinders_are_met_at_all_parts_and_the_base_counts_on_the_rim() {
+fn cylinders_are_met_at_all_parts_and_the_side_counts_on_the_rim() {
     let cylinder = Cylinder { center: Vec3::ZERO, radius: 1.0, axis: Vec3::new(0.0, 4.0, 0.0) };
     let case = |origin: [f64; 3], direction: [f64; 3]| Case::cylinder(cylinder, origin.into(), direction.into());
     assert_eq!(nearest(&case([0.0, 0.0, -3.0], [0.0, 0.0, 1.0])), Some((2.0, CylinderPart::Side, true)));
     assert_eq!(nearest(&case([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])), Some((1.0, CylinderPart::Side, false)));
     assert_eq!(nearest(&case([0.0, 5.0, 0.0], [0.0, -1.0, 0.0])), Some((3.0, CylinderPart::Top, true)));
     assert_eq!(nearest(&case([0.0, 0.0, 0.0], [0.0, -1.0, 0.0])), Some((2.0, CylinderPart::Bottom, false)));
-    assert_eq!(nearest(&case([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Top, true)));
+    assert_eq!(nearest(&case([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Side, true)));
     assert_eq!(nearest(&case([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
 }
 
