@@ -39,8 +39,8 @@ struct renderer {
     if (!published) return cube(extent);
     for (;;) { vec s = cube(1); double squared = dot(s, s); if (squared > 1e-160 && squared <= 1) return s / std::sqrt(squared) * extent; }
   }
-  void offer(hit& best, bool& found, vec o, vec d, double lambda, vec normal, vec point, int m) {
-    if (found && lambda > best.lambda) return;
+  void offer(hit& best, bool& found, vec o, vec d, double lambda, vec normal, vec point, int m, bool base = false) {
+    if (found && (lambda > best.lambda || (base && lambda == best.lambda))) return;
     bool front = dot(d, normal) < 0;
     best = {lambda, point, front ? normal : -normal, front, m}; found = true;
   }
@@ -62,7 +62,7 @@ struct renderer {
     double lambda = dot(B - o, n) / slope;
     if (!(lambda >= 1e-3)) return;
     vec I = o + d * lambda;
-    if (length(I - B) <= s.radius) offer(best, found, o, d, lambda, n, I, s.material);
+    if (length(I - B) <= s.radius) offer(best, found, o, d, lambda, n, I, s.material, true);
   }
   void cylinder(const object& s, vec o, vec d, hit& best, bool& found) {
     double h = length(s.axis); vec u = s.axis / h;
@@ -148,7 +148,10 @@ int main(int argc, char** argv) {
       sum = sum + r.color(c.P, Q - c.P, c.depth);
     }
     sum = sum / c.samples;
-    for (double ch : {sum.x, sum.y, sum.z}) image.push_back((unsigned char)std::min(255.0, std::trunc(255 * std::pow(ch, 1 / c.gamma))));
+    for (double ch : {sum.x, sum.y, sum.z}) {
+      double byte = std::trunc(255 * std::pow(ch, 1 / c.gamma));
+      image.push_back(byte >= 0 ? (unsigned char)std::min(255.0, byte) : 0);  // a mean that is not a number gives 0
+    }
   }
   std::ofstream out(argv[3]); out << "P3\n" << W << ' ' << H << "\n255\n";
   for (size_t i = 0; i < image.size(); i += 3) out << (int)image[i] << ' ' << (int)image[i+1] << ' ' << (int)image[i+2] << '\n';

@@ -3,7 +3,10 @@
 //! Every run tries the same cases. `RENDER_PROPERTY_SEED` chooses other cases, and `RENDER_PROPERTY_CASES` sets their
 //! number. A failure shows the smallest failing case that was found, with its seeds.
 
+mod cameras;
+mod limits;
 mod odd_scenes;
 mod renderers_agree;
 mod runner;
 mod texts;
+mod ties;

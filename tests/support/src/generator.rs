@@ -6,6 +6,7 @@
 //! a [grid](Arrangement::Grid).
 
 mod arrange;
+pub mod cameras;
 mod draws;
 
 use cpu::internals::input::scene::{MaterialId, Object};

@@ -16,6 +16,11 @@ impl Draws {
         self.0.draw(low, high)
     }
 
+    /// Returns `10^k`, in which `k` is uniform from `low` to `high`. Its last bits depend on the machine's library.
+    pub(super) fn decades(&mut self, low: f64, high: f64) -> f64 {
+        10.0_f64.powf(self.between(low, high))
+    }
+
     /// Returns a random integer below `count`, which must not be 0.
     pub(super) fn index(&mut self, count: usize) -> usize {
         // The random number is below 1, but rounding may give the product the value `count`.

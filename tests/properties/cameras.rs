@@ -1,0 +1,125 @@
+//! Tests with hard cameras: far from the origin of coordinates, with near windows, and with any field of view. The
+//! renderer must give the reference's bytes, and the bits of its means.
+
+use std::cell::Cell;
+
+use cpu::{Config, Scatter, Scene, Vec3};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseError;
+use test_support::agreement::{Picture, SCATTERS, equals_reference, reference};
+use test_support::generator::cameras::hard_camera;
+
+use crate::runner::check;
+
+/// Renders two texts, and fails if a renderer differs from the reference.
+pub fn agreed(config: &str, scene: &str) -> Picture {
+    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+    let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
+    let picture = equals_reference(&config, &scene, Scatter::Statement).unwrap_or_else(|text| panic!("{text}"));
+    picture.expect("the camera has a window")
+}
+
+/// Returns the number of pixels whose bytes are not `background`.
+pub fn count_shown(picture: &Picture, background: [u8; 3]) -> usize {
+    use cpu::Image as _;
+    let size = picture.image.size();
+    let differs = |&index: &usize| {
+        let pixel = picture.image.pixel(index);
+        [pixel.red, pixel.green, pixel.blue] != background
+    };
+    (0..size.pixels()).filter(differs).count()
+}
+
+#[test]
+fn scenes_with_hard_cameras_give_the_references_bytes_and_means() {
+    let (rendered, with_objects) = (Cell::new(0), Cell::new(0));
+    let objects = prop_oneof![1 => Just(0_usize), 4 => 1..=8_usize, 3 => 9..=64_usize, 1 => 65..=140_usize];
+    check(250, (any::<u64>(), objects), |(seed, objects)| {
+        let (scene, config) = hard_camera(seed, objects);
+        let scatter = SCATTERS[(seed % 3) as usize];
+        let picture = equals_reference(&config, &scene, scatter).map_err(TestCaseError::fail)?;
+        let Some(picture) = picture else { return Ok(()) };
+        if objects > 0 {
+            rendered.set(rendered.get() + 1);
+            let background = reference(&config, &Scene::default(), scatter).expect("the camera has a window");
+            with_objects.set(with_objects.get() + u32::from(picture.means != background.means));
+        }
+        Ok(())
+    });
+    let (rendered, with_objects) = (rendered.get(), with_objects.get());
+    println!("{with_objects} of {rendered} pictures show an object");
+    assert!(2 * with_objects > rendered, "only {with_objects} of {rendered} pictures show an object");
+}
+
+/// Renders three scenes whose objects were lost, because rays of a far camera were taken as exact: two small objects,
+/// and a sphere among others that a hierarchy holds.
+#[test]
+fn objects_before_a_far_camera_with_a_near_window_are_seen() {
+    let white = "background_dark_color: 1 1 1\nbackground_light_color: 1 1 1\n";
+    let far = format!(
+        "{white}image_width: 64\naspect_ratio: 1 1\nsamples_per_pixel: 4\nmax_depth: 1\n\
+         camera_position: 126511.29483519692 -111994.59568274823 157363.9475857903\n\
+         camera_target: 126511.29483519684 -111994.59568274823 157363.94758579065\n\
+         camera_north: 0.01519176635484475 0.24355603588431043 0.29093035263743217\nfield_of_view: 20\n"
+    );
+    let cylinder = "metal: m .3 .9 .9 0\ncylinder: 99732.55927131389 -106087.47853180127 227549.89511009253 \
+                    391.8235564957429 -424.5878581675544 -276.5069169941397 92.43550154907906 m\n";
+    // The literal program in C++ shows it in as many pixels.
+    assert_eq!(count_shown(&agreed(&far, cylinder), [255; 3]), 69);
+    let narrow = format!(
+        "{white}image_width: 64\naspect_ratio: 1 1\nsamples_per_pixel: 4\nmax_depth: 1\n\
+         camera_position: 6e7 5e7 -9e7\ncamera_target: 60000000.36 50000000.48 -89999999.2\nfield_of_view: 1e-6\n"
+    );
+    let sphere = "matte: a .5 .5 .5\nsphere: 1.14e8 1.22e8 3e7 1 a\n".to_owned();
+    let alone = agreed(&narrow, &sphere);
+    assert!(count_shown(&alone, [255; 3]) > 2000, "{}", count_shown(&alone, [255; 3]));
+    // The other spheres are beyond the picture.
+    let others: String = (0..200).map(|at| format!("sphere: {}e5 1.32e8 3e7 1e4 a\n", 1100 + at)).collect();
+    assert_eq!(agreed(&narrow, &(sphere + &others)).means, alone.means);
+}
+
+#[test]
+fn empty_skies_give_the_references_bytes() {
+    for (position, target, fov) in [
+        ("6e8 5e8 -9e8", "600000000.36 500000000.48 -899999999.2", 1.0),
+        ("1e9 0 0", "1000000000.01 1e-3 0", 60.0),
+        ("3e5 1e5 -2e5", "300000.000001 100000 -200000.000001", 100.0),
+        ("0 0 -10", "0 1 0", 179.9),
+    ] {
+        let config = format!(
+            "image_width: 400\naspect_ratio: 1 1\nsamples_per_pixel: 1\ncamera_position: {position}\n\
+             camera_target: {target}\nfield_of_view: {fov}\n"
+        );
+        agreed(&config, "");
+    }
+}
+
+/// Renders skies of 1,000 x 1,000 pixels with random cameras.
+#[test]
+#[ignore = "takes a minute; tests/extensive runs it"]
+fn large_empty_skies_give_the_references_bytes() {
+    for seed in 0..30 {
+        let (_, config) = hard_camera(seed, 0);
+        let config = Config { image_width: 1000, aspect_ratio: [1, 1], samples_per_pixel: 1, ..config };
+        if let Err(difference) = equals_reference(&config, &Scene::default(), Scatter::Statement) {
+            panic!("seed {seed}: {difference}");
+        }
+    }
+}
+
+#[test]
+fn north_may_have_any_length() {
+    let picture = |north: &str| {
+        let config = format!(
+            "image_width: 12\naspect_ratio: 1 1\nsamples_per_pixel: 2\nfield_of_view: 60\ncamera_north: {north}\n"
+        );
+        agreed(&config, "matte: m .8 .2 .1\nsphere: 0 0 0 3 m\nsphere: 2 2 0 1 m\n").means
+    };
+    let expected = picture("0 1 0");
+    for length in ["1e155", "1e-170", "1.7976931348623157e308", "5e-324"] {
+        assert_eq!(picture(&format!("0 {length} 0")), expected, "{length}");
+    }
+    assert_ne!(picture("1 1 0"), expected);
+    let north = Vec3::new(3e200, 4e200, 0.0);
+    assert_eq!(picture(&format!("{} {} 0", north.x, north.y)).len(), expected.len());
+}
