@@ -8,6 +8,13 @@ use std::fmt;
 pub enum Error {
     /// The program was called with this number of arguments, which is not three.
     ArgumentCount(usize),
+    /// The stack cannot grow as far as rendering needs.
+    Stack {
+        /// Size in bytes of the part that is left.
+        room: usize,
+        /// Size in bytes that is needed.
+        needed: usize,
+    },
     /// The configuration, the scene or the picture is wrong.
     Renderer(cpu::Error),
     /// The picture's file cannot be written. The error has the reason.
@@ -20,6 +27,14 @@ impl Error {
     pub fn message(&self) -> Vec<u8> {
         match self {
             Self::ArgumentCount(count) => format!("Invalid number of arguments: {count}").into_bytes(),
+            Self::Stack { room, needed } => {
+                let [room, needed] = [room, needed].map(|bytes| bytes >> 10);
+                format!(
+                    "The stack is too small: {room} KiB are left, and {needed} KiB are needed; raise its limit, for \
+                     example with: ulimit -s 8192"
+                )
+                .into_bytes()
+            }
             Self::Renderer(error) => error.message(),
             Self::Output(error) => error.message(<[u8]>::to_vec),
         }
@@ -29,7 +44,7 @@ impl Error {
     #[must_use]
     pub fn message_for_terminal(&self) -> Vec<u8> {
         match self {
-            Self::ArgumentCount(_) => self.message(),
+            Self::ArgumentCount(_) | Self::Stack { .. } => self.message(),
             Self::Renderer(error) => error.message_for_terminal(),
             Self::Output(error) => error.message(|text| cpu::escape(text).into_bytes()),
         }
@@ -45,7 +60,7 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::ArgumentCount(_) => None,
+            Self::ArgumentCount(_) | Self::Stack { .. } => None,
             Self::Renderer(error) => Some(error),
             Self::Output(error) => Some(error),
         }

@@ -2,6 +2,7 @@
 
 mod error;
 pub mod program;
+mod stack;
 
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;

@@ -6,41 +6,27 @@ use std::path::Path;
 use cpu::{Config, Layout, Scatter, Scene};
 use output::{Options, Output};
 
-use crate::Error;
+use crate::{Error, stack};
 
 /// Renders a scene into a file. `arguments` must have three names: `CONFIG`, `SCENE` and `OUT.ppm`.
 ///
 /// # Errors
-/// Returns the first error, in this order: [`Error::ArgumentCount`]; an output that is also an input; an error of the
-/// configuration, the scene, the picture or the output. A regular output file is then unchanged.
+/// Returns the first error, in this order: [`Error::ArgumentCount`]; [`Error::Stack`]; an output that is
+/// also an input; an error of the configuration, the scene, the picture or the output. A regular output file is then
+/// unchanged.
 pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
-    reserve_stack();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let [config, scene, out] = &arguments[..] else {
         return Err(Error::ArgumentCount(arguments.len()));
     };
+    stack::reserve()?;
     render_files::<L>(Path::new(config), Path::new(scene), Path::new(out), Scatter::Statement)
-}
-
-/// Makes the system give the stack all the memory that rendering needs. Call this before other allocations, which may
-/// use up the address space.
-///
-/// The stack grows on demand. If a limited address space is used up, the stack cannot grow, and SIGSEGV ends the
-/// process without a message. All other allocations that grow with the input return an error when they fail. The
-/// programs have only one thread, so one stack is enough.
-///
-/// Rendering 10,000 objects needs a stack of 256 KiB in test builds and of 160 KiB in release builds. These are the
-/// smallest values of `ulimit -s` with which the programs rendered them without this reserve.
-#[inline(never)]
-fn reserve_stack() {
-    const BYTES: usize = 320 << 10;
-    std::hint::black_box(&mut [0_u8; BYTES]);
 }
 
 /// Renders the file `scene` with the configuration `config`, and writes the picture to `out`.
 ///
 /// # Errors
-/// The errors of [`run`], except [`Error::ArgumentCount`].
+/// The errors of [`run`], except [`Error::ArgumentCount`] and [`Error::Stack`].
 pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
     output::refuse_inputs(out, &[config, scene])?;
     let config_path = config;

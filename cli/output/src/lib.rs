@@ -22,6 +22,8 @@ mod folder;
 #[cfg(unix)]
 mod place;
 #[cfg(unix)]
+pub mod stack;
+#[cfg(unix)]
 mod stdout;
 #[cfg(unix)]
 pub mod stop;

@@ -8,5 +8,6 @@ mod kills;
 mod loads;
 mod memory;
 mod places;
+mod stack;
 mod together;
 mod workshop;

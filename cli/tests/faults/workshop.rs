@@ -65,6 +65,22 @@ impl Workshop {
         shell
     }
 
+    /// Returns the command of [`Self::command`] in a shell, after the shell command `limit`.
+    pub fn after(&self, limit: &str, program: &str) -> Command {
+        let mut shell = Command::new("bash");
+        shell.args([
+            "-c",
+            &format!("{limit}; exec \"$@\""),
+            "limited",
+            program,
+            "config.txt",
+            "scene.txt",
+            "d/out.ppm",
+        ]);
+        shell.current_dir(self.path());
+        shell
+    }
+
     /// Renders the picture with the first program, removes its file and returns its bytes.
     pub fn render(&self) -> Vec<u8> {
         let output = self.command(PROGRAMS[0]).output().expect("the program runs");
