@@ -6,8 +6,9 @@
 #![allow(unsafe_code)]
 
 mod flags;
+mod link;
 
-use std::ffi::{CStr, CString, c_char, c_int, c_uint};
+use std::ffi::{CStr, CString, OsStr, c_char, c_int, c_uint};
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind};
 use std::os::fd::{AsFd, AsRawFd, BorrowedFd, FromRawFd};
@@ -95,7 +96,7 @@ impl Folder {
     }
 
     fn path_of(&self, name: &CStr) -> PathBuf {
-        self.path.join(std::ffi::OsStr::from_bytes(name.to_bytes()))
+        self.path.join(OsStr::from_bytes(name.to_bytes()))
     }
 
     /// Gives the name `name` to `file`, which must come from [`Folder::create_unnamed`].

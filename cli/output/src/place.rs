@@ -5,9 +5,9 @@ use std::io::{self, ErrorKind};
 use std::os::unix::fs::FileTypeExt;
 use std::path::{Path, PathBuf};
 
-use crate::folder::{is_same, may_write};
+use crate::folder::{Folder, is_same, may_write};
 use crate::stdout;
-use crate::temporary::Temporary;
+use crate::temporary::{Temporary, file_name};
 
 /// The target of an output. [`Place::find`] has checked that it can be written, as far as that is known before.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ impl Place {
         if let Some(kind) = metadata.as_ref().map(fs::Metadata::file_type).filter(|kind| !kind.is_file()) {
             return special(path, kind);
         }
-        if metadata.is_some() && !has_name(path, &target) {
+        if metadata.is_some() && !has_name(path, &target)? {
             return Err(io::Error::new(ErrorKind::NotFound, "it is an open file that has lost its name"));
         }
         Temporary::new(&target, sync).map(Self::Regular)
@@ -62,13 +62,19 @@ fn is_stdout(path: &Path) -> bool {
 
 /// Follows all links from `path`. Returns the path of a file that is no link, a path at which no file exists, or a name
 /// of standard output.
+///
+/// # Errors
+/// An error if there are too many links, or if a link belongs to another user and may not be followed
+/// ([`Folder::read_link`]). Any other error is found when the file is created, so it is ignored here.
 fn follow(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MAX_LINKS {
-        match fs::read_link(&target) {
-            Ok(next) if !is_stdout(&target) => target = target.parent().unwrap_or(Path::new("")).join(next),
-            // `target` is not a link, or does not exist. Any other error is found when the file is created.
-            _ => return Ok(target),
+        let (false, Ok(name)) = (is_stdout(&target), file_name(&target)) else { return Ok(target) };
+        let parent = target.parent().unwrap_or(Path::new(""));
+        let Ok(folder) = Folder::open(parent, false) else { return Ok(target) };
+        match folder.read_link(&name)? {
+            Some(next) => target = parent.join(next),
+            None => return Ok(target),
         }
     }
     Err(io::Error::other("too many links lead on from it"))
@@ -78,15 +84,25 @@ fn follow(path: &Path) -> io::Result<PathBuf> {
 /// an open file that was removed.
 ///
 /// Another program may replace the file between the two calls. So the calls are repeated if they find different files.
-fn has_name(path: &Path, target: &Path) -> bool {
+///
+/// # Errors
+/// The error of the system if it does not tell which file is at `path`, for example because the process may not follow
+/// a link.
+fn has_name(path: &Path, target: &Path) -> io::Result<bool> {
     const TRIES: u32 = 20;
-    let is_there = |_| match (fs::metadata(path), fs::symlink_metadata(target)) {
-        (Ok(file), Ok(named)) => is_same(&file, &named),
-        (Ok(_), Err(_)) => false,
-        // The file was removed meanwhile. A new one can be created.
-        (Err(_), _) => true,
-    };
-    path == target || (0..TRIES).any(is_there)
+    if path == target {
+        return Ok(true);
+    }
+    for _ in 0..TRIES {
+        match (fs::metadata(path), fs::symlink_metadata(target)) {
+            (Ok(file), Ok(named)) if is_same(&file, &named) => return Ok(true),
+            // The file was removed meanwhile. A new one can be created.
+            (Err(error), _) if error.kind() == ErrorKind::NotFound => return Ok(true),
+            (Err(error), _) => return Err(error),
+            (Ok(_), _) => {}
+        }
+    }
+    Ok(false)
 }
 
 fn special(path: &Path, kind: FileType) -> io::Result<Place> {
@@ -105,3 +121,6 @@ fn special(path: &Path, kind: FileType) -> io::Result<Place> {
     }
     Ok(Place::Direct(file))
 }
+
+#[cfg(test)]
+mod tests;

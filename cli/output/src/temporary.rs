@@ -1,54 +1,24 @@
 //! A temporary file that becomes the new file when it is complete, and is removed if it does not become complete.
 
+mod rights;
+
 use std::ffi::{CStr, CString};
 use std::fs::{File, Permissions};
 use std::hash::{BuildHasher, RandomState};
 use std::io::{self, ErrorKind, Write};
 use std::os::fd::{AsFd, AsRawFd};
 use std::os::unix::ffi::OsStrExt;
-use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::path::Path;
 
 use crate::folder::Folder;
 use crate::stop::Remembered;
+use rights::Rights;
 
 /// The permissions to read and write for the owner, and no permissions for other users.
 const PRIVATE: u32 = 0o600;
 /// The permissions to read and write for all users. The system removes those in the umask of the process.
 const COMMON: u32 = 0o666;
-/// Permission bits that make a program run with the rights of its owner (set-user-ID) or its group (set-group-ID).
-const SET_USER: u32 = 0o4000;
-const SET_GROUP: u32 = 0o2000;
-
-/// Owner, group and permissions of a file.
-#[derive(Clone, Copy, Debug)]
-struct Rights {
-    user: u32,
-    group: u32,
-    mode: u32,
-}
-
-impl Rights {
-    fn of(file: &File) -> io::Result<Self> {
-        let metadata = file.metadata()?;
-        Ok(Self { user: metadata.uid(), group: metadata.gid(), mode: metadata.mode() })
-    }
-
-    /// Returns the permissions of a new file with the owner and group of `new`, which replaces a file with the rights
-    /// `self`. If the owners differ, the set-user-ID bit is removed. If the groups differ, the set-group-ID bit is
-    /// removed, and the group gets only the permissions that all users have.
-    fn mode_for(self, new: Self) -> u32 {
-        let mut mode = self.mode & 0o7777;
-        if new.user != self.user {
-            mode &= !SET_USER;
-        }
-        if new.group != self.group {
-            mode &= !SET_GROUP & (!0o070 | (mode & 0o007) << 3);
-        }
-        mode
-    }
-}
-
 /// A file that is being written. [`Temporary::commit`] gives it the name `target` in an open folder.
 ///
 /// If the file system supports it, the file has no name until it is complete. Then no file is left, however the process
@@ -96,7 +66,7 @@ impl Temporary {
         let (temporary, file) = Name::new(&folder, |name| folder.create(name, mode))?;
         let mut this = Self { name: Some(temporary), file, folder, target: name, old, mode: None, sync };
         if this.old.is_none() {
-            this.mode = Some(Rights::of(&this.file)?.mode);
+            this.mode = Some(this.file.metadata()?.mode());
             // An error is ignored: some file systems, such as those of memory cards, have no permissions.
             let _ = this.file.set_permissions(Permissions::from_mode(PRIVATE));
         }
@@ -109,7 +79,11 @@ impl Temporary {
     /// The error of the system. The old file is then unchanged, with one exception that the message names: the new file
     /// has its name, but its folder could not be synced.
     pub fn commit(mut self) -> io::Result<()> {
-        if let Some(mode) = self.mode_at_last()? {
+        let mode = match &self.old {
+            Some(old) => Some(old.give(&self.file)?),
+            None => self.mode,
+        };
+        if let Some(mode) = mode {
             // An error is ignored, since a file with fewer permissions is better than none.
             let _ = self.file.set_permissions(Permissions::from_mode(mode));
         }
@@ -136,24 +110,6 @@ impl Temporary {
         self.sync_folder()
     }
 
-    /// Gives the new file the owner and group of the old one, if this process may do so. Returns the permissions that
-    /// must be set on the complete file, or `None` if it has them already.
-    ///
-    /// # Errors
-    /// The error of the system, if the rights of the new file cannot be read.
-    fn mode_at_last(&self) -> io::Result<Option<u32>> {
-        let Some(old) = self.old else { return Ok(self.mode) };
-        let mut new = Rights::of(&self.file)?;
-        if (new.user, new.group) != (old.user, old.group) {
-            // Root may change the owner. Other users may change only the group, to one that they belong to. If both
-            // calls fail, the new file keeps its owner and group.
-            let _ = fchown(&self.file, Some(old.user), Some(old.group))
-                .or_else(|_| fchown(&self.file, None, Some(old.group)));
-            new = Rights::of(&self.file)?;
-        }
-        Ok(Some(old.mode_for(new)))
-    }
-
     fn sync_file(&self) -> io::Result<()> {
         if self.sync { self.file.sync_all() } else { Ok(()) }
     }
@@ -177,8 +133,11 @@ impl Write for Temporary {
     }
 }
 
-/// Returns the last part of `path`, or an error if that part cannot be the name of a file.
-fn file_name(path: &Path) -> io::Result<CString> {
+/// Returns the last part of `path`.
+///
+/// # Errors
+/// An error if that part cannot be the name of a file.
+pub fn file_name(path: &Path) -> io::Result<CString> {
     let name = path.file_name().map(OsStrExt::as_bytes).unwrap_or_default();
     // Refuses `folder/` and `folder/.`, because for both `Path::file_name` returns `folder`.
     if name.is_empty() || !path.as_os_str().as_bytes().ends_with(name) {
@@ -241,6 +200,3 @@ impl Name {
         Err(io::Error::new(ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -3,7 +3,7 @@
 
 use std::ffi::OsStr;
 
-use std::os::unix::fs::chown;
+use std::os::unix::fs::{chown, lchown, symlink};
 
 use super::*;
 
@@ -19,6 +19,7 @@ pub fn trials(is_root: bool, can_mount: bool) -> Vec<Trial> {
     let root = "needs root";
     vec![
         trial("another_users_file_in_a_sticky_folder_is_refused_at_once", sticky, is_root, root),
+        trial("another_users_link_in_a_sticky_folder_is_refused_at_once", sticky_link, is_root, root),
         trial("a_mounted_file_is_refused_at_once", mounted, can_mount, "needs the right to mount"),
         trial("a_device_without_permission_is_refused_at_once", device, is_root, root),
         trial("a_pipe_without_permission_is_refused_at_once", pipe, is_root, root),
@@ -59,6 +60,35 @@ fn sticky() -> Result<(), Failed> {
     set_mode(&out, 0o666)?;
     refuse_at_once(&place, &out, "Operation not permitted", true)?;
     check_old(&out)
+}
+
+/// Checks that no link of another user in a sticky folder is followed, whether the file at its end exists or not. Linux
+/// refuses to open such a link only if the setting `fs.protected_symlinks` is on.
+fn sticky_link() -> Result<(), Failed> {
+    let place = Place::new()?;
+    for name in ["d", "own"] {
+        fs::create_dir(place.file(name))?;
+    }
+    set_mode(&place.file("d"), 0o1777)?;
+    let link = place.file("d/link.ppm");
+    for target in ["out.ppm", "missing.ppm"] {
+        let target = place.file("own").join(target);
+        fs::write(place.file("own/out.ppm"), "old")?;
+        symlink(&target, &link)?;
+        lchown(&link, Some(NOBODY), Some(NOBODY))?;
+        refuse_at_once(&place, &link, "", false)?;
+        check_old(&place.file("own/out.ppm"))?;
+        // The owner of the folder made this link, so it is followed.
+        lchown(&link, Some(0), Some(0))?;
+        fs::write(place.file("config.txt"), CONFIG)?;
+        let output = place.render(PROGRAMS[0], &link).output()?;
+        if !output.status.success() || fs::read(&target)? == b"old" {
+            return Err(format!("{output:?}").into());
+        }
+        fs::remove_file(&target)?;
+        fs::remove_file(&link)?;
+    }
+    Ok(())
 }
 
 fn mounted() -> Result<(), Failed> {

@@ -10,6 +10,8 @@ use std::process::{Command, Output};
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 
+#[cfg(target_os = "linux")]
+mod access_lists;
 mod rights;
 
 const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
@@ -33,6 +35,8 @@ pub fn trials() -> Vec<Trial> {
             .with_ignored_flag(!can_mount),
     ];
     trials.extend(rights::trials(is_root, can_mount));
+    #[cfg(target_os = "linux")]
+    trials.extend(access_lists::trials(is_root));
     trials
 }
 

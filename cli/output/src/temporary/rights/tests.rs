@@ -7,8 +7,7 @@ use super::*;
 fn mode(mode: u32, user: u32, group: u32) -> u32 {
     const REGULAR_FILE: u32 = 0o100_000;
 
-    let [old, new] = [(1, 1), (user, group)].map(|(user, group)| Rights { user, group, mode: REGULAR_FILE | mode });
-    old.mode_for(new)
+    Rights { user: 1, group: 1, mode: REGULAR_FILE | mode, list: None }.mode_for(user, group)
 }
 
 #[test]

@@ -1,0 +1,78 @@
+//! The rights of a file, which the file that replaces it gets as far as possible.
+
+mod access_list;
+
+use std::fs::File;
+use std::io;
+use std::os::unix::fs::{MetadataExt, fchown};
+
+/// Permission bits that make a program run with the rights of its owner (set-user-ID) or its group (set-group-ID).
+const SET_USER: u32 = 0o4000;
+const SET_GROUP: u32 = 0o2000;
+
+/// The permissions of a file that only its owner may use.
+const OWNER: u32 = 0o700;
+
+/// Owner, group, permissions and access list of a file.
+#[derive(Clone, Debug)]
+pub struct Rights {
+    user: u32,
+    group: u32,
+    mode: u32,
+    /// The access list as the system encodes it; `None` if the file has none.
+    list: Option<Vec<u8>>,
+}
+
+impl Rights {
+    /// Returns the rights of `file`.
+    ///
+    /// # Errors
+    /// The error of the system.
+    pub fn of(file: &File) -> io::Result<Self> {
+        let metadata = file.metadata()?;
+        let list = access_list::of(file)?;
+        Ok(Self { user: metadata.uid(), group: metadata.gid(), mode: metadata.mode(), list })
+    }
+
+    /// Gives the new file `file` the owner, the group and the access list of the old file, if this process may do so.
+    /// Returns the permissions that must be set on the complete file.
+    ///
+    /// If the access list cannot be kept, these permissions are the owner's alone. Then no user has more rights than
+    /// before, even one whom the list denied what others had.
+    ///
+    /// # Errors
+    /// The error of the system, if the owner of `file` cannot be read.
+    pub fn give(&self, file: &File) -> io::Result<u32> {
+        let new = || file.metadata().map(|metadata| (metadata.uid(), metadata.gid()));
+        if new()? != (self.user, self.group) {
+            // Root may change the owner. Other users may change only the group, to one that they belong to. If both
+            // calls fail, the new file keeps its owner and group.
+            let _ = fchown(file, Some(self.user), Some(self.group)).or_else(|_| fchown(file, None, Some(self.group)));
+        }
+        let (user, group) = new()?;
+        let mode = self.mode_for(user, group);
+        // The list belongs to its owner and group. Without a list the new file loses the one that its folder gave it.
+        let is_kept = match &self.list {
+            Some(list) => (user, group) == (self.user, self.group) && access_list::set(file, list).is_ok(),
+            None => access_list::remove(file).is_ok(),
+        };
+        Ok(if is_kept { mode } else { mode & OWNER })
+    }
+
+    /// Returns the permissions of a new file with the owner `user` and the group `group`, which replaces a file with
+    /// the rights `self`. If the owners differ, the set-user-ID bit is removed. If the groups differ, the set-group-ID
+    /// bit is removed, and the group gets only the permissions that all users have.
+    fn mode_for(&self, user: u32, group: u32) -> u32 {
+        let mut mode = self.mode & 0o7777;
+        if user != self.user {
+            mode &= !SET_USER;
+        }
+        if group != self.group {
+            mode &= !SET_GROUP & (!0o070 | (mode & 0o007) << 3);
+        }
+        mode
+    }
+}
+
+#[cfg(test)]
+mod tests;
