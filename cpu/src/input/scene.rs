@@ -1,13 +1,17 @@
 //! Parses the scene file into a checked [`Scene`] (specification, section 4). Each line is a material or an object.
 
 use std::collections::HashMap;
-use std::io::BufRead;
+use std::io::{self, BufRead};
 use std::path::Path;
 
 use crate::input::error::{Error, push, with_room};
 use crate::input::text::{self, Tokens};
 use crate::input::{config::color, material::Material, reader};
 use crate::math::vec3::Vec3;
+
+/// Largest length in bytes of the names of all materials together. The names are kept in memory while a scene is read.
+/// Ten million names may have 26 bytes each.
+pub const MAX_NAME_BYTES: usize = 1 << 28;
 
 /// Position of a material in [`Scene::materials`].
 pub type MaterialId = u32;
@@ -65,6 +69,10 @@ pub struct Scene {
 struct Parser {
     scene: Scene,
     names: HashMap<Vec<u8>, MaterialId>,
+    /// Length of all names in bytes.
+    name_bytes: usize,
+    /// Number of the line that is read, from 1.
+    line: u64,
 }
 
 /// A kind of line: the line's first token, the name in messages, and the function that reads the parameters.
@@ -118,6 +126,7 @@ fn refractive(tokens: &mut Tokens<'_>) -> Option<Material> {
 
 impl Parser {
     fn read_line(&mut self, line: &[u8]) -> Result<(), Error> {
+        self.line += 1;
         let mut tokens = Tokens::new(line);
         let Some(tag) = tokens.next() else { return Ok(()) };
         let Some(entity) = ENTITIES.iter().find(|entity| entity.tag.as_bytes() == tag) else {
@@ -138,6 +147,10 @@ impl Parser {
         match (item, known) {
             (Item::Material(_), Some(_)) => Err(Error::MaterialExists { name: name.to_vec(), line: line.to_vec() }),
             (Item::Material(material), None) => {
+                self.name_bytes += name.len();
+                if self.name_bytes > MAX_NAME_BYTES {
+                    return Err(too_many_names(self.line).into());
+                }
                 let id = MaterialId::try_from(self.scene.materials.len())
                     .map_err(|_| Error::OutOfMemory { what: "the materials" })?;
                 push(&mut self.scene.materials, material, "the materials")?;
@@ -153,6 +166,12 @@ impl Parser {
             }
         }
     }
+}
+
+/// The error for names of more than [`MAX_NAME_BYTES`]. The line `line` has the first name beyond this limit.
+fn too_many_names(line: u64) -> io::Error {
+    let text = format!("line {line}: the names of all materials are longer than {MAX_NAME_BYTES} bytes; shorten them");
+    io::Error::new(io::ErrorKind::InvalidData, text)
 }
 
 impl Entity {
@@ -192,7 +211,8 @@ impl Scene {
     ///
     /// # Errors
     /// The fault of the first invalid line. On a line, the parameters are checked first, then extra data, then names.
-    /// [`Error::Input`] if `input` cannot be read, and [`Error::OutOfMemory`] if memory is short.
+    /// [`Error::Input`] if `input` cannot be read or has more than [`MAX_NAME_BYTES`] in names, and
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn parse(input: impl BufRead) -> Result<Self, Error> {
         let mut parser = Parser::default();
         text::for_each_line(input, |line| parser.read_line(line))?;

@@ -122,3 +122,20 @@ fn a_folder_is_not_a_scene() {
     let error = Scene::read(Path::new("/")).expect_err("a folder cannot be read");
     assert!(error.to_string().starts_with("Cannot read file [/]: "), "{error}");
 }
+
+#[test]
+fn names_of_materials_are_read_up_to_their_limit_and_refused_beyond_it() {
+    const LENGTH: usize = 1 << 19;
+    const COUNT: usize = MAX_NAME_BYTES / LENGTH;
+
+    let mut parser = Parser::default();
+    let mut read = |name: &str| parser.read_line(format!("refractive: {name} 1").as_bytes());
+    for number in 0..COUNT {
+        let name = format!("{number:08}") + &"x".repeat(LENGTH - 8);
+        read(&name).expect("the names are within the limit");
+    }
+    let error = read("a").expect_err("the names are longer by one byte").in_file(Path::new("scene.txt"));
+    let expected = format!("line {}: the names of all materials are longer than 268435456 bytes", COUNT + 1);
+    assert_eq!(error.to_string(), format!("Cannot read file [scene.txt]: {expected}; shorten them"));
+    assert_eq!(parser.scene.materials.len(), COUNT);
+}
