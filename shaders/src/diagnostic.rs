@@ -1,5 +1,7 @@
 //! An error in a shader, with its place in the module's own file.
 
+mod nesting;
+
 use std::error::Error as _;
 use std::fmt;
 
@@ -8,7 +10,7 @@ use naga::valid::ValidationError;
 use naga::{SourceLocation, Span, WithSpan};
 
 use crate::Composition;
-use crate::limits::Excess;
+use crate::limits::{Excess, tokens};
 
 /// Largest number of characters of a line that a message shows.
 const SHOWN: usize = 160;
@@ -39,6 +41,10 @@ pub struct Place {
 
 impl Diagnostic {
     pub(crate) fn of_parsing(error: &ParseError, composition: &Composition) -> Self {
+        if nesting::is_too_deep(error) {
+            let place = nesting::place(composition.source()).and_then(|offset| Place::at(offset, composition));
+            return Self { message: nesting::MESSAGE.to_owned(), place };
+        }
         let mut message = error.message().to_owned();
         for detail in error.labels().map(|(_, label)| label).chain(error.notes()).filter(|text| !text.is_empty()) {
             message = format!("{message}: {detail}");
@@ -48,20 +54,16 @@ impl Diagnostic {
     }
 
     pub(crate) fn of_excess(excess: &Excess, composition: &Composition) -> Self {
-        // naga counts lines from 1, and bytes within a line from 1.
-        let before = &composition.source()[..excess.offset];
-        let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |end| end + 1);
-        let [line_number, line_position, offset] =
-            [line, excess.offset - start + 1, excess.offset].map(|number| u32::try_from(number).unwrap_or(u32::MAX));
-        let location = SourceLocation { line_number, line_position, offset, length: 1 };
-        Self { message: excess.message.clone(), place: Place::new(Some(location), composition) }
+        Self { message: excess.message.clone(), place: Place::at(excess.offset, composition) }
     }
 
-    /// Returns the message with the place of `span`. Without a place it is a message about the whole text.
-    pub(crate) fn of_span(message: String, span: Span, composition: &Composition) -> Self {
+    /// Returns the message with the place of `span`, or with the place of the function `function`.
+    pub(crate) fn of_span(message: String, span: Span, function: Option<&str>, composition: &Composition) -> Self {
         let location = span.is_defined().then(|| span.location(composition.source()));
-        Self { message, place: Place::new(location, composition).or_else(|| Place::first(composition)) }
+        let place = Place::new(location, composition)
+            .or_else(|| Place::of_function(function?, composition))
+            .or_else(|| Place::first(composition));
+        Self { message, place }
     }
 
     pub(crate) fn of_validation(error: &WithSpan<ValidationError>, composition: &Composition) -> Self {
@@ -78,7 +80,7 @@ impl Diagnostic {
         let in_replaced = |span: &&SourceLocation| composition.is_replaced(span.line_number as usize);
         let span = spans.iter().rev().find(in_replaced).copied();
         let place = Place::new(span, composition)
-            .or_else(|| Place::of_function(&message, composition))
+            .or_else(|| Place::of_function(message.split('\'').nth(1)?, composition))
             .or_else(|| Place::new(spans.last().copied(), composition))
             .or_else(|| Place::first(composition));
         Self { message: plain(&message), place }
@@ -163,18 +165,25 @@ impl Place {
         Some(Self::of_line(line, text, composition))
     }
 
-    /// Returns the line of a replaced module that begins the function named in `message`, such as `Function [7] 'f' is
-    /// invalid`. Returns `None` if no replaced module has that function.
-    fn of_function(message: &str, composition: &Composition) -> Option<Self> {
-        let (_, rest) = message.split_once('\'')?;
-        let (name, _) = rest.split_once('\'')?;
+    /// Returns the line of a replaced module that begins the function `name`, or `None` if no replaced module has it.
+    fn of_function(name: &str, composition: &Composition) -> Option<Self> {
         let begins = |text: &str| {
-            text.trim_start().strip_prefix("fn ").is_some_and(|rest| {
-                rest.trim_start().strip_prefix(name).is_some_and(|rest| rest.trim_start().starts_with('('))
-            })
+            let words: Vec<_> = tokens(text.as_bytes()).map(|(_, word)| word).collect();
+            words.windows(2).any(|pair| pair == [b"fn", name.as_bytes()])
         };
         let (line, text) = composition.replaced_lines().find(|(_, text)| begins(text))?;
         Some(Self::of_line(line, text, composition))
+    }
+
+    /// Returns the place of the character at `offset`, in bytes from the start of the composition.
+    fn at(offset: usize, composition: &Composition) -> Option<Self> {
+        // naga counts lines from 1, and bytes within a line from 1.
+        let before = composition.source().get(..offset)?;
+        let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
+        let start = before.rfind('\n').map_or(0, |end| end + 1);
+        let [line_number, line_position, offset] =
+            [line, offset - start + 1, offset].map(|number| u32::try_from(number).unwrap_or(u32::MAX));
+        Self::new(Some(SourceLocation { line_number, line_position, offset, length: 1 }), composition)
     }
 
     /// Returns the place that covers a whole line of the composition, without the blanks at its ends.

@@ -8,6 +8,7 @@
 //! - [`arithmetic`] has the functions in WGSL;
 //! - `types` and `globals` copy what stands outside of functions, and `function` copies the bodies;
 //! - `expression`, `operators`, `math` and `convert` replace the operations on f64;
+//! - `places` finds the place of a type that is refused;
 //! - `names` keeps the names of overrides and entry points;
 //! - `layout` writes the sizes of structure members, which naga's writer leaves out.
 //!
@@ -33,6 +34,7 @@ mod math;
 mod module;
 mod names;
 mod operators;
+mod places;
 mod prune;
 mod refusal;
 mod statement;

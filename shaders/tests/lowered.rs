@@ -154,15 +154,37 @@ fn what_has_no_form_in_integers_is_refused_with_its_place() {
         assert!(error.ends_with('^'), "{error}");
     }
     let declarations = [
-        "\nvar<private> m: mat3x3<f64>;",
-        "\noverride n = 3u;\nvar<workgroup> a: array<f64, n>;",
-        "\n@id(3) override a: f64 = 1.0lf;",
-        "\nstruct S { a: vec3<f64>, b: f64 }\n@group(0) @binding(0) var<uniform> s: S;",
+        ("\nvar<private> m: mat3x3<f64>;", "2:1"),
+        ("\noverride n = 3u;\nvar<workgroup> a: array<f64, n>;", "3:1"),
+        ("\n@id(3) override a: f64 = 1.0lf;", "2:8"),
+        ("\nstruct S { a: vec3<f64>, b: f64 }\n@group(0) @binding(0) var<uniform> s: S;", "3:23"),
+        ("\nfn f() {\n  let m = mat2x2<f64>(1.0lf, 2.0lf, 3.0lf, 4.0lf);\n}", "3:11"),
+        ("\nfn f() {\n  var m: array<mat2x3<f64>, 2>;\n}", "3:3"),
+        ("\nfn f(a: f64,\n     m: ptr<function, mat4x4<f64>>) {}", "3:6"),
+        ("const a = 1;\nstruct S { a: f64,\n  m: mat2x2<f64> }\nvar<private> s: S;", "2:1"),
+        ("override n = 3u;\n@compute @workgroup_size(n) fn main() {}", "2:1"),
     ];
-    for declaration in declarations {
+    for (declaration, place) in declarations {
         let error = lower(declaration).expect_err("it is refused").to_string();
         println!("{error}");
-        assert!(error.contains("cannot be lowered to integers") && error.starts_with("my.wgsl:"), "{error}");
+        assert!(error.contains("cannot be lowered to integers"), "{error}");
+        assert!(error.starts_with(&format!("my.wgsl:{place}: ")), "{place}: {error}");
+    }
+}
+
+#[test]
+fn a_text_that_is_too_deep_for_naga_is_refused_with_its_place() {
+    for (start, part) in [("\nfn f(x: f32) -> f32 {\n  return ", "("), ("\nfn f(x: f32) -> f32 {\n  return ", "abs(")] {
+        let text = |count: usize| format!("{start}{}x{}; }}", part.repeat(count), ")".repeat(count));
+        let most = (1..250).rfind(|&count| lower(&text(count)).is_ok()).expect("a few are accepted");
+        let error = lower(&text(most + 1)).expect_err("it is too deep").to_string();
+        println!("{most} {error}");
+        // The innermost parenthesis or its operand is the first that is too deep.
+        let [first, last] = [most, most + 1].map(|count| "  return ".len() + part.len() * count + 1);
+        let columns = error.strip_prefix("my.wgsl:3:").and_then(|rest| rest.split(':').next()?.parse().ok());
+        let column: usize = columns.unwrap_or_else(|| panic!("{error}"));
+        assert!((first..=last).contains(&column), "{column} {error}");
+        assert!(error.contains("this is nested too deeply for naga; use several statements"), "{error}");
     }
 }
 

@@ -60,7 +60,7 @@ impl<'a> Lowering<'a> {
         let (source, info) = (self.source, self.info);
         self.module.diagnostic_filters = source.diagnostic_filters.clone();
         self.module.diagnostic_filter_leaf = source.diagnostic_filter_leaf;
-        self.types = Types::new(source, &mut self.module)?;
+        self.types = Types::new(source, info, &mut self.module)?;
         self.lower_globals()?;
         for (handle, function) in source.functions.iter() {
             let lowered = FunctionLowering::new(&mut self, function, &info[handle]).run()?;
@@ -75,7 +75,7 @@ impl<'a> Lowering<'a> {
     }
 
     fn lower_entry_point(&mut self, index: usize, entry: &EntryPoint) -> Lowered<EntryPoint> {
-        let refused = |what: &str| Err(Refusal::new(Span::UNDEFINED, format!("{what} of `{}`", entry.name)));
+        let refused = |what: &str| Err(Refusal::of_entry_point(what, &entry.name));
         if entry.workgroup_size_overrides.iter().flatten().any(Option::is_some) {
             return refused("a workgroup size by an override, that");
         }

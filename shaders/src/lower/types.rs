@@ -4,11 +4,13 @@
 //! structure with a member for each component. A vector of three has 24 bytes, but in an array it takes 32. So an array
 //! holds it in one more structure, whose size is 32.
 
+use naga::valid::ModuleInfo;
 use naga::{
     ArraySize, Binding, Handle, Module, PredeclaredType, Scalar, Span, StructMember, Type, TypeInner, UniqueArena,
     VectorSize,
 };
 
+use super::places::of_type;
 use super::refusal::{Lowered, Refusal};
 
 /// The form of a value that is f64 or has components of f64.
@@ -58,17 +60,18 @@ pub struct Types {
 
 impl Types {
     /// Copies all types of `source` into `module`.
-    pub fn new(source: &Module, module: &mut Module) -> Lowered<Self> {
+    pub fn new(source: &Module, info: &ModuleInfo, module: &mut Module) -> Lowered<Self> {
         let mut types = Self::default();
         for (handle, ty) in source.types.iter() {
             let span = source.types.get_span(handle);
-            let inner = types.lower(ty, span, source, module)?;
+            let refused = |what| Refusal::new(of_type(handle, source, info), what);
+            let inner = types.lower(ty, source, module).map_err(refused)?;
             let name = if shape(&ty.inner).is_some() { name_of(&ty.inner) } else { ty.name.clone() };
             types.map.push(module.types.insert(Type { name, inner }, span));
         }
         let special = &source.special_types;
-        if special.ray_desc.is_some() || special.ray_intersection.is_some() || special.ray_vertex_return.is_some() {
-            return Err(Refusal::new(Span::UNDEFINED, "a ray query"));
+        if let Some(ty) = special.ray_desc.or(special.ray_intersection).or(special.ray_vertex_return) {
+            return Err(Refusal::new(of_type(ty, source, info), "a ray query"));
         }
         for (key, &handle) in &special.predeclared_types {
             // The operations that need the other types are refused where they stand.
@@ -89,12 +92,12 @@ impl Types {
         self.map[handle.index()]
     }
 
-    fn lower(&self, ty: &Type, span: Span, source: &Module, module: &mut Module) -> Lowered<TypeInner> {
-        let refused = |what: &str| Err(Refusal::new(span, what));
+    /// Returns the lowered type of `ty`, or what cannot be lowered.
+    fn lower(&self, ty: &Type, source: &Module, module: &mut Module) -> Result<TypeInner, &'static str> {
         Ok(match ty.inner {
             TypeInner::Scalar(Scalar::F64) => WORDS,
             TypeInner::Vector { size, scalar: Scalar::F64 } => vector(size, &mut module.types),
-            TypeInner::Matrix { scalar: Scalar::F64, .. } => return refused("a matrix of f64"),
+            TypeInner::Matrix { scalar: Scalar::F64, .. } => return Err("a matrix of f64"),
             TypeInner::ValuePointer { size, scalar: Scalar::F64, space } => {
                 let base = match size {
                     Some(size) => vector_type(size, &mut module.types),
@@ -103,27 +106,27 @@ impl Types {
                 TypeInner::Pointer { base, space }
             }
             TypeInner::Pointer { base, space } => TypeInner::Pointer { base: self.of(base), space },
-            TypeInner::Array { size: ArraySize::Pending(_), .. } => return refused("an array sized by an override"),
+            TypeInner::Array { size: ArraySize::Pending(_), .. } => return Err("an array sized by an override"),
             TypeInner::Array { base, size, stride } => {
                 let is_padded = is_triple(&source.types[base].inner);
                 let base = if is_padded { padded_type(&mut module.types) } else { self.of(base) };
                 TypeInner::Array { base, size, stride }
             }
             TypeInner::BindingArray { size: ArraySize::Pending(_), .. } => {
-                return refused("an array sized by an override");
+                return Err("an array sized by an override");
             }
             TypeInner::BindingArray { base, size } => TypeInner::BindingArray { base: self.of(base), size },
             TypeInner::Struct { ref members, span: size } => {
                 let has_f64 = |member: &StructMember| shape(&source.types[member.ty].inner).is_some();
                 let is_interface = |member: &StructMember| matches!(member.binding, Some(Binding::Location { .. }));
                 if members.iter().any(|member| is_interface(member) && has_f64(member)) {
-                    return refused("f64 between shader stages");
+                    return Err("f64 between shader stages");
                 }
                 let members = members.iter().map(|member| StructMember { ty: self.of(member.ty), ..member.clone() });
                 TypeInner::Struct { members: members.collect(), span: size }
             }
-            TypeInner::CooperativeMatrix { .. } => return refused("a cooperative matrix"),
-            TypeInner::AccelerationStructure { .. } | TypeInner::RayQuery { .. } => return refused("a ray query"),
+            TypeInner::CooperativeMatrix { .. } => return Err("a cooperative matrix"),
+            TypeInner::AccelerationStructure { .. } | TypeInner::RayQuery { .. } => return Err("a ray query"),
             ref other => other.clone(),
         })
     }
