@@ -15,7 +15,7 @@
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
 //! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
 //! - [`steps`] traces single pixels step by step on both, and [`first_difference`] finds the function that differs;
-//! - [`shader_lab`] renders with a user's own modules;
+//! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take;
 //! - [`web`] runs shaders in a browser, which has another shader compiler;
 //! - [`rewrites`] finds out how a driver rewrites formulas, and [`conformance`] holds drivers to IEEE 754 and WGSL;
 //! - [`mutants`] are deliberate errors that these checks must notice.
@@ -47,6 +47,7 @@ pub mod first_difference;
 pub mod float;
 pub mod flushed;
 pub mod gpu;
+pub mod guard;
 pub mod hierarchy;
 pub mod kernel;
 pub mod kernels;

@@ -15,8 +15,16 @@ use output::{Options, Output};
 /// # Errors
 /// An error if standard output is closed, full or not writable.
 pub fn print(text: &str) -> Result<(), output::Error> {
+    write(&escaped(text))
+}
+
+/// Writes `text` to standard output byte for byte. A closed pipe is not an error, as for [`print`].
+///
+/// # Errors
+/// An error if standard output is closed, full or not writable.
+pub fn write(text: &str) -> Result<(), output::Error> {
     let output = Output::open(Path::new("/dev/stdout"), Options::default());
-    match output.and_then(|output| output.fill(|file| file.write_all(escaped(text).as_bytes()))) {
+    match output.and_then(|output| output.fill(|file| file.write_all(text.as_bytes()))) {
         Err(output::Error { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }

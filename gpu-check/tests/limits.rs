@@ -6,8 +6,9 @@ mod common;
 use std::path::Path;
 use std::time::Duration;
 
+use gpu_check::guard::Limits;
 use gpu_check::pipeline::Content;
-use gpu_check::shader_lab::guard::{Limits, check_within};
+use gpu_check::shader_lab::guard::check_within;
 use gpu_check::{Error, Gpu, Pipeline};
 use shaders::{Composition, Precision};
 
