@@ -67,11 +67,11 @@ fn conformance(chromium: &Path) -> Result<(), Failed> {
 fn results(chromium: &Path, jobs: Jobs) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
     let profile = Folder::new();
     let server = Server::new(0, jobs.into_data())?;
-    let _browser = Browser::open(chromium, profile.path(), &format!("http://{}/jobs", server.address()?))?;
+    let mut browser = Browser::open(chromium, profile.path(), &format!("http://{}/jobs", server.address()?))?;
     let (sender, receiver) = mpsc::channel();
     // The thread runs until the process ends.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
-    Ok(browser::collect(&receiver, PATIENCE)?)
+    Ok(browser::collect(&receiver, &mut browser, PATIENCE)?)
 }
 
 /// Compares the formulas and a picture.

@@ -11,14 +11,14 @@ use serde_json::json;
 use super::probe::Probe;
 use super::report::Driver;
 use super::verdict::Outcome;
-use crate::web::chromium::{Browser, version};
+use crate::web::chromium::{Browser, INTERVAL, version};
 use crate::web::{Posted, Server};
 
 /// Time limit for the next result of the page.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Time between two looks at whether the user has interrupted the program.
-const INTERVAL: Duration = Duration::from_millis(100);
+/// Time limit for the browser to print its version.
+const VERSION_PATIENCE: Duration = Duration::from_secs(30);
 
 /// Returns the data that the page loads. Probes that need f64 are left out, because no browser has it.
 #[must_use]
@@ -41,15 +41,15 @@ pub fn data(probes: &[Probe]) -> BTreeMap<String, Vec<u8>> {
 /// A message for the user: the browser does not start, has no WebGPU, or stops answering.
 pub fn run(chromium: &Path, probes: &[Probe]) -> Result<(Driver, Vec<Outcome>), String> {
     let broken = |error: std::io::Error| format!("{}: {error}", chromium.display());
-    let version = version(chromium).map_err(broken)?;
+    let version = version(chromium, VERSION_PATIENCE).map_err(broken)?;
     let server = Server::new(0, data(probes)).map_err(broken)?;
     let url = format!("http://{}/conformance", server.address().map_err(broken)?);
     let profile = tempfile::tempdir().map_err(broken)?;
     let (sender, receiver) = mpsc::channel();
     // The thread runs until the process ends. Results after the last one are ignored.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
-    let browser = Browser::open(chromium, profile.path(), &url).map_err(broken)?;
-    let results = collect(&receiver, PATIENCE);
+    let mut browser = Browser::open(chromium, profile.path(), &url).map_err(broken)?;
+    let results = collect(&receiver, &mut browser, PATIENCE);
     drop(browser);
     let results = results?;
     let adapter = results.get("adapter").map(|text| String::from_utf8_lossy(text).into_owned()).unwrap_or_default();
@@ -61,8 +61,13 @@ pub fn run(chromium: &Path, probes: &[Probe]) -> Result<(Driver, Vec<Outcome>), 
 /// Receives the results of the page by name, until the page is done.
 ///
 /// # Errors
-/// A message for the user: the page failed, no result came within `patience`, or the user interrupted the program.
-pub fn collect(receiver: &Receiver<Posted>, patience: Duration) -> Result<BTreeMap<String, Vec<u8>>, String> {
+/// A message for the user: the page failed, the browser ended, no result came within `patience`, or the user interrupted
+/// the program.
+pub fn collect(
+    receiver: &Receiver<Posted>,
+    browser: &mut Browser,
+    patience: Duration,
+) -> Result<BTreeMap<String, Vec<u8>>, String> {
     let mut results = BTreeMap::new();
     let mut latest = Instant::now();
     loop {
@@ -76,8 +81,20 @@ pub fn collect(receiver: &Receiver<Posted>, patience: Duration) -> Result<BTreeM
                 results.insert(name, body);
             }
             Err(RecvTimeoutError::Timeout) if stop::requested() => return Err("interrupted".to_owned()),
-            Err(RecvTimeoutError::Timeout) if latest.elapsed() < patience => {}
-            Err(_) => return Err(format!("the browser stopped answering after {} results", results.len())),
+            Err(error) => {
+                let count = results.len();
+                let ended = browser.ended().map_err(|error| format!("the browser: {error}"))?;
+                let what = match ended {
+                    Some(status) => format!("ended by {status}"),
+                    None if error == RecvTimeoutError::Disconnected || latest.elapsed() >= patience => {
+                        "stopped answering, so it was ended".to_owned()
+                    }
+                    None => continue,
+                };
+                return Err(format!(
+                    "after {count} results the browser {what}; start it by hand to see why, or name another in CHROMIUM"
+                ));
+            }
         }
     }
 }
@@ -114,8 +131,12 @@ mod tests {
         }
     }
 
+    #[cfg(unix)]
     #[test]
-    fn a_page_that_fails_or_falls_silent_is_an_error() {
+    fn a_page_that_fails_or_falls_silent_and_a_browser_that_ends_are_errors() {
+        use std::process::Command;
+        let start = |arguments: &[&str]| Browser::start(Command::new("sh").arg("-c").args(arguments));
+        let mut browser = start(&["sleep 1000"]).expect("every Unix has a shell");
         let (sender, receiver) = mpsc::channel();
         let post = |name: &str, body: &str| {
             let posted = Posted { name: name.to_owned(), body: body.into() };
@@ -123,10 +144,14 @@ mod tests {
         };
         post("result/fma", "1234");
         post("done", "");
-        assert_eq!(collect(&receiver, PATIENCE).map(|results| results.len()), Ok(1));
+        assert_eq!(collect(&receiver, &mut browser, PATIENCE).map(|results| results.len()), Ok(1));
         post("failed", "no adapter");
-        assert_eq!(collect(&receiver, PATIENCE), Err("the page failed: no adapter".to_owned()));
-        let message = collect(&receiver, Duration::ZERO).expect_err("nothing is posted");
-        assert_eq!(message, "the browser stopped answering after 0 results");
+        assert_eq!(collect(&receiver, &mut browser, PATIENCE), Err("the page failed: no adapter".to_owned()));
+        let message = collect(&receiver, &mut browser, Duration::ZERO).expect_err("nothing is posted");
+        assert!(message.starts_with("after 0 results the browser stopped answering, so it was ended; "), "{message}");
+        let mut browser = start(&["exit 3"]).expect("every Unix has a shell");
+        // The sender is still there, so that only the end of the browser can end the wait before an hour is over.
+        let message = collect(&receiver, &mut browser, Duration::from_secs(3600)).expect_err("nothing is posted");
+        assert!(message.starts_with("after 0 results the browser ended by exit status: 3; start it "), "{message}");
     }
 }
