@@ -1,13 +1,14 @@
 //! An error in a shader, with its place in the module's own file.
 
 mod nesting;
+pub(crate) mod places;
 
 use std::error::Error as _;
 use std::fmt;
 
 use naga::front::wgsl::ParseError;
 use naga::valid::ValidationError;
-use naga::{SourceLocation, Span, WithSpan};
+use naga::{Module, SourceLocation, Span, WithSpan};
 
 use crate::Composition;
 use crate::limits::{Excess, tokens};
@@ -66,7 +67,8 @@ impl Diagnostic {
         Self { message, place }
     }
 
-    pub(crate) fn of_validation(error: &WithSpan<ValidationError>, composition: &Composition) -> Self {
+    /// Returns the message for an error in `module`, which naga has read from `composition`.
+    pub(crate) fn of_validation(error: &WithSpan<ValidationError>, module: &Module, composition: &Composition) -> Self {
         let mut message = error.as_inner().to_string();
         let mut cause = error.as_inner().source();
         while let Some(inner) = cause {
@@ -82,6 +84,7 @@ impl Diagnostic {
         let place = Place::new(span, composition)
             .or_else(|| Place::of_function(message.split('\'').nth(1)?, composition))
             .or_else(|| Place::new(spans.last().copied(), composition))
+            .or_else(|| Place::of_named(error.as_inner(), module, composition))
             .or_else(|| Place::first(composition));
         Self { message: plain(&message), place }
     }
@@ -184,6 +187,18 @@ impl Place {
         let [line_number, line_position, offset] =
             [line, offset - start + 1, offset].map(|number| u32::try_from(number).unwrap_or(u32::MAX));
         Self::new(Some(SourceLocation { line_number, line_position, offset, length: 1 }), composition)
+    }
+
+    /// Returns the place of the entry point or the type that `error` is about.
+    fn of_named(error: &ValidationError, module: &Module, composition: &Composition) -> Option<Self> {
+        let ty = match error {
+            ValidationError::EntryPoint { name, .. } => return Self::of_function(name, composition),
+            ValidationError::Type { handle, .. } => *handle,
+            ValidationError::Layouter(error) => error.ty,
+            _ => return None,
+        };
+        let span = places::of_type(ty, module, None);
+        Self::new(span.is_defined().then(|| span.location(composition.source())), composition)
     }
 
     /// Returns the place that covers a whole line of the composition, without the blanks at its ends.

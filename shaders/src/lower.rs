@@ -8,7 +8,6 @@
 //! - [`arithmetic`] has the functions in WGSL;
 //! - `types` and `globals` copy what stands outside of functions, and `function` copies the bodies;
 //! - `expression`, `operators`, `math` and `convert` replace the operations on f64;
-//! - `places` finds the place of a type that is refused;
 //! - `names` keeps the names of overrides and entry points;
 //! - `layout` writes the sizes of structure members, which naga's writer leaves out.
 //!
@@ -34,7 +33,6 @@ mod math;
 mod module;
 mod names;
 mod operators;
-mod places;
 mod prune;
 mod refusal;
 mod statement;
@@ -70,7 +68,7 @@ fn by_naga(composition: &Composition, arithmetic: &Arithmetic) -> Result<String,
         .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
     let info = Validator::new(ValidationFlags::all(), Capabilities::all())
         .validate(&source)
-        .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, composition))))?;
+        .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, &source, composition))))?;
     let (mut module, functions) = Lowering::new(&source, &info, arithmetic.module()?)
         .run()
         .map_err(|refusal| Error::CannotLower(Box::new(refusal.diagnostic(composition))))?;

@@ -52,7 +52,7 @@ impl Validated {
         let capabilities = if composition.needs_f64() { Capabilities::FLOAT64 } else { Capabilities::empty() };
         let info = Validator::new(ValidationFlags::all(), capabilities)
             .validate(&module)
-            .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, composition))))?;
+            .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, &module, composition))))?;
         let (precision, needs_f64) = (composition.precision(), composition.needs_f64());
         Ok(Self { module, info, precision, needs_f64 })
     }

@@ -173,6 +173,20 @@ fn what_has_no_form_in_integers_is_refused_with_its_place() {
 }
 
 #[test]
+fn an_invalid_type_or_entry_point_is_refused_with_its_place() {
+    let texts = [
+        ("\nvar<private> small: u32;\nvar<private> a: array<u32, 4294967295>;", "3:1"),
+        ("\n\nfn f() {\n  var a: array<u32, 4294967295>;\n}", "4:3"),
+        ("\n@compute\n@workgroup_size(0)\nfn main() {}", "4:1"),
+    ];
+    for (text, place) in texts {
+        let error = lower(text).expect_err("it is not valid").to_string();
+        println!("{error}");
+        assert!(error.starts_with(&format!("my.wgsl:{place}: ")), "{place}: {error}");
+    }
+}
+
+#[test]
 fn a_text_that_is_too_deep_for_naga_is_refused_with_its_place() {
     for (start, part) in [("\nfn f(x: f32) -> f32 {\n  return ", "("), ("\nfn f(x: f32) -> f32 {\n  return ", "abs(")] {
         let text = |count: usize| format!("{start}{}x{}; }}", part.repeat(count), ")".repeat(count));

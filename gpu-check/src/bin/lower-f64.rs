@@ -11,6 +11,7 @@ use cpu::internals::input::reader::read_text;
 use gpu_check::guard::{End, Limits, MAX_TEXT, REFUSED, limit_this_process};
 use gpu_check::shader_lab::files::{MAX_BYTES, shown};
 use gpu_check::terminal;
+use shaders::Error;
 use shaders::lower::{Arithmetic, lower_text};
 
 /// Exit status for an error.
@@ -72,7 +73,10 @@ fn in_separate_process(arguments: impl Iterator<Item = OsString>) -> ExitCode {
         let path = arguments.next().unwrap_or_default();
         let mut source = String::new();
         io::stdin().take(MAX_TEXT).read_to_string(&mut source).map_err(|error| error.to_string())?;
-        lower_text(&path, &source, &Arithmetic::standard()).map_err(|error| error.to_string())
+        lower_text(&path, &source, &Arithmetic::standard()).map_err(|error| match error {
+            Error::Invalid(place) | Error::CannotLower(place) => place.to_string(),
+            other => format!("{path}: {other}"),
+        })
     });
     let (text, status) = match lowered {
         Ok(text) => (text, ExitCode::SUCCESS),

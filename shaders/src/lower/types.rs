@@ -10,8 +10,8 @@ use naga::{
     VectorSize,
 };
 
-use super::places::of_type;
 use super::refusal::{Lowered, Refusal};
+use crate::diagnostic::places::of_type;
 
 /// The form of a value that is f64 or has components of f64.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,14 +64,14 @@ impl Types {
         let mut types = Self::default();
         for (handle, ty) in source.types.iter() {
             let span = source.types.get_span(handle);
-            let refused = |what| Refusal::new(of_type(handle, source, info), what);
+            let refused = |what| Refusal::new(of_type(handle, source, Some(info)), what);
             let inner = types.lower(ty, source, module).map_err(refused)?;
             let name = if shape(&ty.inner).is_some() { name_of(&ty.inner) } else { ty.name.clone() };
             types.map.push(module.types.insert(Type { name, inner }, span));
         }
         let special = &source.special_types;
         if let Some(ty) = special.ray_desc.or(special.ray_intersection).or(special.ray_vertex_return) {
-            return Err(Refusal::new(of_type(ty, source, info), "a ray query"));
+            return Err(Refusal::new(of_type(ty, source, Some(info)), "a ray query"));
         }
         for (key, &handle) in &special.predeclared_types {
             // The operations that need the other types are refused where they stand.

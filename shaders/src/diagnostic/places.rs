@@ -1,11 +1,12 @@
 //! Finds the place of a type. naga keeps a place for structures only, so the place of another type is its first use.
 
 use naga::valid::{FunctionInfo, ModuleInfo};
-use naga::{Function, Handle, Module, Span, Type, TypeInner};
+use naga::{Expression, Function, Handle, Module, Span, Type, TypeInner};
 
 /// Returns the place in the source where the type `ty`, or a type that contains it, is first used. Returns
-/// [`Span::UNDEFINED`] if it is not used.
-pub fn of_type(ty: Handle<Type>, module: &Module, info: &ModuleInfo) -> Span {
+/// [`Span::UNDEFINED`] if it is not used. A module that is not valid has no `info`. Then only those expressions count
+/// that name the type.
+pub fn of_type(ty: Handle<Type>, module: &Module, info: Option<&ModuleInfo>) -> Span {
     let uses = Uses::of(ty, module);
     let mut places = Vec::new();
     places.extend(module.types.iter().filter(|(ty, _)| uses.has(*ty)).map(|(ty, _)| module.types.get_span(ty)));
@@ -19,10 +20,10 @@ pub fn of_type(ty: Handle<Type>, module: &Module, info: &ModuleInfo) -> Span {
         if function.result.as_ref().is_some_and(|result| uses.has(result.ty)) {
             places.push(module.functions.get_span(handle));
         }
-        uses.within(function, &info[handle], &mut places);
+        uses.within(function, info.map(|info| &info[handle]), &mut places);
     }
     for (index, entry) in module.entry_points.iter().enumerate() {
-        uses.within(&entry.function, info.get_entry_point(index), &mut places);
+        uses.within(&entry.function, info.map(|info| info.get_entry_point(index)), &mut places);
     }
     let start = |span: &Span| span.to_range().map(|range| range.start);
     places.into_iter().filter(Span::is_defined).min_by_key(start).unwrap_or(Span::UNDEFINED)
@@ -62,12 +63,16 @@ impl<'a> Uses<'a> {
     }
 
     /// Adds the places of all uses inside of a function.
-    fn within(&self, function: &Function, info: &FunctionInfo, places: &mut Vec<Span>) {
+    fn within(&self, function: &Function, info: Option<&FunctionInfo>, places: &mut Vec<Span>) {
         let variables = function.local_variables.iter().filter(|(_, variable)| self.has(variable.ty));
         places.extend(variables.map(|(variable, _)| function.local_variables.get_span(variable)));
-        let expressions = function.expressions.iter().filter(|(expression, _)| {
-            let inner = info[*expression].ty.inner_with(&self.module.types);
-            inner == self.ty || self.is_inside(inner)
+        let expressions = function.expressions.iter().filter(|(handle, expression)| match (expression, info) {
+            (Expression::Compose { ty, .. } | Expression::ZeroValue(ty), _) => self.has(*ty),
+            (_, Some(info)) => {
+                let inner = info[*handle].ty.inner_with(&self.module.types);
+                inner == self.ty || self.is_inside(inner)
+            }
+            (_, None) => false,
         });
         places.extend(expressions.map(|(expression, _)| function.expressions.get_span(expression)));
     }
