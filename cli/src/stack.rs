@@ -5,8 +5,8 @@ use crate::Error;
 /// Size in bytes of the stack that rendering gets.
 ///
 /// Rendering needs 160 KiB in release builds, for any scene, and 256 KiB in test builds. These are the smallest values
-/// of `ulimit -s` with which the programs rendered 10,000 objects without a reserve. Most of it, 140 KiB, is the samples
-/// of a span, which are made on the stack before they are copied to the heap.
+/// of `ulimit -s` with which the programs rendered 10,000 objects without a reserve. Most of it are the samples of a
+/// span, 140 KiB, which are made on the stack before they are copied to the heap.
 const BYTES: usize = if cfg!(debug_assertions) { 288 << 10 } else { 192 << 10 };
 
 /// Size in bytes of the room that must be left: [`BYTES`], the frames above them, and a page that must stay free.

@@ -4,8 +4,8 @@
 
 use std::fs;
 
-/// Returns by how many bytes the stack of the main thread, which must call this function, may still grow. Returns `None`
-/// if the system does not tell it, or if it is more than 512 KiB.
+/// Returns by how many bytes the stack of the main thread may still grow. The main thread must call this function.
+/// Returns `None` if the system does not tell it, or if the stack's limit is 1 MiB or more.
 #[must_use]
 pub fn room() -> Option<usize> {
     /// A limit from which on no exact number is needed. Linux gives at most a quarter of it to the arguments and the

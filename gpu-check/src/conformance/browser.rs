@@ -61,8 +61,8 @@ pub fn run(chromium: &Path, probes: &[Probe]) -> Result<(Driver, Vec<Outcome>), 
 /// Receives the results of the page by name, until the page is done.
 ///
 /// # Errors
-/// A message for the user: the page failed, the browser ended, no result came within `patience`, or the user interrupted
-/// the program.
+/// A message for the user: the page failed, the browser ended, no result came within `patience`, or the user
+/// interrupted the program.
 pub fn collect(
     receiver: &Receiver<Posted>,
     browser: &mut Browser,
