@@ -18,7 +18,7 @@ pub fn print(text: &str) -> Result<(), output::Error> {
     write(&escaped(text))
 }
 
-/// Writes `text` to standard output byte for byte. A closed pipe is not an error, as for [`print`].
+/// Writes `text` to standard output byte for byte. A closed pipe is not an error, as for [`print()`].
 ///
 /// # Errors
 /// An error if standard output is closed, full or not writable.

@@ -33,10 +33,12 @@ impl Folder {
     /// # Errors
     /// [`ErrorKind::PermissionDenied`] if the link may not be followed, or the error of the system.
     pub fn read_link(&self, name: &CStr) -> io::Result<Option<OsString>> {
-        let open =
-            |flags: &super::Flags| self.open_at(name, flags.path | flags.no_follow | flags.close_on_exec, 0).ok();
-        let (path, metadata) = match FLAGS.as_ref().and_then(open) {
-            Some(link) => (path_in(&link), link.metadata()),
+        let (path, metadata) = match FLAGS {
+            Some(flags) => {
+                let opened = self.open_at(name, flags.path | flags.no_follow | flags.close_on_exec, 0);
+                let Ok(link) = opened else { return Ok(None) };
+                (path_in(&link), link.metadata())
+            }
             None => {
                 let link = self.path_of(name);
                 (std::fs::read_link(&link).ok().map(PathBuf::into_os_string), link.symlink_metadata())
