@@ -80,3 +80,20 @@ fn help_and_the_list_need_no_driver_and_mistakes_have_status_2() {
         assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{output:?}");
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn a_browser_that_ends_is_an_error_with_status_2() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = Folder::new();
+    let browser = folder.file("browser");
+    // It prints a version, and ends when it is asked for a page.
+    std::fs::write(&browser, "#!/bin/sh\n[ \"$1\" = --version ] || exit 3\necho Browser 1\n").expect("writable");
+    std::fs::set_permissions(&browser, std::fs::Permissions::from_mode(0o755)).expect("it is ours");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_conformance"));
+    let output = command.args(["--browser", "--no-native"]).env("CHROMIUM", &browser).output().expect("it starts");
+    let message = String::from_utf8(output.stderr).expect("it is text");
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("Error: after 0 results the browser ended by exit status: 3; start it "), "{message}");
+}
