@@ -61,6 +61,7 @@ fn f64_pictures_are_the_references_to_the_bit() {
     let gpu = common::gpu();
     let (cases, files) = cases();
     assert!(files >= 16, "the repository has scenes: {files}");
+    let cases: Vec<_> = cases.into_iter().chain(scenes::hard_cameras()).collect();
     let (mut pixels, mut lit, mut faults) = (0, 0, Vec::new());
     for case in &cases {
         let rendering = on_device::<f64>(&gpu, case);

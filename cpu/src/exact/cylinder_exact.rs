@@ -129,7 +129,7 @@ impl Fraction {
         (&left - &right).sign() == Ordering::Less
     }
 
-    /// Returns the nearest `f64`, or a neighbour of it.
+    /// Returns the nearest `f64` or a neighbour of it, but at least [`LAMBDA_MIN`].
     fn value(&self) -> f64 {
         let (numerator, upper) = self.numerator.to_part_and_power();
         let (denominator, lower) = self.denominator.to_part_and_power();

@@ -37,7 +37,8 @@ impl<T: Real> Ray<T> {
     }
 }
 
-/// Whether a hit at `lambda` counts: `lambda` is at least [`LAMBDA_MIN`]. NaN never counts.
+/// Whether a hit at the computed `lambda` counts: `lambda`, which is rounded, is at least [`LAMBDA_MIN`]. NaN never
+/// counts.
 #[inline(always)]
 pub fn in_range<T: Real>(lambda: T) -> T::Mask {
     T::of(LAMBDA_MIN).less_equal(lambda)

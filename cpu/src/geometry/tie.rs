@@ -22,7 +22,7 @@ pub fn later_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
 }
 
 /// Returns `lambda < closest`: whether a later hit at `lambda`, on a cap, replaces the closest hit so far, which is at
-/// `closest`. The caller asks only if there is a hit so far.
+/// `closest`. Without a hit so far the result has no meaning.
 #[inline(always)]
 pub fn later_cap_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
     lambda.less(closest)

@@ -9,10 +9,10 @@
 //! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` follows because the second derivative of `s`
 //! is at most `6 / |d|^2`.
 //!
-//! The renderer computes `s` of rounded directions. Let `r` bound the error of a direction
-//! ([`RayError::length`]). Here `d0` is the rounded direction through the pixel's middle, and `d` another one. So `e` is
-//! longer by up to `2 r`. The linear term has the additional error `g.(e - x dx - y dy)`, at most `2 r / |d0|`, which is
-//! at most twice [`RayError::turn`].
+//! The renderer computes `s` of rounded directions `d^` and `d0^`. Let `r` bound the error of a direction
+//! ([`RayError::length`]). The formula holds for `d^` and `d0^` too, but `e = d^ - d0^` differs from `x dx + y dy` by up
+//! to `2 r`. So `|e|` is larger by up to `2 r`. As `|g| <= 1 / |d0^|`, the linear term has an additional error of at most
+//! `2 r / |d0^|`, which is at most twice [`RayError::turn`].
 
 use crate::render::ray_error::RayError;
 use crate::{geometry::camera::Camera, geometry::camera::HALF_PIXEL, math::real::Real, math::vec3::Vec3};
@@ -151,12 +151,33 @@ mod tests {
 
     #[test]
     fn the_slope_bounds_rays_whose_direction_is_rounded_to_few_digits() {
-        for (position, target, fov) in [("1e9 1e9 1e9", "1e9 1e9 1000000000.01", 20.0), ("1e8 0 0", "1e8 0 1e-5", 1e-3)]
-        {
-            let camera = format!("camera_position: {position}\ncamera_target: {target}\nfield_of_view: {fov}\n");
+        // In the first picture the pixels are so small that most of the difference comes from rounding.
+        for (distance, fov) in [("0.01", 0.05), ("0.01", 20.0), ("1e-4", 90.0)] {
+            let camera = format!(
+                "camera_position: 1e8 1e8 1e8\ncamera_target: 1e8 1e8 {}\nfield_of_view: {fov}\n",
+                1e8 + distance.parse::<f64>().expect("it is a number")
+            );
             let [tight, all] = count_tight(&camera);
-            assert!(tight > all / 2, "the bound says nothing at {position}");
+            assert!(tight > all / 2, "the bound says nothing at a distance of {distance}");
         }
+    }
+
+    #[test]
+    fn the_radius_bounds_the_distance_of_computed_directions() {
+        // The directions are rounded to multiples of 1.5e-8, and a pixel is 7e-10 wide.
+        let (camera, reach) = camera(
+            "image_width: 12\ncamera_position: 1e8 1e8 1e8\ncamera_target: 1e8 1e8 100000000.01\n\
+             field_of_view: 5e-5\ncamera_north: 1 2 0\n",
+        );
+        let (mut draws, mut farthest) = (crate::sampling::uniform::Uniform::new(3), 0.0_f64);
+        for _ in 0..1000 {
+            let [row, column] = [draws.draw(0.0, 6.0), draws.draw(0.0, 12.0)].map(f64::floor);
+            let offset = [draws.draw(-0.5, 0.5), draws.draw(-0.5, 0.5)];
+            let [middle, other] = [[0.0; 2], offset].map(|offset| camera.ray(row, column, offset).direction);
+            farthest = farthest.max((other - middle).length());
+        }
+        assert!(farthest <= reach.radius, "{farthest:e} of {:e}", reach.radius);
+        assert!(farthest > 10.0 * camera.delta_x.length(), "{farthest:e}: rounding moves no direction");
     }
 
     /// A kernel that computes the bounds of eight pixels of a row, in lanes.

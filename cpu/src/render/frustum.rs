@@ -4,19 +4,23 @@
 //! between two planes to its left and right. An object that lies outside of one of these planes is culled.
 //!
 //! An object is culled only if a comparison is true. A comparison with NaN is false, so NaN never culls. No value
-//! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes
-//! ([`Candidates::are_culled`]).
+//! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes: others have
+//! no boxes, and [`Candidates::are_culled`] is not set.
 //!
-//! The margin of the comparisons is [`TURNS`] times [`RayError::turn`] `t`, relative to the distance `l` from the camera
-//! to the farthest point of the object. `t` is at least `8 u` with `u = 2^-53`. These errors are in the margin, each
-//! relative to `l`:
+//! The margin of the comparisons is [`TURNS`] times [`RayError::turn`] `t`, relative to a bound `l` of the distance from
+//! the camera to the farthest point of the object or box. `t` is at least `8 u` with `u = 2^-53`. These errors are in
+//! the margin, each relative to `l`:
 //!
 //! - A computed camera ray leaves the exact half-space by an angle of up to `t`. So its hit point may lie beyond the
 //!   plane by `t`.
-//! - With the terms of `render/ray_error.rs`, the vectors to the window have an error of at most `3 u s`, and the cross
-//!   product `n` adds `3 u s`, relative to the other side of the pixel. The length of `n`, relative to the same side, is
-//!   at least `D`. So the error of the unit normal is at most `12 u s / D + 4 u`, which is at most `2 t`.
-//! - The centre, the dot products and the extent of the object across the plane have at most 12 roundings, `1.5 t`.
+//! - With the terms of `render/ray_error.rs`, the vector to a point of the window has an error of at most `3 u s`. The
+//!   cross product of this vector and a side of the pixel adds `3 u s` times that side. The exact cross product is at
+//!   least `D` times that side. Normalising at most doubles the relative error, and adds `4 u`. So the error of the unit
+//!   normal is at most `12 u s / D + 4 u <= 2 t`.
+//! - The other roundings are: 1 of the vector to the centre; 3 of its dot product; 4 of the unit axis; 4 of the product
+//!   with the axis; 2 of the extent across the plane; 2 of the sums. They are at most `16 u`, which is `2 t`.
+//!
+//! The sum is `5 t`.
 
 use crate::render::{prepared::Prepared, span::Span};
 
@@ -37,7 +41,7 @@ pub enum Candidate {
 }
 
 /// The margin of the culling tests, in units of [`RayError::turn`]. The documentation of [this module](self) derives
-/// that 4.5 suffices.
+/// that 5 suffice.
 const TURNS: f64 = 8.0;
 
 /// A half-space, as the normal of its plane, which goes through the camera. It contains the points `v`, relative to the
@@ -81,7 +85,7 @@ impl Outline {
     fn may_overlap(&self, planes: &[HalfSpace; 2]) -> bool {
         let outside = |normal: &HalfSpace| {
             let beyond = |extent: f64| normal.dot(self.center) < -extent - self.margin;
-            // The bounding sphere decides for most cylinders, and for all spheres.
+            // A sphere around the centre decides for most cylinders, and for all spheres.
             beyond(self.radius + self.half_height)
                 || self.half_height > 0.0 && {
                     // `sqrt(1 - along^2)` would lose half of its digits where the axis is close to the normal.
@@ -174,8 +178,7 @@ impl Candidates {
 /// `first x second`.
 ///
 /// The side follows from the order of the two vectors. Seen from the camera, `delta_y` is a quarter of a turn clockwise
-/// from `delta_x`. So for a point `at` of the window, `delta_y x at` points to the right, and `delta_x x at` points
-/// down.
+/// from `delta_x`. So for a point `at` of the window, `delta_y x at` points to the right, and `delta_x x at` points up.
 fn half_space(first: Vec3, second: Vec3) -> HalfSpace {
     first.cross(second).unit()
 }
@@ -216,6 +219,16 @@ mod tests {
         assert!(tangent.may_overlap(&[RIGHT, RIGHT]));
         let nan = Vec3::new(f64::NAN, 0.0, 0.0);
         assert!(ball.may_overlap(&[nan, nan]) && !ball.may_overlap(&[nan, RIGHT]));
+    }
+
+    #[test]
+    fn a_box_is_culled_by_the_margin_of_its_farthest_corner() {
+        // The box lies 1/2 beyond the plane, and reaches to a distance of about 10^6.
+        let bounds = Bounds { low: [0.5, -1e6, 0.0], high: [1.0, 0.5, 0.0] };
+        let may_overlap = |margin| box_may_overlap(&bounds, Vec3::ZERO, &[RIGHT, RIGHT], margin);
+        assert!(!may_overlap(0.0) && !may_overlap(4e-7) && may_overlap(6e-7));
+        assert!(may_overlap(f64::INFINITY) && may_overlap(f64::NAN));
+        assert!(box_may_overlap(&bounds, Vec3::ZERO, &[LEFT, LEFT], 0.0));
     }
 
     #[test]

@@ -73,8 +73,8 @@ impl<V: SimdF64> HitLanes<V> {
         Self { lambda: V::of(f64::INFINITY), object: V::of(-1.0), part: V::of(0.0), bits: 0 }
     }
 
-    /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. `object` must be later in the scene
-    /// file than all objects before it, because the [rule for ties](crate::geometry::tie) depends on the order. `closer`
+    /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. The caller must pass the
+    /// objects in the order of the scene file, because the [rule for ties](crate::geometry::tie) depends on it. `closer`
     /// has the lanes in which the hit is closer by that rule, if it is a hit. In `certain` lanes an infinite lambda means
     /// a miss. In all other lanes NaN means a miss, because a hit's lambda may overflow to infinity there. `valid` has a
     /// bit for each lane that holds a ray.

@@ -19,8 +19,11 @@
 //! `|d^ - d| <= 5 u (|P| + s)`. The code uses [`ROUNDINGS`] `= 8` instead of 5, which also covers terms in `u^2` and the
 //! roundings of the bound itself.
 //!
-//! Let `D` be the distance of `P` from the plane of the window. No direction `d` is shorter than `D`. So rounding turns
-//! a camera ray by an angle whose sine is at most `|d^ - d| / (D - |d^ - d|)`.
+//! Let `D` be the distance of `P` from the plane of the window. No direction `d` is shorter than `D`, and no computed
+//! direction is shorter than `D - |d^ - d|`. So rounding turns a camera ray by an angle whose sine is at most
+//! `|d^ - d| / (D - |d^ - d|)`. This is also a bound of `|d^ - d| / |d^|`, which background pixels need. The computed `D`
+//! has an error of at most `8 u s`. The difference between 5 and 8 roundings covers this if the computed `D` is at least
+//! four times the bound of `|d^ - d|`. Otherwise the code gives no bound.
 
 use crate::geometry::camera::Camera;
 use crate::input::size::Size;
@@ -34,8 +37,8 @@ const ROUNDINGS: f64 = 8.0;
 pub struct RayError {
     /// A bound of the distance between the computed direction of a camera ray and its exact direction, in scene units.
     pub length: f64,
-    /// A bound of the sine of the angle between these two directions. It is infinite if the error may be as long as the
-    /// direction, or if a number is not finite.
+    /// A bound of the sine of the angle between these two directions. It is infinite if the error may be longer than a
+    /// quarter of the direction, or if a number is not finite.
     pub turn: f64,
 }
 
@@ -49,7 +52,7 @@ impl RayError {
         let length = ROUNDINGS * (f64::EPSILON / 2.0) * (camera.position.length() + window);
         let distance = to_origin.dot(camera.delta_x.cross(camera.delta_y).unit());
         // The comparison is false if a number is not finite, and if the window is not in front of the camera.
-        let turn = if length < distance { length / (distance - length) } else { f64::INFINITY };
+        let turn = if 4.0 * length < distance { length / (distance - length) } else { f64::INFINITY };
         Self { length, turn }
     }
 }

@@ -104,11 +104,19 @@ impl<'a> Choices<'a> {
         let default = Config::default();
         let shape = self.byte();
         // In three of four configurations the camera looks at the origin, near which objects are likely.
-        let free = self.below(4) == 3;
+        let view = self.byte();
+        let free = view % 4 == 3;
         let camera_position = if free { self.vector() } else { Vec3::new(self.real() / 2.0, 0.5, -4.0) };
-        let camera_target = if free { self.vector() } else { Vec3::ZERO };
+        let mut camera_target = if free { self.vector() } else { Vec3::ZERO };
         let camera_north = if free { self.vector() } else { default.camera_north };
-        let fov = self.positive();
+        let mut fov = self.positive();
+        // In some of the others the window is so near that camera rays are rounded to few directions.
+        if free && view / 4 % 4 == 3 {
+            let near = (camera_target - camera_position) * 10.0_f64.powi(-i32::from(self.byte() % 18));
+            let moved = camera_position + near;
+            camera_target = if moved.is_finite() { moved } else { camera_target };
+            fov = if self.below(2) == 0 { 180.0_f64.next_down() } else { fov * 1e-6 };
+        }
         Config {
             aspect_ratio: [1 + u64::from(shape % 3), 1 + u64::from(shape / 3 % 2)],
             image_width: 1 + u64::from(shape / 6) % 5,

@@ -1,5 +1,5 @@
-//! Regimes with cases at the limits of the specification, within some units in the last place: a surface at the least
-//! lambda, 10^-3, and a cap at the slope 10^-8, below which it is skipped.
+//! Regimes with cases at the limits of the specification, exactly or within a relative difference of 10^-17 to 10^-6: a
+//! surface at the least lambda, 10^-3, and a cap at the slope 10^-8, below which it is skipped.
 
 use cpu::Vec3;
 use cpu::internals::geometry::cap::PARALLEL;
@@ -69,7 +69,7 @@ fn cylinders(random: &mut Random) -> Case {
 }
 
 /// Returns a ray from the origin of coordinates to a cap at a thousandth of the target's distance, or within some units
-/// in the last place. The cap is hit from outside or inside. All numbers are round decimals.
+/// in the last place. The cap is hit from outside or inside. The distance and the height are round decimals.
 fn decimal_caps(random: &mut Random) -> Case {
     let (distance, radius) = ((random.below(60) + 1) as f64 / 10.0, length(random));
     let half = random.sign() * (random.below(40) + 1) as f64 / 10.0;
@@ -81,7 +81,7 @@ fn decimal_caps(random: &mut Random) -> Case {
 }
 
 /// Returns a ray that is nearly parallel to the caps. The component of its direction along the axis is 10^-8 within the
-/// rounding of the dot product. It crosses a cap's plane above the disc.
+/// rounding of the dot product. It crosses a cap's plane on the disc.
 fn slopes(random: &mut Random) -> Case {
     let cylinder = Cylinder { center: random.cube(1.0), ..cylinder(random) };
     let (unit, across) = (cylinder.axis.unit(), random.perpendicular(cylinder.axis));

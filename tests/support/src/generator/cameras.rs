@@ -13,7 +13,7 @@ use super::draws::Draws;
 /// The largest valid field of view, in degrees.
 const WIDEST: f64 = 180.0_f64.next_down();
 
-/// Returns a scene with up to `objects` objects, and the configuration of a small picture of it. Equal seeds give equal
+/// Returns a scene with `objects` objects, and the configuration of a small picture of it. Equal seeds give equal
 /// scenes. Some cameras have no window, and renderers refuse them.
 #[must_use]
 pub fn hard_camera(seed: u64, objects: usize) -> (Scene, Config) {
@@ -31,7 +31,7 @@ pub fn hard_camera(seed: u64, objects: usize) -> (Scene, Config) {
     (Scene { materials: materials.into(), objects }, config)
 }
 
-/// Returns a random vector whose components are from -1 to 1. They are not rounded.
+/// Returns a random vector whose components are from -1 to 1, with all digits of f64.
 fn cube(draws: &mut Draws) -> Vec3 {
     Vec3::from([(); 3].map(|()| draws.between(-1.0, 1.0)))
 }
@@ -46,14 +46,15 @@ fn field_of_view(draws: &mut Draws) -> f64 {
 }
 
 fn config(draws: &mut Draws, seed: u64) -> Config {
-    // In most scenes the numbers are moderate, so that the renderer takes its shortcuts.
+    // In most scenes the numbers are moderate, so that the renderer takes its shortcuts (tests/properties counts them).
     let any = draws.chance(0.15);
     let size = if any { draws.decades(-300.0, 300.0) } else { draws.decades(-2.0, 9.0) };
     let distance = match draws.index(4) {
-        0 => size * draws.decades(-3.0, 3.0),
+        0 => size * draws.decades(-3.0, 1.0),
         1 if any => draws.decades(-300.0, 300.0),
+        2 if any => size * draws.decades(-16.0, -4.0),
         // The window is so near that the grid of the camera's position shows.
-        _ => size * draws.decades(-16.0, -4.0),
+        _ => size * draws.decades(-13.0, -4.0),
     };
     let position = cube(draws) * size;
     let view = if draws.chance(0.2) { draws.along_an_axis(1.0) } else { cube(draws).unit() };
@@ -77,20 +78,22 @@ fn config(draws: &mut Draws, seed: u64) -> Config {
 
 /// Returns a shape that is about as large as a part of the picture, around a point that a camera ray passes.
 fn visible(draws: &mut Draws, config: &Config) -> Shape {
-    let view = config.camera_target - config.camera_position;
+    let (position, view) = (config.camera_position, config.camera_target - config.camera_position);
+    // With a wide field of view the shape is not far aside.
     let tangent = (config.field_of_view.to_radians() / 2.0).tan().min(20.0);
-    // The distance from the camera, in distances of the window or in those of the origin of coordinates.
-    let reach = if draws.chance(0.5) { 1.0 } else { config.camera_position.length() / view.length() };
-    let lambda = reach * draws.decades(-2.0, 2.0);
+    // The shape is about as far away as the origin of coordinates, or much nearer.
+    let nearest = if draws.chance(0.8) { 0.0 } else { -12.0 };
+    let lambda = position.length() / view.length() * draws.decades(nearest, 0.5);
     let aside = cube(draws) * (view.length() * tangent);
-    let center = config.camera_position + (view + aside) * lambda;
+    let center = position + (view + aside) * lambda;
     let radius = view.length() * lambda * tangent.min(1.0) * draws.decades(-1.5, 0.5);
-    // A shorter axis would be invalid, because its square vanishes.
-    let radius = radius.max(1e-140);
+    // In most scenes no size is below the smallest one of a moderate scene. Elsewhere a shorter axis than 10^-141 would
+    // be invalid, because its square vanishes.
+    let radius = radius.max(if (1e-3..1e10).contains(&position.length()) { 1.1e-6 } else { 1e-140 });
     if draws.chance(0.5) {
         return Shape::Sphere(Sphere { center, radius });
     }
-    let axis = cube(draws).unit() * (radius * draws.decades(-1.0, 1.0));
+    let axis = cube(draws).unit() * (radius * draws.decades(0.31, 1.0));
     Shape::Cylinder(Cylinder { center, radius, axis })
 }
 
