@@ -60,8 +60,9 @@ pub use crate::sampling::scatter_vectors::Scatter;
 pub mod internals {
     pub use crate::geometry::camera::Camera;
     pub use crate::geometry::ray::Hit;
+    pub use crate::render::limits::{Ended, Limits};
     pub use crate::render::prepared::Prepared;
-    pub use crate::render::{render_into, render_linear, render_with};
+    pub use crate::render::{render_into, render_linear, render_with, render_within};
     pub use crate::simd::instruction_set::InstructionSet;
 
     macro_rules! open {

@@ -20,6 +20,7 @@ pub mod camera_rays;
 pub(crate) mod fallback;
 pub mod frustum;
 pub(crate) mod hit_lanes;
+pub mod limits;
 pub(crate) mod lookahead;
 pub mod max_depth;
 pub mod path;
@@ -41,9 +42,9 @@ use std::borrow::Borrow;
 use std::ops::ControlFlow;
 
 use crate::render::{
-    accumulation::Accumulator, camera_rays::TraceCameraRays, prepared::Prepared, span::Span, span::spans_of_row,
-    span_state::SpanState, specular_chains::TraceSpecularChains, stages::ColorPaths, stages::DrawSamples,
-    stages::FindBytes, trace_paths::TracePaths,
+    accumulation::Accumulator, camera_rays::TraceCameraRays, limits::Ended, limits::Limits, prepared::Prepared,
+    span::Span, span::spans_of_row, span_state::SpanState, specular_chains::TraceSpecularChains, stages::ColorPaths,
+    stages::DrawSamples, stages::FindBytes, trace_paths::TracePaths,
 };
 use crate::{
     counters::Counter, counters::add, image::Image, image::Rgb, input::config::Config, input::error::Error,
@@ -88,9 +89,27 @@ pub fn render_into<L: Layout>(
     prepared: &Prepared<L>,
     set: InstructionSet,
     image: &mut L::Image,
-    mut after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
+    after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, Error> {
-    let (state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
+    let ended = render_within(prepared, set, &Limits::default(), image, after_row)?;
+    Ok(if ended.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
+}
+
+/// Renders as [`render_into`] does, within `limits`. Returns `None` if the picture is complete, or the reason why it
+/// ended before. `Break` of `after_row` counts as a request to stop. The pixels of the row in which the picture ended
+/// have no meaning.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] if memory is short.
+pub fn render_within<L: Layout>(
+    prepared: &Prepared<L>,
+    set: InstructionSet,
+    limits: &Limits,
+    image: &mut L::Image,
+    mut after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
+) -> Result<Option<Ended>, Error> {
+    let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
+    state.set_limits(limits);
     set.run(Picture { state, accumulator, target: Target::Image(image, &mut after_row) })
 }
 
@@ -104,7 +123,7 @@ pub fn render_linear<L: Layout>(
     mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
     let (state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
-    // The result is always `Continue`.
+    // The result is always `None`.
     let _ = set.run(Picture { state, accumulator, target: Target::Means(&mut pixel) })?;
     Ok(())
 }
@@ -126,7 +145,7 @@ struct Picture<'a, L: Layout> {
 }
 
 impl<L: Layout> Kernel for Picture<'_, L> {
-    type Output = Result<ControlFlow<()>, Error>;
+    type Output = Result<Option<Ended>, Error>;
 
     #[inline(always)]
     fn call<S: Simd>(mut self, simd: S) -> Self::Output {
@@ -136,15 +155,17 @@ impl<L: Layout> Kernel for Picture<'_, L> {
             self.state.candidates.begin_row(prepared, row);
             for span in spans_of_row(prepared.size.width(), prepared.samples) {
                 self.span(simd, &span);
+                if let Some(ended) = self.state.tracer.ended()? {
+                    return Ok(Some(ended));
+                }
             }
-            self.state.tracer.ends.check()?;
             if let Target::Image(image, after_row) = &mut self.target
                 && after_row(row + 1, image).is_break()
             {
-                return Ok(ControlFlow::Break(()));
+                return Ok(Some(Ended::Stopped));
             }
         }
-        Ok(ControlFlow::Continue(()))
+        Ok(None)
     }
 }
 

@@ -19,6 +19,9 @@ use crate::math::real::Real;
 pub struct RaysLeft(u64);
 
 impl RaysLeft {
+    /// Number of rays from one pause to the next, a power of two.
+    const PAUSE: u64 = 64;
+
     /// Returns the number of rays that may follow the camera ray. `max_depth` is at least 1.
     pub const fn after_camera_ray(max_depth: u64) -> Self {
         Self(max_depth - 1)
@@ -28,6 +31,13 @@ impl RaysLeft {
     #[inline(always)]
     pub const fn is_none(self) -> bool {
         self.0 == 0
+    }
+
+    /// Whether the path pauses here, to look whether the picture is to stop: at every 64th ray, and when no ray is left.
+    /// This test is as short as [`RaysLeft::is_none`], so a caller that needs both begins with this one.
+    #[inline(always)]
+    pub const fn pauses(self) -> bool {
+        self.0.is_multiple_of(Self::PAUSE)
     }
 
     /// Whether exactly one ray is left, so that the next ray is the last one.
@@ -66,5 +76,11 @@ mod tests {
         rays = RaysLeft::of_bits(rays.minus_one().to_bits_of());
         assert!(rays.is_one() && rays.minus_one().is_none());
         assert!(RaysLeft::after_camera_ray(1).is_none());
+    }
+
+    #[test]
+    fn a_path_pauses_at_every_64th_ray_and_when_no_ray_is_left() {
+        let pauses: Vec<_> = (0..200).filter(|&rays| RaysLeft(rays).pauses()).collect();
+        assert_eq!(pauses, [0, 64, 128, 192]);
     }
 }

@@ -2,8 +2,8 @@
 //! ([`PathTracer::scatter`]).
 
 use crate::render::{
-    boxed::Boxed, max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex, prepared::Prepared,
-    queue::PathQueue, surface_hit::SurfaceHit,
+    boxed::Boxed, limits::Ended, limits::Limits, max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex,
+    prepared::Prepared, queue::PathQueue, surface_hit::SurfaceHit,
 };
 use crate::{
     accel::bvh::stack::Stack, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error, layout::Layout,
@@ -31,6 +31,8 @@ pub struct PathTracer {
     pub ends: PathEnds,
     /// The traversal stack of the acceleration structure.
     pub stack: Stack,
+    /// The limits of the picture.
+    pub limits: Limits,
 }
 
 impl PathTracer {
@@ -45,7 +47,16 @@ impl PathTracer {
             queue: PathQueue::EMPTY,
             ends: PathEnds::new(),
             stack: Stack::EMPTY,
+            limits: Limits::default(),
         })
+    }
+
+    /// Returns the reason why the picture ends before it is complete, or `None` if it goes on.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`] if memory was short for the surfaces of a path.
+    pub fn ended(&self) -> Result<Option<Ended>, Error> {
+        Ok(self.ends.check()?.or_else(|| self.limits.is_stopped().then_some(Ended::Stopped)))
     }
 
     /// Whether every path of the queue may send at least one ray.
@@ -63,7 +74,7 @@ impl PathTracer {
     }
 
     /// Continues the path at index `at` of the queue at `hit`, and returns its next ray. `rays` is the number of rays
-    /// that the path may still send. If there are none, or if memory is short, the path ends in black and the result is
+    /// that the path may still send. If there are none, or if the picture ends, the path ends in black and the result is
     /// `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
     #[inline(always)]
     pub fn scatter<'a, L: Layout>(
@@ -74,6 +85,10 @@ impl PathTracer {
         hit: &ClosestHit,
     ) -> Option<Scattered<'a>> {
         let Self { scatter_samples, queue, ends, .. } = self;
+        if rays.pauses() && !rays.is_none() && self.limits.is_stopped() {
+            ends.terminate(at, queue);
+            return None;
+        }
         if rays.is_none() {
             // Only the material of the surface is used, so LLVM removes the rest.
             let surface_hit = SurfaceHit::new(&prepared.objects, ray, hit);

@@ -7,7 +7,7 @@ use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::arrays::{CAPACITY, ROOM};
 use crate::render::{fallback::MOST_LANES, path_vertex::PathVertex, prepared::Prepared};
-use crate::render::{queue::PathQueue, samples::Batch};
+use crate::render::{limits::Ended, queue::PathQueue, samples::Batch};
 use crate::simd::{SimdF64, columns::Columns};
 
 /// For each path of the queue, by its index in the queue: the direction of its last ray and the materials that
@@ -22,8 +22,19 @@ pub struct PathEnds {
     attenuations: Vec<Attenuation>,
     /// Number of attenuations that belong to the paths before the present one.
     begin: usize,
-    /// Whether memory was short for an attenuation. Colours are then wrong, and [`PathEnds::check`] fails.
-    is_incomplete: bool,
+    /// Largest number of attenuations.
+    most: usize,
+    /// The reason why an attenuation could not be stored, if there is one. Colours are then wrong.
+    shortage: Option<Shortage>,
+}
+
+/// The reason why an attenuation could not be stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shortage {
+    /// Memory was short.
+    Memory,
+    /// There were as many attenuations as [`PathEnds::set_most`] allows.
+    Limit,
 }
 
 /// A hit of a path, by its index in the queue, on a surface of this material, which attenuates the path's colour.
@@ -37,15 +48,25 @@ impl PathEnds {
     /// Returns the state before the first path.
     pub(super) fn new() -> Self {
         let attenuations = Vec::with_capacity(8 * CAPACITY);
-        Self { direction: Columns::ZERO, attenuations, begin: 0, is_incomplete: false }
+        Self { direction: Columns::ZERO, attenuations, begin: 0, most: usize::MAX, shortage: None }
     }
 
-    /// Checks that all attenuations could be stored, so that all colours are right.
+    /// Sets the largest number of surfaces that the paths of a span may hit together, after their first ones.
+    pub(super) const fn set_most(&mut self, most: usize) {
+        self.most = most;
+    }
+
+    /// Checks that all attenuations could be stored, so that all colours are right. Returns the reason if there were
+    /// more of them than allowed.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory was short. A path between mirrors may hit up to `max_depth` surfaces.
-    pub fn check(&self) -> Result<(), Error> {
-        if self.is_incomplete { Err(Error::OutOfMemory { what: "the surfaces that a ray meets" }) } else { Ok(()) }
+    pub fn check(&self) -> Result<Option<Ended>, Error> {
+        match self.shortage {
+            None => Ok(None),
+            Some(Shortage::Memory) => Err(Error::OutOfMemory { what: "the surfaces that a ray meets" }),
+            Some(Shortage::Limit) => Ok(Some(Ended::TooManySurfaces)),
+        }
     }
 
     /// Begins a path. All paths before it must have ended.
@@ -54,16 +75,28 @@ impl PathEnds {
         self.begin = self.attenuations.len();
     }
 
-    /// Attenuates the present path, at index `at` of the queue, by a material. Returns false if memory is short. Then
-    /// [`PathEnds::check`] fails.
+    /// Attenuates the present path, at index `at` of the queue, by a material. Returns false if it cannot be
+    /// stored. [`PathEnds::check`] then tells the reason.
     #[inline(always)]
     pub fn push_attenuation(&mut self, at: usize, material: MaterialId) -> bool {
-        if self.attenuations.len() == self.attenuations.capacity() && self.attenuations.try_reserve(1).is_err() {
-            self.is_incomplete = true;
+        if self.attenuations.len() == self.attenuations.capacity() && !self.grow() {
             return false;
         }
         self.attenuations.push(Attenuation { path: at as u32, material });
         true
+    }
+
+    /// Doubles the room for attenuations, up to their largest number. Returns false if that fails.
+    #[cold]
+    fn grow(&mut self) -> bool {
+        let count = self.attenuations.len();
+        let more = count.min(self.most.saturating_sub(count));
+        if more == 0 {
+            self.shortage = Some(Shortage::Limit);
+        } else if self.attenuations.try_reserve_exact(more).is_err() {
+            self.shortage = Some(Shortage::Memory);
+        }
+        self.shortage.is_none()
     }
 
     /// Ends the present path, at index `at` of `queue`, at the maximum depth, so that it is black.
@@ -190,5 +223,18 @@ mod tests {
         }
         let material = ends.attenuations[room].material;
         assert_eq!((ends.attenuations.len(), material, ends.check().is_ok()), (3 * room, room as MaterialId, true));
+    }
+
+    #[test]
+    fn attenuations_up_to_the_limit_are_stored_and_one_more_ends_the_picture() {
+        let mut ends = PathEnds::new();
+        let most = 3 * ends.attenuations.capacity() + 1;
+        ends.set_most(most);
+        ends.begin();
+        assert!((0..most).all(|_| ends.push_attenuation(0, 0)));
+        assert_eq!(ends.check().expect("memory is enough"), None);
+        assert!(!ends.push_attenuation(0, 0));
+        assert_eq!(ends.check().expect("memory is enough"), Some(Ended::TooManySurfaces));
+        assert_eq!((ends.attenuations.len(), ends.attenuations.capacity()), (most, most));
     }
 }

@@ -1,8 +1,8 @@
 //! The data that all stages of a span use, and that are reused for the next span. `render.rs` runs the stages.
 
 use crate::render::{
-    background_pixels::BackgroundPixels, boxed::Boxed, frustum::Candidates, path::PathTracer, prepared::Prepared,
-    samples::Batch,
+    background_pixels::BackgroundPixels, boxed::Boxed, frustum::Candidates, limits::Limits, path::PathTracer,
+    prepared::Prepared, samples::Batch,
 };
 use crate::{
     input::error::Error, layout::Layout, sampling::draw_order::PixelJitter, simd::instruction_set::InstructionSet,
@@ -42,5 +42,11 @@ impl<'a, L: Layout> SpanState<'a, L> {
             batch: Batch::new()?,
             tracer: PathTracer::new(prepared, set)?,
         })
+    }
+
+    /// Sets the limits of the picture. Before the call there are none.
+    pub fn set_limits(&mut self, limits: &Limits) {
+        self.tracer.ends.set_most(limits.surfaces);
+        self.tracer.limits = limits.clone();
     }
 }

@@ -2,9 +2,9 @@
 //! up to the first matte or metal surface.
 
 use crate::render::{
-    fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, max_depth::RaysLeft,
-    path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade, span_state::SpanState,
-    surface_hit::SurfaceHit,
+    fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, limits::Limits,
+    max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade,
+    span_state::SpanState, surface_hit::SurfaceHit,
 };
 use crate::{
     accel::conservative::ConservativeRay, accel::conservative::is_too_short, accel::object::ObjectId,
@@ -27,6 +27,9 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
         if let Some(small_scene) = prepared.accel.in_lanes() {
             let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
             while !rays.is_none() && batch.specular.count > 0 {
+                if rays.pauses() && tracer.limits.is_stopped() {
+                    break;
+                }
                 rays = rays.minus_one();
                 step_all::<S, L>(prepared, small_scene, batch, rays);
             }
@@ -37,7 +40,7 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
         } else {
             // This is a loop, because a closure would be compiled without the instruction set.
             for at in 0..batch.specular.count {
-                trace::<S, L>(prepared, batch, at);
+                trace::<S, L>(prepared, &tracer.limits, batch, at);
             }
         }
         // All paths share one stream of scatter samples, from which they take in the order of their samples.
@@ -105,12 +108,12 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ra
 
 /// Traces the chain at index `at` of the specular queue to its end. This serves structures that take one ray at a time.
 #[inline(always)]
-fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, at: usize) {
+fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, limits: &Limits, batch: &mut Batch, at: usize) {
     let [x, y, z, dx, dy, dz, object, sample] = batch.specular.entries.get(at);
     let mut ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
     let mut origin = object as ObjectId;
     let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
-    while !rays.is_none() {
+    while !(rays.pauses() && (rays.is_none() || limits.is_stopped())) {
         rays = rays.minus_one();
         let hit = prepared.accel.closest_hit::<S, L::Objects>(&prepared.objects, &ray, origin, &mut batch.stack);
         if !hit.is_hit() {

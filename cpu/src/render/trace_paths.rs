@@ -9,7 +9,7 @@ use crate::accel::{choice::Accel, every_object::EveryObject, find::Accelerator};
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
-use crate::render::{lookahead::TraceWithLookahead, max_depth::RaysLeft, path::PathTracer};
+use crate::render::{limits::PIECE, lookahead::TraceWithLookahead, max_depth::RaysLeft, path::PathTracer};
 use crate::render::{path_vertex::PathVertex, prepared::Prepared, span_state::SpanState};
 use crate::simd::{Kernel, Simd};
 
@@ -50,15 +50,22 @@ impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
 
     #[inline(always)]
     fn call<S: Simd>(mut self, _: S) {
-        for at in 0..self.tracer.queue.count {
-            self.tracer.scatter_samples.prepare();
-            self.tracer.ends.begin();
-            let vertex = PathVertex::of(self.tracer.queue.entries.get(at));
-            if RaysLeft::of_bits(vertex.rays).is_none() {
-                self.tracer.end_at_max_depth(at);
-            } else {
-                let scatter_sample = self.tracer.scatter_samples.next();
-                self.trace::<S>(at, &vertex, scatter_sample);
+        let count = self.tracer.queue.count;
+        for from in (0..count).step_by(PIECE) {
+            // The rest of the paths stays as it is, because the picture ends after this span.
+            if self.tracer.limits.is_stopped() {
+                return;
+            }
+            for at in from..count.min(from + PIECE) {
+                self.tracer.scatter_samples.prepare();
+                self.tracer.ends.begin();
+                let vertex = PathVertex::of(self.tracer.queue.entries.get(at));
+                if RaysLeft::of_bits(vertex.rays).is_none() {
+                    self.tracer.end_at_max_depth(at);
+                } else {
+                    let scatter_sample = self.tracer.scatter_samples.next();
+                    self.trace::<S>(at, &vertex, scatter_sample);
+                }
             }
         }
     }
