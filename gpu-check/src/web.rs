@@ -65,7 +65,7 @@ impl Server {
     /// An error if the system can accept no more connections.
     pub fn serve(self, take: impl Fn(Posted) + Send + Sync + 'static) -> io::Result<Infallible> {
         let data = self.data;
-        self.server.serve(move |request| answer(request, &data, &take))
+        self.server.serve(move |request, _| answer(request, &data, &take))
     }
 }
 

@@ -1,13 +1,15 @@
 //! `render-lab view`: serves the page of `web/site` on this machine, with the native renderer behind it.
 
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use clap::Args;
 use loopback::Server;
 use output::Options;
 
-use crate::view::{Site, View};
+use crate::view::{Input, PRIVATE, Site, View};
 use crate::{Failure, sources, terminal};
 
 /// Options of `view`.
@@ -19,7 +21,8 @@ Examples:
   render-lab view config.txt scene.txt --port 9000 --site /srv/page
 
 The page shows the two files, and loads them again when they change. It writes only a camera into the configuration,
-when you press its button. Only this machine can reach it. Ctrl+C ends it.")]
+when you press its button. The address that is printed has a secret. Only this machine can reach the page, and only a
+browser that has opened this address. Ctrl+C ends it.")]
 pub struct Arguments {
     /// Configuration file
     config: PathBuf,
@@ -43,6 +46,7 @@ impl Arguments {
     /// # Errors
     /// An error of the two files or of the page's folder, or a port that is in use.
     pub fn run(&self, how: Options) -> Result<(), Failure> {
+        let inputs = [Input::new(&self.config)?, Input::new(&self.scene)?];
         // The files are read once before the page exists, so that their errors are shown with their places.
         sources::config(&self.config, &[])?.check_picture().map_err(|error| error.in_file(&self.config))?;
         sources::scene(&self.scene)?;
@@ -50,22 +54,35 @@ impl Arguments {
         let server = Server::new(self.port).map_err(|error| {
             format!("cannot listen at 127.0.0.1:{}: {error}; choose another port with --port", self.port)
         })?;
-        let address = format!("http://{}/", server.address()?);
-        terminal::print(&address)?;
+        let server = server.with_secret(PRIVATE).map_err(|error| format!("no secret for the page: {error}"))?;
+        let url = server.url()?;
+        terminal::print(&url)?;
         if self.open {
-            open(&address);
+            open(&url).unwrap_or_else(|error| {
+                terminal::note(&format!("cannot open the browser: {error}; open the address yourself"));
+            });
         }
-        let view = View::new(site, self.config.clone(), self.scene.clone(), how);
+        let view = View::new(site, inputs, server.budget(), how);
         // The result is an error or never comes.
-        server.serve(move |request| view.answer(&request)).map(|_| ()).map_err(Failure::from)
+        server.serve(move |request, client| view.answer(&request, client)).map(|_| ()).map_err(Failure::from)
     }
 }
 
 /// Opens the page in the user's browser.
-fn open(address: &str) {
+///
+/// All users of a machine can see the arguments of a program, so the address with the secret must not be one. It is in
+/// a file that only this user can read, and the browser opens that file. The file is removed after a minute, when the
+/// browser has read it.
+fn open(url: &str) -> io::Result<()> {
+    let mut file = tempfile::Builder::new().prefix("render-view-").suffix(".html").tempfile()?;
+    // The address has no character with a meaning in HTML.
+    write!(file, "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url={url}\">")?;
     let mut command = Command::new("xdg-open");
-    command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    if let Err(error) = command.spawn() {
-        terminal::note(&format!("cannot run xdg-open: {error}; open {address} in a browser"));
-    }
+    command.arg(file.path()).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.spawn()?;
+    std::thread::spawn(move || {
+        std::thread::sleep(Duration::from_secs(60));
+        drop(file);
+    });
+    Ok(())
 }

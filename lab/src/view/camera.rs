@@ -1,15 +1,16 @@
 //! Writes the lines of a camera into the configuration file, when the user has asked for it in the page.
 
-use std::io::Write as _;
+use std::path::Path;
 
 use cpu::Config;
-use cpu::internals::input::{reader, text::Tokens};
+use cpu::internals::input::text::Tokens;
 use loopback::Answer;
-use output::Output;
 use serde::Deserialize;
 
-use super::{MAX_TEXT, View, version_of};
-use crate::{Failure, terminal};
+use super::View;
+use super::input::{content, version_of, without_links};
+use super::replace::{Unreplaced, replace};
+use crate::Failure;
 
 /// Largest size of the body of such a request, in bytes. Three lines have some hundred.
 const MAX_BODY: usize = 4096;
@@ -49,30 +50,28 @@ impl View {
         check(&lines)?;
         // Of two requests with one version the second one must see the change by the first one.
         let _turn = self.saving.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let check_version = || match self.version() == version {
-            true => Ok(()),
-            false => Err(("409 Conflict", "a file has changed since the page read it".to_owned())),
-        };
-        check_version()?;
-        let failed =
-            |error: std::io::Error| (INVALID, format!("Cannot read file [{}]: {error}", terminal::name(&self.config)));
-        if !self.config.metadata().map_err(failed)?.is_file() {
-            return Err((INVALID, format!("[{}] is not a regular file", terminal::name(&self.config))));
+        let changed = || ("409 Conflict", "a file has changed since the page read it".to_owned());
+        let old = self.config.read().map_err(|error| (INVALID, self.config.message(&error)))?;
+        let scene = self.scene.version();
+        if [version_of(&old), scene.clone()].join("-") != version {
+            return Err(changed());
         }
-        let new = replaced(&reader::read(&self.config, MAX_TEXT).map_err(failed)?, &lines);
+        let new = replaced(&old, &lines);
         let valid = Config::parse(&new[..]).and_then(|config| config.check_picture());
         valid.map_err(|error| (INVALID, String::from_utf8_lossy(&error.message()).into_owned()))?;
-        // This is read before the write, so that a later change of the scene still counts as a change.
-        let scene = version_of(&self.scene);
-        let cannot_write =
-            |error: output::Error| ("500 Internal Server Error", Failure::from(error).message().unwrap_or_default());
-        let mut output = Output::open(&self.config, self.how).map_err(cannot_write)?;
-        let written = output.write_all(&new);
-        written.map_err(|cause| cannot_write(output::Error { path: self.config.clone(), cause }))?;
-        // The file may have changed while the new one was written beside it.
-        check_version()?;
-        output.commit().map_err(cannot_write)?;
-        Ok([version_of(&self.config), scene].join(" "))
+        let read = |path: &Path| {
+            let file = without_links(path)?;
+            let length = file.metadata()?.len();
+            content(file, length)
+        };
+        replace(self.config.path(), (&old, &new), read, self.how).map_err(|error| match error {
+            Unreplaced::Changed => changed(),
+            Unreplaced::Failed(error) => {
+                ("500 Internal Server Error", Failure::from(error).message().unwrap_or_default())
+            }
+        })?;
+        // The version of the new file, not of what another program may have written since.
+        Ok([version_of(&new), scene].join("-"))
     }
 }
 

@@ -1,27 +1,49 @@
-//! Renders pictures for the page, one at a time. A new picture stops the one before it.
+//! Renders pictures for the page, one at a time. A new picture stops the one before it, and so does a client that has
+//! closed its connection.
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use cpu::internals::image::Image;
-use cpu::internals::{InstructionSet, Prepared, render_into};
+use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_within};
 use cpu::{Aos, Config, Error, Layout, Scatter, Scene};
 use loopback::Answer;
+use loopback::budget::{Budget, Full, Share};
+use loopback::client::Client;
 use serde::Deserialize;
 
-/// Largest number of pixels of a picture for the page. Its file has at most 12 bytes for each pixel.
-const MAX_PIXELS: usize = 1 << 26;
+use super::input::MAX_TEXT;
+
+/// Largest number of pixels of a picture for the page: 2^25.
+const MAX_PIXELS: usize = 1 << 25;
+
+/// Largest number of bytes of a pixel: three in the picture, and twelve in its file.
+const PIXEL_BYTES: usize = 15;
+
+/// Largest number of surfaces that the paths of a span may hit. Their colours are computed in one step, which is not
+/// cancelled. It takes some ten milliseconds for so many.
+const MAX_SURFACES: usize = 1 << 23;
+
+/// Bytes of the paths of a picture. A list of surfaces of 8 bytes each is copied when it grows to double its length.
+const PATH_BYTES: usize = 12 * MAX_SURFACES;
+
+/// Time between two looks at whether the client is still there.
+const PAUSE: Duration = Duration::from_millis(20);
 
 /// The renderer behind the page.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Native {
-    /// One more than the number of the picture that is wanted now, or 0 if none is wanted.
-    wanted: AtomicU64,
+    /// The number of the picture that was requested last, and the request to stop it.
+    current: Mutex<(u32, Arc<AtomicBool>)>,
     /// The number of finished rows, and of all rows.
     rows: [AtomicUsize; 2],
     /// Held while a picture is rendered.
     busy: Mutex<()>,
+    /// The bytes of pictures, paths and answers.
+    budget: Budget,
 }
 
 /// The body of a request for a picture.
@@ -35,7 +57,10 @@ struct Texts {
 enum Refusal {
     /// An error of the renderer, or a text that is no JSON.
     Message(String),
-    TooLarge,
+    /// A limit is exceeded.
+    TooLarge(String),
+    /// Other requests use too many bytes now.
+    Full(Full),
     /// Another picture is wanted, or none.
     Cancelled,
 }
@@ -46,27 +71,64 @@ impl From<Error> for Refusal {
     }
 }
 
-impl Native {
-    /// Renders picture number `number`, whose texts are in `body`, and returns the PPM file as an answer.
-    pub fn render(&self, number: u32, body: &[u8]) -> Answer {
-        let number = u64::from(number) + 1;
-        self.wanted.store(number, Ordering::SeqCst);
-        let _busy = self.busy.lock().unwrap_or_else(PoisonError::into_inner);
-        match self.ppm(number, body) {
-            Ok(ppm) => Answer::ok("image/x-portable-pixmap", ppm),
-            Err(Refusal::Message(message)) => Answer::refused("422 Unprocessable Content", message),
-            Err(Refusal::TooLarge) => Answer::refused(
-                "413 Content Too Large",
-                format!("the page shows at most {MAX_PIXELS} pixels; render-lab render has no such limit"),
-            ),
-            Err(Refusal::Cancelled) => Answer::refused("409 Conflict", "the picture was cancelled"),
+impl From<Full> for Refusal {
+    fn from(full: Full) -> Self {
+        Self::Full(full)
+    }
+}
+
+impl Refusal {
+    fn answer(self) -> Answer {
+        match self {
+            Self::Message(message) => Answer::refused("422 Unprocessable Content", message),
+            Self::TooLarge(message) => Answer::refused("413 Content Too Large", message),
+            Self::Full(full) => Answer::refused("503 Service Unavailable", full.to_string()),
+            Self::Cancelled => Answer::refused("409 Conflict", "the picture was cancelled"),
         }
+    }
+}
+
+impl Native {
+    /// Returns a renderer whose bytes are counted in `budget`.
+    #[must_use]
+    pub fn new(budget: Budget) -> Self {
+        let rows = [0, 0].map(AtomicUsize::new);
+        Self { current: Mutex::default(), rows, busy: Mutex::default(), budget }
+    }
+
+    /// Renders picture number `number`, whose texts are in `body`, and returns the PPM file as an answer. Stops when
+    /// the client has gone.
+    pub fn render(&self, number: u32, body: &[u8], client: &Client) -> Answer {
+        let stop = Arc::<AtomicBool>::default();
+        let (_, before) = std::mem::replace(&mut *self.current(), (number, Arc::clone(&stop)));
+        before.store(true, Ordering::SeqCst);
+        let (sender, receiver) = mpsc::channel();
+        let limits = Limits { stop: Arc::clone(&stop), surfaces: MAX_SURFACES };
+        std::thread::scope(|scope| {
+            let work = move || drop(sender.send(self.ppm(&limits, body)));
+            if std::thread::Builder::new().name("picture".to_owned()).spawn_scoped(scope, work).is_err() {
+                return Answer::refused("503 Service Unavailable", "no thread can be started");
+            }
+            loop {
+                match receiver.recv_timeout(PAUSE) {
+                    Ok(Ok((ppm, share))) => {
+                        return Answer { share: Some(share), ..Answer::ok("image/x-portable-pixmap", ppm) };
+                    }
+                    Ok(Err(refusal)) => return refusal.answer(),
+                    Err(RecvTimeoutError::Timeout) if !client.is_gone() => {}
+                    Err(RecvTimeoutError::Timeout) => stop.store(true, Ordering::SeqCst),
+                    Err(RecvTimeoutError::Disconnected) => return Refusal::Cancelled.answer(),
+                }
+            }
+        })
     }
 
     /// Stops picture number `number`. Other pictures continue.
     pub fn cancel(&self, number: u32) {
-        // The picture is not wanted any more if another one has been requested since, so nothing changes then.
-        let _ = self.wanted.compare_exchange(u64::from(number) + 1, 0, Ordering::SeqCst, Ordering::SeqCst);
+        let current = self.current();
+        if current.0 == number {
+            current.1.store(true, Ordering::SeqCst);
+        }
     }
 
     /// Returns the number of finished rows and of all rows, with a blank between them.
@@ -75,29 +137,60 @@ impl Native {
         format!("{done} {all}")
     }
 
-    fn ppm(&self, number: u64, body: &[u8]) -> Result<Vec<u8>, Refusal> {
-        let is_wanted = || self.wanted.load(Ordering::SeqCst) == number;
-        if !is_wanted() {
-            return Err(Refusal::Cancelled);
-        }
+    fn current(&self) -> MutexGuard<'_, (u32, Arc<AtomicBool>)> {
+        self.current.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Returns the PPM file of the two texts in `body`, with its share of the budget.
+    fn ppm(&self, limits: &Limits, body: &[u8]) -> Result<(Vec<u8>, Share), Refusal> {
+        let _busy = self.busy.lock().unwrap_or_else(PoisonError::into_inner);
+        let check = || if limits.is_stopped() { Err(Refusal::Cancelled) } else { Ok(()) };
+        check()?;
         let texts: Texts = serde_json::from_slice(body).map_err(|error| Refusal::Message(error.to_string()))?;
-        let (config, scene) = (Config::parse(texts.config.as_bytes())?, Scene::parse(texts.scene.as_bytes())?);
-        let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?;
-        if prepared.size.pixels() > MAX_PIXELS {
-            return Err(Refusal::TooLarge);
+        for (name, text) in [("configuration", &texts.config), ("scene", &texts.scene)] {
+            if text.len() as u64 > MAX_TEXT {
+                let length = text.len();
+                let text = format!("the {name} has {length} bytes, and the page renders at most {MAX_TEXT}");
+                return Err(Refusal::TooLarge(text));
+            }
         }
+        let config = Config::parse(texts.config.as_bytes())?;
+        let pixels = config.image_size().map_err(Error::from)?.pixels();
+        if pixels > MAX_PIXELS {
+            return Err(Refusal::TooLarge(format!(
+                "the picture has {pixels} pixels, and the page shows at most {MAX_PIXELS}; render-lab render has no \
+                 such limit"
+            )));
+        }
+        let mut share = self.budget.take(pixels * PIXEL_BYTES + PATH_BYTES)?;
+        let scene = Scene::parse(texts.scene.as_bytes())?;
+        check()?;
+        let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?;
         self.rows[0].store(0, Ordering::SeqCst);
         self.rows[1].store(prepared.size.height(), Ordering::SeqCst);
         let mut image = <Aos as Layout>::Image::black(prepared.size)?;
-        let flow = render_into(&prepared, InstructionSet::chosen(), &mut image, |rows, _| {
+        let ended = render_within(&prepared, InstructionSet::chosen(), limits, &mut image, |rows, _| {
             self.rows[0].store(rows, Ordering::SeqCst);
-            if is_wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            ControlFlow::Continue(())
         })?;
-        if flow.is_break() {
-            return Err(Refusal::Cancelled);
+        match ended {
+            None => {}
+            Some(Ended::Stopped) => return Err(Refusal::Cancelled),
+            Some(Ended::TooManySurfaces) => {
+                return Err(Refusal::TooLarge(format!(
+                    "the paths of a few pixels hit more than {MAX_SURFACES} surfaces, which is the limit of the page; \
+                     choose a smaller max_depth, or use render-lab render"
+                )));
+            }
         }
+        drop(prepared);
         let mut ppm = Vec::new();
+        let no_memory = |_| Refusal::Message("Not enough memory for the file of the picture".to_owned());
+        // The header has less than a hundred bytes.
+        ppm.try_reserve_exact(pixels * (PIXEL_BYTES - 3) + 100).map_err(no_memory)?;
         cpu::write_ppm(&image, &mut ppm).map_err(|error| Refusal::Message(error.to_string()))?;
-        Ok(ppm)
+        drop(image);
+        share.shrink(ppm.len());
+        Ok((ppm, share))
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use cpu::internals::input::reader;
 use loopback::Answer;
@@ -31,7 +32,7 @@ const KINDS: [(&str, &str); 7] = [
 
 /// The files of the page by their paths, which begin with a slash.
 #[derive(Clone, Debug, Default)]
-pub struct Site(BTreeMap<String, Vec<u8>>);
+pub struct Site(BTreeMap<String, Arc<Vec<u8>>>);
 
 impl Site {
     /// Reads the page in `folder`.
@@ -51,7 +52,7 @@ impl Site {
         if !text.contains(SERVED_BY[0]) {
             return Err(format!("the page in [{name}] is of another version; {remedy}").into());
         }
-        *index = text.replace(SERVED_BY[0], SERVED_BY[1]).into_bytes();
+        *index = Arc::new(text.replace(SERVED_BY[0], SERVED_BY[1]).into_bytes());
         Ok(site)
     }
 
@@ -67,7 +68,7 @@ impl Site {
                 if self.0.len() == MAX_FILES {
                     return Err(std::io::Error::other(format!("it has more than {MAX_FILES} files")));
                 }
-                self.0.insert(path, reader::read(&entry.path(), MAX_FILE)?);
+                self.0.insert(path, Arc::new(reader::read(&entry.path(), MAX_FILE)?));
             }
         }
         Ok(())
@@ -81,6 +82,6 @@ impl Site {
         let ending = path.rsplit('.').next().unwrap_or_default();
         let kind =
             KINDS.iter().find(|(known, _)| *known == ending).map_or("application/octet-stream", |(_, kind)| kind);
-        Answer::ok(kind, bytes.clone())
+        Answer::shared(kind, Arc::clone(bytes))
     }
 }

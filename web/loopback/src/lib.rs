@@ -2,63 +2,111 @@
 //!
 //! A page that is opened from a file may not load data. WebGPU needs a trusted origin, and the loopback address is one.
 //! The server answers one request on each connection and closes it. The server is not made for an open network.
-//! [`request`] reads requests and limits their size and time.
+//!
+//! [`request`] reads requests and limits their size. [`client`] limits their time. [`secret`] tells which requests are
+//! answered. [`connections`] limits their number, and [`budget`] the bytes of all of them together.
 
+pub mod budget;
+pub mod client;
+pub mod connections;
 pub mod request;
+pub mod secret;
 
-use std::borrow::Cow;
 use std::convert::Infallible;
-use std::io::{self, Read, Write};
+use std::io::{self, BufReader, Read, Write};
 use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use request::{Refusal, Request};
+use budget::{Budget, Share};
+use client::{Client, Timed};
+use connections::{Connections, Place};
+use request::{Head, Refusal, Request};
+use secret::{Admission, Secret};
 
-/// Largest number of connections at a time. A browser opens up to six connections to one server.
-pub const MAX_CONNECTIONS: usize = 32;
+/// Largest number of bytes of all bodies and answers together, and of what the owner of the server counts with them.
+pub const MAX_BYTES: usize = 768 << 20;
 
-/// Time limit for the client to accept the next bytes of an answer.
+/// Time limit for the client to accept an answer, besides the time for its bytes at [`LEAST_RATE`].
 const PATIENCE: Duration = Duration::from_secs(10);
+
+/// Least number of bytes a second at which a client must accept an answer. A browser on the same machine is a hundred
+/// times as fast.
+const LEAST_RATE: usize = 8 << 20;
 
 /// Time that the server waits for a resource, such as a free file descriptor, before it accepts connections again.
 const PAUSE: Duration = Duration::from_millis(50);
+
+/// The headers of every answer. No page of another origin may show an answer in a frame, load it or refer to its
+/// window. The browser loads nothing from another host, stores no answer, and does not guess content types.
+const HEADERS: &str = "\
+    Content-Security-Policy: default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; \
+    style-src 'self' 'unsafe-inline'; img-src 'self' data:; base-uri 'none'; form-action 'none'; \
+    frame-ancestors 'none'\r\n\
+    X-Frame-Options: DENY\r\n\
+    X-Content-Type-Options: nosniff\r\n\
+    Referrer-Policy: no-referrer\r\n\
+    Cache-Control: no-store\r\n\
+    Cross-Origin-Opener-Policy: same-origin\r\n\
+    Cross-Origin-Resource-Policy: same-origin\r\n\
+    Connection: close\r\n";
+
+/// The text for a request without the secret.
+const NO_SECRET: &str = "403 Forbidden: this needs the secret of this server. Open the address that the program has \
+    printed. You can open a link to this page after that: copy the link into the address bar.\n";
 
 /// A server that listens at a port.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
-    /// Number of connections that are being served.
-    connections: AtomicUsize,
-    /// Sum of the lengths of all bodies that are being received, in bytes.
-    bodies: AtomicUsize,
-    /// Two time limits for a client: to send its whole request, and to accept the next bytes of an answer.
-    patience: [Duration; 2],
+    connections: Connections,
+    budget: Budget,
+    /// The secret that every request must prove. If it is `None`, all requests are answered.
+    secret: Option<Secret>,
+    patience: Patience,
+}
+
+/// The time limits for a client.
+#[derive(Clone, Copy, Debug)]
+struct Patience {
+    /// Time to send the whole request.
+    request: Duration,
+    /// Time to accept an answer, besides the time for its bytes.
+    answer: Duration,
+    /// Least number of bytes of an answer that must be accepted in a second.
+    rate: usize,
 }
 
 /// The answer to a request.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Answer {
     /// The status, such as `200 OK`.
     pub status: &'static str,
     /// The content type, without a character set. Texts are UTF-8.
     pub kind: &'static str,
     /// The content.
-    pub body: Cow<'static, [u8]>,
+    pub body: Arc<Vec<u8>>,
+    /// The bytes of the budget that the body takes, if the owner of the server has counted them already.
+    pub share: Option<Share>,
 }
 
 impl Answer {
     /// Returns the answer that succeeds with `body`.
     #[must_use]
-    pub fn ok(kind: &'static str, body: impl Into<Cow<'static, [u8]>>) -> Self {
-        Self { status: "200 OK", kind, body: body.into() }
+    pub fn ok(kind: &'static str, body: impl Into<Vec<u8>>) -> Self {
+        Self::shared(kind, Arc::new(body.into()))
+    }
+
+    /// Returns the answer that succeeds with `body`, which other answers may use at the same time.
+    #[must_use]
+    pub const fn shared(kind: &'static str, body: Arc<Vec<u8>>) -> Self {
+        Self { status: "200 OK", kind, body, share: None }
     }
 
     /// Returns an answer that fails with `status`, and with `text` as an explanation.
     #[must_use]
     pub fn refused(status: &'static str, text: impl Into<String>) -> Self {
-        Self { status, kind: "text/plain", body: text.into().into_bytes().into() }
+        Self { status, kind: "text/plain", body: Arc::new(text.into().into_bytes()), share: None }
     }
 
     /// Returns the answer to a request for a path that does not exist.
@@ -68,32 +116,25 @@ impl Answer {
     }
 }
 
-/// An amount that has been added to a counter. It is subtracted when this value is dropped.
-struct Share<'a>(&'a AtomicUsize, usize);
-
-impl<'a> Share<'a> {
-    /// Adds `amount` to `counter`. Returns `None`, and adds nothing, if the sum would exceed `most`.
-    fn take(counter: &'a AtomicUsize, amount: usize, most: usize) -> Option<Self> {
-        let add = |taken: usize| taken.checked_add(amount).filter(|&sum| sum <= most);
-        counter.fetch_update(Ordering::SeqCst, Ordering::SeqCst, add).ok().map(|_| Self(counter, amount))
-    }
-}
-
-impl Drop for Share<'_> {
-    fn drop(&mut self) {
-        self.0.fetch_sub(self.1, Ordering::SeqCst);
-    }
-}
-
 impl Server {
-    /// Returns a server that listens at `port`, or at any free port if `port` is 0.
+    /// Returns a server that listens at `port`, or at any free port if `port` is 0. It has no secret.
     ///
     /// # Errors
     /// An error if the port is in use.
     pub fn new(port: u16) -> io::Result<Self> {
         let listener = TcpListener::bind(("127.0.0.1", port))?;
-        let (connections, bodies) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        Ok(Self { listener, connections, bodies, patience: [request::MAX_TIME, PATIENCE] })
+        let patience = Patience { request: request::MAX_TIME, answer: PATIENCE, rate: LEAST_RATE };
+        let (connections, budget) = (Connections::default(), Budget::new(MAX_BYTES));
+        Ok(Self { listener, connections, budget, secret: None, patience })
+    }
+
+    /// Returns the server with a new secret. Paths that begin with `private` are data, which a cookie does not open.
+    ///
+    /// # Errors
+    /// An error if the system gives no random numbers.
+    pub fn with_secret(self, private: &'static str) -> io::Result<Self> {
+        let secret = Secret::new(self.address()?.port(), private)?;
+        Ok(Self { secret: Some(secret), ..self })
     }
 
     /// Returns the address at which the server listens.
@@ -104,13 +145,28 @@ impl Server {
         self.listener.local_addr()
     }
 
+    /// Returns the address to open in a browser, with the secret if there is one.
+    ///
+    /// # Errors
+    /// The error of the system.
+    pub fn url(&self) -> io::Result<String> {
+        let path = self.secret.as_ref().map_or_else(|| "/".to_owned(), Secret::path);
+        Ok(format!("http://{}{path}", self.address()?))
+    }
+
+    /// Returns the budget for the bytes of bodies and answers.
+    #[must_use]
+    pub fn budget(&self) -> Budget {
+        self.budget.clone()
+    }
+
     /// Serves every client in its own thread, because browsers open connections that they may use only later. Calls
-    /// `answer` with each request.
+    /// `answer` with each request and its client.
     ///
     /// # Errors
     /// An error if the system can accept no more connections. A temporary error, such as too few file descriptors, is
     /// not returned.
-    pub fn serve(self, answer: impl Fn(Request) -> Answer + Send + Sync + 'static) -> io::Result<Infallible> {
+    pub fn serve(self, answer: impl Fn(Request, &Client) -> Answer + Send + Sync + 'static) -> io::Result<Infallible> {
         let shared = Arc::new((self, answer));
         loop {
             let stream = match shared.0.listener.accept() {
@@ -121,43 +177,81 @@ impl Server {
                 }
                 Err(error) => return Err(error),
             };
-            if shared.0.connections.fetch_add(1, Ordering::SeqCst) >= MAX_CONNECTIONS {
+            let Some(number) = shared.0.connections.enter(&stream) else {
                 // This answer is so short that it fits the system's buffer, so the server does not wait for the client.
-                drop(respond(&stream, &Answer::refused("503 Service Unavailable", "too many connections")));
-                shared.0.connections.fetch_sub(1, Ordering::SeqCst);
+                let full = Answer::refused("503 Service Unavailable", "too many connections");
+                drop(shared.0.respond(&stream, &full, None));
                 continue;
-            }
+            };
             let connection = Arc::clone(&shared);
             let talk = move || {
                 let (server, answer) = &*connection;
-                let _share = Share(&server.connections, 1);
                 // An error is ignored: it means that the client has closed the connection.
-                drop(server.talk(&stream, answer));
+                drop(server.talk(&stream, server.connections.place(number), answer));
             };
             if std::thread::Builder::new().name("connection".to_owned()).spawn(talk).is_err() {
                 // If no thread could be started, the connection is closed, and the client may try again.
-                shared.0.connections.fetch_sub(1, Ordering::SeqCst);
+                drop(shared.0.connections.place(number));
             }
         }
     }
 
     /// Reads one request and sends its answer.
-    fn talk(&self, stream: &TcpStream, answer: impl Fn(Request) -> Answer) -> io::Result<()> {
-        let mut share = None;
-        let reserve = |length| {
-            share = Share::take(&self.bodies, length, request::MAX_BODY);
-            share.is_some()
-        };
-        let [for_request, for_answer] = self.patience;
-        stream.set_write_timeout(Some(for_answer))?;
-        match Request::read(stream, for_request, reserve) {
-            Ok(request) => respond(stream, &answer(request)),
+    fn talk(&self, stream: &TcpStream, place: Place, answer: impl Fn(Request, &Client) -> Answer) -> io::Result<()> {
+        match self.read(stream, place) {
+            Ok((request, is_first, _place, _share)) => {
+                let mut answer = answer(request, &Client::new(stream));
+                // A body that is used by several answers is counted once, by its owner.
+                if answer.share.is_none() && Arc::strong_count(&answer.body) == 1 {
+                    match self.budget.take(answer.body.len()) {
+                        Ok(share) => answer.share = Some(share),
+                        Err(full) => answer = Answer::refused("503 Service Unavailable", full.to_string()),
+                    }
+                }
+                let cookie = self.secret.as_ref().filter(|_| is_first).map(Secret::set_cookie);
+                self.respond(stream, &answer, cookie)
+            }
             Err(Refusal::Broken(error)) => Err(error),
-            Err(Refusal::Status(status)) => {
-                respond(stream, &Answer::refused(status, status))?;
+            Err(Refusal::Status(status, text)) => {
+                self.respond(stream, &Answer::refused(status, text), None)?;
                 drain(stream)
             }
         }
+    }
+
+    /// Reads one request. Also returns whether it is the first one, with the secret in its address.
+    fn read<'a>(&self, stream: &TcpStream, mut place: Place<'a>) -> Result<(Request, bool, Place<'a>, Share), Refusal> {
+        let mut reader = BufReader::new(Timed::new(stream, self.patience.request));
+        let mut head = Head::read(&mut reader)?;
+        let admission = self.secret.as_ref().map_or(Admission::Full, |secret| secret.admit(&head));
+        let is_first = admission == Admission::First;
+        if admission == Admission::None || head.is_foreign && !is_first {
+            return Err(Refusal::Status("403 Forbidden", NO_SECRET.into()));
+        }
+        if is_first {
+            head.path.truncate(1);
+        }
+        if !place.keep() {
+            return Err(Refusal::Broken(io::ErrorKind::ConnectionAborted.into()));
+        }
+        let (request, share) = head.with_body(&mut reader, &self.budget)?;
+        Ok((request, is_first, place, share))
+    }
+
+    /// Sends an answer. The client must accept all of it in time.
+    fn respond(&self, stream: &TcpStream, answer: &Answer, cookie: Option<String>) -> io::Result<()> {
+        let Answer { status, kind, body, .. } = answer;
+        let Patience { answer: time, rate, .. } = self.patience;
+        let length = body.len();
+        // Browsers compile WebAssembly while it arrives only if its content type has no parameter.
+        let charset = if kind.starts_with("text/") { "; charset=utf-8" } else { "" };
+        let cookie = cookie.map(|cookie| format!("Set-Cookie: {cookie}\r\n")).unwrap_or_default();
+        let head = format!(
+            "HTTP/1.1 {status}\r\nContent-Type: {kind}{charset}\r\nContent-Length: {length}\r\n{HEADERS}{cookie}\r\n"
+        );
+        let mut client = Timed::new(stream, time + Duration::from_secs_f64(length as f64 / rate as f64));
+        client.write_all(head.as_bytes())?;
+        client.write_all(body)
     }
 }
 
@@ -176,18 +270,6 @@ fn may_pass(error: &io::Error) -> bool {
         error.kind(),
         io::ErrorKind::ConnectionAborted | io::ErrorKind::ConnectionReset | io::ErrorKind::Interrupted
     )
-}
-
-fn respond(mut stream: &TcpStream, Answer { status, kind, body }: &Answer) -> io::Result<()> {
-    let length = body.len();
-    // Browsers compile WebAssembly while it arrives only if its content type has no parameter.
-    let charset = if kind.starts_with("text/") { "; charset=utf-8" } else { "" };
-    let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}{charset}\r\nContent-Length: {length}\r\n\
-         Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n"
-    );
-    stream.write_all(head.as_bytes())?;
-    stream.write_all(body)
 }
 
 /// Reads for a moment what a refused client still sends. If the connection were closed at once, the client might lose

@@ -1,8 +1,10 @@
 //! Reads one HTTP/1.1 request, and limits its size and its time.
 
-use std::io::{self, BufRead, BufReader, Read};
-use std::net::TcpStream;
-use std::time::{Duration, Instant};
+use std::borrow::Cow;
+use std::io::{self, BufRead, Read};
+use std::time::Duration;
+
+use crate::budget::{Budget, Share};
 
 /// Largest length of the request line and of each header, in bytes.
 pub const MAX_LINE: usize = 8192;
@@ -10,7 +12,7 @@ pub const MAX_LINE: usize = 8192;
 /// Largest number of headers of a request.
 pub const MAX_HEADERS: usize = 100;
 
-/// Largest length of a body in bytes, and of all bodies together that are received at the same time.
+/// Largest length of a body, in bytes.
 pub const MAX_BODY: usize = 64 << 20;
 
 /// Time limit for a client to send its whole request.
@@ -34,10 +36,17 @@ pub struct Request {
 /// The reason why a request is refused.
 #[derive(Debug)]
 pub enum Refusal {
-    /// The server answers with this HTTP status.
-    Status(&'static str),
+    /// The server answers with this HTTP status and this text.
+    Status(&'static str, Cow<'static, str>),
     /// The connection is broken or too slow, so the server does not answer.
     Broken(io::Error),
+}
+
+impl Refusal {
+    /// Returns the refusal with `status`. Its text is the status too.
+    const fn status(status: &'static str) -> Self {
+        Self::Status(status, Cow::Borrowed(status))
+    }
 }
 
 impl From<io::Error> for Refusal {
@@ -46,90 +55,86 @@ impl From<io::Error> for Refusal {
     }
 }
 
-/// A stream whose reads fail after the time `end`. If only each read had a limit, a slow client could send forever.
-struct Timed<'a> {
-    stream: &'a TcpStream,
-    end: Instant,
+/// The request line and the headers that this server uses.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Head {
+    /// The method, such as `GET`.
+    pub method: String,
+    /// The path with its query, from the first slash.
+    pub path: String,
+    /// Length of the body in bytes.
+    pub length: usize,
+    /// Whether a page of another origin has sent the request, as the browser says.
+    pub is_foreign: bool,
+    /// The value of `Authorization`.
+    pub authorization: Option<String>,
+    /// The cookies, each as `NAME=VALUE`.
+    pub cookies: Vec<String>,
 }
 
-impl Read for Timed<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let left = self.end.saturating_duration_since(Instant::now());
-        if left.is_zero() {
-            return Err(io::ErrorKind::TimedOut.into());
-        }
-        self.stream.set_read_timeout(Some(left))?;
-        self.stream.read(buffer)
-    }
-}
-
-impl Request {
-    /// Reads a request, which the client must send within `time`. Calls `reserve` with the length of the body before
-    /// receiving it. If `reserve` returns false, the request is refused.
+impl Head {
+    /// Reads the request line and all headers.
     ///
     /// # Errors
-    /// [`Refusal::Status`] if the request exceeds a limit, has a foreign name in `Host`, or is not HTTP.
-    /// [`Refusal::Broken`] if the connection ends or is too slow.
-    pub fn read(stream: &TcpStream, time: Duration, reserve: impl FnOnce(usize) -> bool) -> Result<Self, Refusal> {
-        Self::parse(BufReader::new(Timed { stream, end: Instant::now() + time }), reserve)
-    }
+    /// [`Refusal::Status`] if the request exceeds a limit, has a foreign name in `Host` or a foreign `Origin`, or is
+    /// not HTTP. [`Refusal::Broken`] if the connection ends or is too slow.
+    pub fn read(reader: &mut impl BufRead) -> Result<Self, Refusal> {
+        const TOO_LARGE: &str = "431 Request Header Fields Too Large";
+        const BAD: Refusal = Refusal::status("400 Bad Request");
 
-    fn parse(mut reader: impl BufRead, reserve: impl FnOnce(usize) -> bool) -> Result<Self, Refusal> {
-        let first = line(&mut reader, "414 URI Too Long")?;
+        let first = line(reader, "414 URI Too Long")?;
         let mut words = first.split(' ').map(str::to_owned);
         let (method, path) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
-        let headers = Headers::read(&mut reader)?;
-        let [host] = &headers.hosts[..] else { return Err(Refusal::Status("400 Bad Request")) };
-        // A page of another server on this machine has another port in its origin.
-        if !is_this_machine(host) || headers.origin.as_ref().is_some_and(|origin| origin != host) {
-            return Err(Refusal::Status("403 Forbidden"));
-        }
-        let mut body = Vec::new();
-        if method == "POST" {
-            if headers.length > MAX_BODY {
-                return Err(Refusal::Status("413 Content Too Large"));
-            }
-            if !reserve(headers.length) || body.try_reserve_exact(headers.length).is_err() {
-                return Err(Refusal::Status("503 Service Unavailable"));
-            }
-            body.resize(headers.length, 0);
-            reader.read_exact(&mut body)?;
-        }
-        Ok(Self { method, path, body })
-    }
-}
-
-/// The headers that this server uses.
-#[derive(Default)]
-struct Headers {
-    hosts: Vec<String>,
-    /// The address of the page that sends the request; `None` if the browser does not send it.
-    origin: Option<String>,
-    length: usize,
-}
-
-impl Headers {
-    fn read(reader: &mut impl BufRead) -> Result<Self, Refusal> {
-        const TOO_LARGE: &str = "431 Request Header Fields Too Large";
-
-        let mut headers = Self::default();
-        for _ in 0..=MAX_HEADERS {
+        let (mut head, mut hosts, mut origin) = (Self { method, path, ..Self::default() }, Vec::new(), None);
+        for count in 0.. {
             let line = line(reader, TOO_LARGE)?;
             if line.is_empty() {
-                return Ok(headers);
+                break;
+            }
+            if count == MAX_HEADERS {
+                return Err(Refusal::status(TOO_LARGE));
             }
             let Some((name, value)) = line.split_once(':') else { continue };
             let value = value.trim();
             match name.to_ascii_lowercase().as_str() {
-                "host" => headers.hosts.push(value.to_owned()),
-                "origin" => headers.origin = Some(value.strip_prefix("http://").unwrap_or(value).to_owned()),
-                "content-length" => {
-                    headers.length = value.parse().map_err(|_| Refusal::Status("400 Bad Request"))?;
-                }
+                "host" => hosts.push(value.to_owned()),
+                "origin" => origin = Some(value.strip_prefix("http://").unwrap_or(value).to_owned()),
+                "sec-fetch-site" => head.is_foreign |= !["same-origin", "none"].contains(&value),
+                "authorization" => head.authorization = Some(value.to_owned()),
+                "cookie" => head.cookies.extend(value.split(';').map(|cookie| cookie.trim().to_owned())),
+                "content-length" => head.length = value.parse().map_err(|_| BAD)?,
                 _ => {}
             }
         }
-        Err(Refusal::Status(TOO_LARGE))
+        let [host] = &hosts[..] else { return Err(BAD) };
+        // A page of another server on this machine has another port in its origin.
+        if !is_this_machine(host) || origin.is_some_and(|origin| origin != *host) {
+            return Err(Refusal::status("403 Forbidden"));
+        }
+        Ok(head)
+    }
+
+    /// Reads the body of a `POST` request. Takes its length from `budget` before it receives the body. Requests of
+    /// other methods have none.
+    ///
+    /// # Errors
+    /// [`Refusal::Status`] if the body is too long, does not fit into the budget, or if memory is short.
+    /// [`Refusal::Broken`] if the connection ends or is too slow.
+    pub fn with_body(self, reader: &mut impl BufRead, budget: &Budget) -> Result<(Request, Share), Refusal> {
+        const BUSY: &str = "503 Service Unavailable";
+
+        let Self { method, path, length, .. } = self;
+        let length = if method == "POST" { length } else { 0 };
+        if length > MAX_BODY {
+            let text = format!("a body of {length} bytes is too long; it may have {MAX_BODY}");
+            return Err(Refusal::Status("413 Content Too Large", text.into()));
+        }
+        let share = budget.take(length).map_err(|full| Refusal::Status(BUSY, full.to_string().into()))?;
+        let mut body = Vec::new();
+        body.try_reserve_exact(length).map_err(|_| Refusal::Status(BUSY, "memory is short".into()))?;
+        body.resize(length, 0);
+        reader.read_exact(&mut body)?;
+        Ok((Request { method, path, body }, share))
     }
 }
 
@@ -146,7 +151,7 @@ fn line(reader: &mut impl BufRead, too_long: &'static str) -> Result<String, Ref
     match content {
         Some(content) if content.len() <= MAX_LINE => Ok(String::from_utf8_lossy(content).into_owned()),
         None if length < MAX_LINE + 2 => Err(Refusal::Broken(io::ErrorKind::UnexpectedEof.into())),
-        _ => Err(Refusal::Status(too_long)),
+        _ => Err(Refusal::status(too_long)),
     }
 }
 
@@ -164,8 +169,13 @@ mod tests {
     use super::*;
 
     fn read(text: &[u8]) -> Result<Request, &'static str> {
-        Request::parse(text, |_| true).map_err(|refusal| match refusal {
-            Refusal::Status(status) => &status[..3],
+        read_within(text, &Budget::new(usize::MAX))
+    }
+
+    fn read_within(mut text: &[u8], budget: &Budget) -> Result<Request, &'static str> {
+        let request = Head::read(&mut text).and_then(|head| head.with_body(&mut text, budget));
+        request.map(|(request, _)| request).map_err(|refusal| match refusal {
+            Refusal::Status(status, _) => &status[..3],
             Refusal::Broken(_) => "broken",
         })
     }
@@ -196,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn a_body_has_a_limit_and_counts_towards_the_limit_of_all_bodies() {
+    fn a_body_has_a_limit_and_counts_towards_the_budget() {
         let post =
             |length: usize| format!("POST /results/a HTTP/1.1\r\nHost: [::1]:1\r\nContent-Length: {length}\r\n\r\n");
         let mut whole = post(MAX_BODY).into_bytes();
@@ -205,8 +215,9 @@ mod tests {
         assert_eq!(read(post(MAX_BODY + 1).as_bytes()), Err("413"));
         assert_eq!(read(post(usize::MAX).as_bytes()), Err("413"));
         assert_eq!(read(post(3).as_bytes()), Err("broken"), "the body is missing");
-        let refusal = Request::parse(post(3).as_bytes(), |length| length != 3).expect_err("no share is left");
-        assert!(matches!(refusal, Refusal::Status("503 Service Unavailable")));
+        let three = post(3) + "abc";
+        assert!(read_within(three.as_bytes(), &Budget::new(3)).is_ok_and(|request| request.body == b"abc"));
+        assert_eq!(read_within(three.as_bytes(), &Budget::new(2)), Err("503"), "no share is left");
         assert_eq!(with_headers("Host: localhost\r\nContent-Length: -1\r\n"), Err("400"));
     }
 
@@ -227,6 +238,21 @@ mod tests {
         {
             assert_eq!(with_headers(&format!("Host: localhost:1\r\nOrigin: {origin}\r\n")), Err("403"), "{origin}");
         }
+    }
+
+    #[test]
+    fn the_browser_says_which_pages_are_foreign() {
+        let is_foreign = |headers: &str| {
+            let text = format!("GET / HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n");
+            Head::read(&mut text.as_bytes()).expect("it is valid").is_foreign
+        };
+        for own in ["", "Sec-Fetch-Site: same-origin\r\n", "sec-fetch-site:none\r\n"] {
+            assert!(!is_foreign(own), "{own}");
+        }
+        for site in ["cross-site", "same-site", "", "none, cross-site"] {
+            assert!(is_foreign(&format!("Sec-Fetch-Site: {site}\r\n")), "{site}");
+        }
+        assert!(is_foreign("Sec-Fetch-Site: cross-site\r\nSec-Fetch-Site: none\r\n"));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::io::Read;
 
 use super::*;
+use crate::connections::MAX_CONNECTIONS;
 
 mod slow;
 
@@ -11,7 +12,7 @@ fn server() -> Server {
 }
 
 /// The answers of the tests' server.
-fn answer(request: Request) -> Answer {
+fn answer(request: Request, _: &Client) -> Answer {
     match request.path.as_str() {
         "/data/a" => Answer::ok("text/plain", &b"numbers"[..]),
         "/echo" => Answer::ok("text/plain", request.body),
@@ -39,11 +40,17 @@ fn asked_of(server: &Server, request: &str) -> String {
     client.write_all(request.as_bytes()).expect("it reads");
     let (stream, _) = server.listener.accept().expect("there is a connection");
     // The result is an error for a refused client, because this client keeps its end of the connection open.
-    let _ = server.talk(&stream, answer);
+    let _ = talk(server, &stream);
     drop(stream);
     let mut answer = String::new();
     client.read_to_string(&mut answer).expect("it answers in text");
     answer
+}
+
+/// Answers the one request of a connection.
+fn talk(server: &Server, stream: &TcpStream) -> io::Result<()> {
+    let number = server.connections.enter(stream).expect("there is a place");
+    server.talk(stream, server.connections.place(number), answer)
 }
 
 fn get(path: &str) -> String {
@@ -69,58 +76,136 @@ fn a_foreign_name_for_this_server_gets_nothing() {
 }
 
 #[test]
-fn bodies_share_one_limit_and_give_it_back() {
-    let counter = AtomicUsize::new(0);
-    let first = Share::take(&counter, 3, 5);
-    assert!(first.is_some() && Share::take(&counter, 3, 5).is_none() && Share::take(&counter, usize::MAX, 5).is_none());
-    assert!(Share::take(&counter, 2, 5).is_some(), "exactly the limit");
-    drop(first);
-    assert!(Share::take(&counter, 5, 5).is_some());
-}
-
-#[test]
-fn all_bodies_together_have_a_limit_until_one_of_them_has_been_received() {
-    let server = server();
+fn bodies_and_answers_have_a_common_limit_and_give_their_bytes_back() {
+    let server = Server { budget: Budget::new(100), ..server() };
     let post = |length: usize, body: &str| {
         format!("POST /echo HTTP/1.1\r\nHost: localhost\r\nContent-Length: {length}\r\n\r\n{body}")
     };
     let mut first = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-    // This client announces all bytes but one, and sends none of them.
-    first.write_all(post(request::MAX_BODY - 1, "").as_bytes()).expect("it reads");
+    // This client announces all bytes but six, and sends none of them.
+    first.write_all(post(94, "").as_bytes()).expect("it reads");
     let (stream, _) = server.listener.accept().expect("there is a connection");
     std::thread::scope(|scope| {
-        let talk = scope.spawn(|| server.talk(&stream, answer));
-        while server.bodies.load(Ordering::SeqCst) == 0 {
+        let slow = scope.spawn(|| talk(&server, &stream));
+        while server.budget.taken() == 0 {
             std::thread::sleep(Duration::from_millis(1));
         }
-        assert!(asked_of(&server, &post(2, "ab")).starts_with("HTTP/1.1 503"));
-        assert!(asked_of(&server, &post(1, "a")).starts_with("HTTP/1.1 200"), "exactly the limit");
+        let full = asked_of(&server, &post(7, "abcdefg"));
+        assert!(full.starts_with("HTTP/1.1 503") && full.contains("this takes 7 bytes, and 6 of 100 bytes are free"));
+        // The body and the answer, which is the body again, take exactly the limit.
+        assert!(asked_of(&server, &post(3, "abc")).starts_with("HTTP/1.1 200"));
+        let full = asked_of(&server, &post(4, "abcd"));
+        assert!(full.contains("this takes 4 bytes, and 2 of 100 bytes are free"), "{full}");
         drop(first);
-        assert!(talk.join().expect("it does not panic").is_err(), "the body has not come");
-        assert!(asked_of(&server, &post(2, "ab")).starts_with("HTTP/1.1 200"));
+        assert!(slow.join().expect("it does not panic").is_err(), "the body has not come");
+        assert!(asked_of(&server, &post(4, "abcd")).starts_with("HTTP/1.1 200"));
     });
+    assert_eq!(server.budget.taken(), 0);
 }
 
 #[test]
-fn one_connection_too_many_gets_status_503_and_later_ones_are_answered() {
+fn every_answer_has_the_headers_that_keep_foreign_pages_out() {
+    let foreign = "GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n";
+    for answer in [get("/data/a"), get("/none"), foreign.to_owned()].map(|request| asked(&request)) {
+        for header in [
+            "frame-ancestors 'none'\r\n",
+            "\r\nContent-Security-Policy: default-src 'self'; ",
+            "\r\nX-Frame-Options: DENY\r\n",
+            "\r\nX-Content-Type-Options: nosniff\r\n",
+            "\r\nCache-Control: no-store\r\n",
+            "\r\nCross-Origin-Opener-Policy: same-origin\r\n",
+            "\r\nCross-Origin-Resource-Policy: same-origin\r\n",
+        ] {
+            assert!(answer.contains(header), "{header}: {answer}");
+        }
+    }
+}
+
+#[test]
+fn a_server_with_a_secret_answers_only_requests_that_prove_it() {
+    let server = server().with_secret("/data/").expect("there are random numbers");
+    let path = server.url().expect("it listens").split_once(":").expect("it is an address").1[12..].to_owned();
+    let path = &path[path.find('/').expect("there is a path")..];
+    let key = path.strip_prefix("/?secret=").expect("it has the secret");
+    let ask = |path: &str, headers: &str| {
+        asked_of(&server, &format!("GET {path} HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n"))
+    };
+    assert!(ask("/data/a", "").starts_with("HTTP/1.1 403 Forbidden"));
+    assert!(ask("/data/a", "").contains("Open the address that the program has printed."));
+    assert!(ask("/data/a", &format!("Authorization: Bearer {key}\r\n")).ends_with("\r\n\r\nnumbers"));
+    // Another page may open the address with the secret. The browser then has the cookie.
+    let first = ask(path, "Sec-Fetch-Site: cross-site\r\n");
+    let cookie = first.split("Set-Cookie: ").nth(1).and_then(|rest| rest.split("\r\n").next()).expect("there is one");
+    let cookie = cookie.strip_suffix("; Path=/; SameSite=Strict; HttpOnly").expect("it is strict").to_owned();
+    let cookie = format!("Cookie: other=1; {cookie}\r\n");
+    assert!(ask("/b", &cookie).starts_with("HTTP/1.1 404") && !ask("/b", &cookie).contains("Set-Cookie"));
+    assert!(ask("/b", "").starts_with("HTTP/1.1 403"));
+    assert!(ask("/data/a", &cookie).starts_with("HTTP/1.1 403"), "a cookie opens no data");
+    assert!(ask("/b", &format!("{cookie}Sec-Fetch-Site: same-site\r\n")).starts_with("HTTP/1.1 403"));
+    // The body of a client without the secret is not received.
+    let post = format!("POST /echo HTTP/1.1\r\nHost: localhost\r\n{cookie}Content-Length: 9000000\r\n\r\n");
+    assert!(asked_of(&server, &post).starts_with("HTTP/1.1 403"));
+}
+
+/// Repeats a request until its answer starts with `wanted`.
+fn until(address: SocketAddr, wanted: &str) {
+    for _ in 0..1000 {
+        if answer_to(address, &get("/data/a")).starts_with(wanted) {
+            return;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    panic!("no answer starts with {wanted}");
+}
+
+#[test]
+fn clients_that_send_nothing_keep_no_other_client_away() {
     let server = server();
     let address = server.address().expect("it listens");
     std::thread::spawn(move || server.serve(answer));
-    // Each client opens a connection and sends nothing.
-    let silent: Vec<_> = (0..MAX_CONNECTIONS).map(|_| TcpStream::connect(address).expect("it listens")).collect();
-    let until = |wanted: &str| {
-        for _ in 0..1000 {
-            let answer = answer_to(address, &get("/data/a"));
-            if answer.starts_with(wanted) {
-                return;
-            }
-            std::thread::sleep(Duration::from_millis(10));
-        }
-        panic!("no answer starts with {wanted}");
+    let silent: Vec<_> = (0..2 * MAX_CONNECTIONS).map(|_| TcpStream::connect(address).expect("it listens")).collect();
+    assert!(answer_to(address, &get("/data/a")).ends_with("numbers"));
+    // The oldest ones are closed, to make room for the newest ones.
+    let is_closed = |mut stream: &TcpStream| {
+        stream.set_read_timeout(Some(Duration::from_secs(20))).expect("it is open");
+        stream.read(&mut [0]).is_ok_and(|length| length == 0)
     };
-    until("HTTP/1.1 503");
-    drop(silent);
-    until("HTTP/1.1 200");
+    assert!(silent[..MAX_CONNECTIONS].iter().all(is_closed));
+    let last = silent.last().expect("there are some");
+    last.set_nonblocking(true).expect("it is open");
+    assert_eq!(last.peek(&mut [0]).expect_err("it is open").kind(), io::ErrorKind::WouldBlock);
+}
+
+#[test]
+fn one_valid_request_too_many_gets_status_503_and_later_ones_are_answered() {
+    let server = server();
+    let address = server.address().expect("it listens");
+    std::thread::spawn(move || server.serve(answer));
+    // The request of each client is valid, but its body does not come.
+    let post = "POST /echo HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\n";
+    let open = || {
+        let mut stream = TcpStream::connect(address).expect("it listens");
+        stream.write_all(post.as_bytes()).expect("it reads");
+        stream
+    };
+    let valid: Vec<_> = (0..MAX_CONNECTIONS - 1).map(|_| open()).collect();
+    until(address, "HTTP/1.1 200");
+    let last = open();
+    until(address, "HTTP/1.1 503");
+    drop((valid, last));
+    until(address, "HTTP/1.1 200");
+}
+
+#[test]
+fn a_client_that_closes_its_connection_is_gone() {
+    let server = server();
+    let client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
+    let (stream, _) = server.listener.accept().expect("there is a connection");
+    assert!(!Client::new(&stream).is_gone());
+    drop(client);
+    while !Client::new(&stream).is_gone() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
 }
 
 #[cfg(unix)]

@@ -1,5 +1,6 @@
 // The two engines that render a picture: the module in a worker, and the program render-lab behind the page.
 import type { Fault } from './module';
+import { ask } from './secret';
 import type { Texts } from './store';
 import { read, shown } from './ppm';
 import { stepOf } from './step';
@@ -65,19 +66,19 @@ const PAUSE = 200;
 export const native: Engine = (texts, watcher) => {
     const ends = new AbortController();
     const { signal } = ends;
-    const ask = async () => {
-        const response = await fetch('view/progress', { signal });
+    const look = async () => {
+        const response = await ask('view/progress', { signal });
         const [done, height] = (await response.text()).split(' ').map(Number);
         if (!signal.aborted && done !== undefined && height) {
             watcher.progress(done, height);
         }
     };
     // A question without an answer is not repeated at once: the next one comes after the pause.
-    const asks = setInterval(() => ask().catch(() => null), PAUSE);
+    const asks = setInterval(() => look().catch(() => null), PAUSE);
     // The server cancels a picture only by its number, so a late request cannot cancel the next picture.
     const number = crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
     const run = async () => {
-        const response = await fetch(`view/render/${number}`, { method: 'POST', body: JSON.stringify(texts), signal });
+        const response = await ask(`view/render/${number}`, { method: 'POST', body: JSON.stringify(texts), signal });
         if (!response.ok) {
             watcher.failed(await response.text());
             return;
@@ -97,6 +98,6 @@ export const native: Engine = (texts, watcher) => {
     signal.addEventListener('abort', () => clearInterval(asks));
     return () => {
         ends.abort();
-        void fetch(`view/cancel/${number}`, { method: 'POST' }).catch(() => null);
+        void ask(`view/cancel/${number}`, { method: 'POST' }).catch(() => null);
     };
 };

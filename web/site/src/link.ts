@@ -52,7 +52,7 @@ export async function make(shared: Shared): Promise<string> {
         binary += String.fromCharCode(...packed.subarray(start, start + PIECE));
     }
     const text = btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-    return `${location.origin}${location.pathname}${location.search}${START}${text}`;
+    return `${location.origin}${location.pathname}${START}${text}`;
 }
 
 /** Whether a fragment is one that {@link make} could have made. */

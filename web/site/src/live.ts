@@ -116,11 +116,14 @@ export class Live {
         return this.#facts && { preparer: this.preparer, shaders: this.shaders, facts: this.#facts };
     }
 
-    /** Waits until the moved camera counts, without a frame. */
+    /** Waits until the moved camera counts, without a frame. Throws {@link Faulty} if it has no picture. */
     async settle(): Promise<void> {
         if (!this.#isAimed && this.#facts) {
             this.#isAimed = true;
-            const aimed = await this.preparer.aim(this.#aimed(this.#facts));
+            const aimed = await this.preparer.aim(this.#aimed(this.#facts)).catch((error: unknown) => {
+                this.#isAimed = false;
+                throw error;
+            });
             this.#facts = aimed.facts;
             this.shaders?.load(aimed);
         }

@@ -4,8 +4,9 @@ import { inWorker, native } from './engines';
 import { example, FIRST, names } from './examples';
 import { Checker } from './faults';
 import * as link from './link';
+import { takeSecret } from './secret';
 import { Studio } from './studio';
-import { compile, instructionSet, Renderer, type Row } from './module';
+import { compile, instructionSet, isFault, Renderer, type Fault, type Row } from './module';
 import { Picture } from './picture';
 import * as store from './store';
 import type { Texts } from './store';
@@ -16,6 +17,9 @@ const element = <E extends HTMLElement>(id: string): E => document.getElementByI
 
 /** Time without typing after which the texts are checked, in milliseconds. */
 const PAUSE = 200;
+
+/** Number of rays from which on the page says what a picture may cost. This machine traces some ten million a second. */
+const MANY_RAYS = 1e10;
 
 /** Number of characters from which on a link may be cut by programs that pass it on. */
 const LONG_LINK = 8000;
@@ -41,7 +45,7 @@ class Page {
         this.#picture.say(fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message));
     });
 
-    constructor(private readonly module: WebAssembly.Module, renderer: Renderer) {
+    constructor(private readonly module: WebAssembly.Module, private readonly renderer: Renderer) {
         const tables = [renderer.table(0), renderer.table(1)] as const;
         const listener = { changed: () => this.#changed(), render: () => void this.render() };
         const editor = (name: string, rows: Row[]) =>
@@ -124,6 +128,26 @@ class Page {
         }
     }
 
+    /**
+     * Renders the texts of a link in this page. The program behind the page renders them only when the user asks for it,
+     * because anyone may have made the link, and the program takes all of a processor for it.
+     */
+    async renderLink(): Promise<void> {
+        if (engines.value !== 'native') {
+            return this.render();
+        }
+        const fault = await this.#checker.check();
+        this.renderer.write(0, this.#texts.config);
+        const cost = this.renderer.cost();
+        if (fault || isFault(cost)) {
+            this.say(fault ? this.#faultIn(fault.text) : say('failed', (cost as Fault).message));
+            return;
+        }
+        const rays = cost.reduce((product, factor) => product * factor, 1);
+        const words = say('linkShown');
+        this.say(rays < MANY_RAYS ? words : `${words} ${say('linkCosts', ...cost, rays.toPrecision(2))}`);
+    }
+
     /** Lists the earlier texts. */
     showEarlier(): void {
         const all = store.earlier();
@@ -185,7 +209,7 @@ class Page {
 }
 
 /** Returns the texts with which the page starts, and whether the user has typed them. */
-async function firstTexts(page: Page): Promise<store.Current & { view?: link.View | null }> {
+async function firstTexts(page: Page): Promise<store.Current & { view?: link.View | null; isLink?: boolean }> {
     const kept = store.current();
     const replaceBy = <T extends Texts>(texts: T): T & store.Current => {
         if (kept?.isTyped) {
@@ -195,7 +219,7 @@ async function firstTexts(page: Page): Promise<store.Current & { view?: link.Vie
     };
     if (link.isLink(location.hash)) {
         try {
-            return replaceBy(await link.read(location.hash));
+            return { ...replaceBy(await link.read(location.hash)), isLink: true };
         } catch {
             page.say(say('badLink'));
         }
@@ -216,6 +240,9 @@ async function firstTexts(page: Page): Promise<store.Current & { view?: link.Vie
 }
 
 async function start(): Promise<void> {
+    if (view.isServed && takeSecret()) {
+        return;
+    }
     const saved = store.setting('language') ?? navigator.language;
     languages.value = saved.startsWith('es') ? 'es' : 'en';
     speak(languages.value as Language);
@@ -253,17 +280,18 @@ async function start(): Promise<void> {
     addEventListener('hashchange', () => {
         if (link.isLink(location.hash)) {
             link.read(location.hash).then(async ({ view: shown, ...texts }) => {
-                await use(texts);
+                page.load(texts);
+                await page.renderLink();
                 page.show(shown);
                 forgetLink();
             }).catch(() => page.say(say('badLink')));
         }
     });
-    const { isTyped, view: shown, ...texts } = await firstTexts(page);
+    const { isTyped, isLink, view: shown, ...texts } = await firstTexts(page);
     page.load(texts, isTyped);
     page.show(shown ?? null);
     forgetLink();
-    await page.render();
+    await (isLink ? page.renderLink() : page.render());
     names().then(
         (all) => examples.append(...all.map((name) => new Option(name, name))),
         (error: unknown) => page.say(say('noExample', String(error))),

@@ -85,12 +85,22 @@ export class Studio {
             if (camera) {
                 live.moved = camera;
             }
-            if (pixel && live.source) {
-                await live.settle();
+            if (pixel && await this.#settles(live) && live.source) {
                 await path.show(live.source, ...pixel);
             }
         }
         this.#tabs.show(tab);
+    }
+
+    /** Makes the moved camera of the live view count. If that camera is impossible, says so and returns false. */
+    async #settles(live: Live): Promise<boolean> {
+        try {
+            await live.settle();
+            return true;
+        } catch (error) {
+            this.owner.say(say('liveStopped', error instanceof Error ? error.message : String(error)));
+            return false;
+        }
     }
 
     /** Gives the texts to the live view, if it has not seen them. */
@@ -151,8 +161,7 @@ export class Studio {
         const modules = this.renderer.wgsl();
         const pixel = new PixelView(this.renderer.stepNames(), async () => {
             await this.#read(live);
-            await live.settle();
-            return live.source;
+            return await this.#settles(live) ? live.source : null;
         });
         const shaders = device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];
         shaders.forEach((one) => (one.edits = this.#editor?.edits ?? store.modules()));

@@ -1,5 +1,6 @@
 // What the page does when the program `render-lab view` serves it: it loads two files, loads them again when they
 // change, and saves a camera into the configuration when the user asks for it.
+import { ask } from './secret';
 import type { Texts } from './store';
 import { say } from './words';
 
@@ -21,11 +22,17 @@ interface Files extends Texts {
 }
 
 async function files(): Promise<Files> {
-    const response = await fetch('view/files');
+    const response = await ask('view/files');
     if (!response.ok) {
         throw new Error(await response.text());
     }
-    return response.json() as Promise<Files>;
+    // A line with the version and the length of the configuration, then the configuration, then the scene.
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    const text = (from: number, to?: number) => new TextDecoder('utf-8', { ignoreBOM: true }).decode(bytes.subarray(from, to));
+    const start = bytes.indexOf('\n'.charCodeAt(0)) + 1;
+    const [now = '', length] = text(0, start).split(' ');
+    const end = start + Number(length);
+    return { version: now, config: text(start, end), scene: text(end) };
 }
 
 /** The version of the files that the page has read. */
@@ -46,7 +53,7 @@ const CONFLICT = 409;
 /** Writes the three lines of a camera into the configuration file. Throws if the file has changed, or cannot be written. */
 export const save = (lines: string[]): Promise<void> => inTurn(async () => {
     const request = { method: 'POST', body: JSON.stringify({ version, lines }) };
-    const response = await fetch('view/camera', request).catch(() => {
+    const response = await ask('view/camera', request).catch(() => {
         throw new Error(say('unreachable'));
     });
     const text = await response.text();
@@ -62,7 +69,7 @@ export async function watch(listener: Listener): Promise<Texts> {
     version = first.version;
     document.getElementById('live-save')!.hidden = false;
     const look = async () => {
-        const response = await fetch('view/version').catch(() => null);
+        const response = await ask('view/version').catch(() => null);
         if (!response) {
             listener.failed(null);
         } else {

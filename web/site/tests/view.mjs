@@ -5,21 +5,30 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { check, digest, equal, frame, shoot, site, SLOW, SMALL, still, textOf, type } from './tools.mjs';
 
-/** Starts `render-lab view` with the small scene, and calls `use` with its address and the files. */
-async function view(use) {
+/**
+ * Starts `render-lab view` with the small scene, and calls `use` with its address and the files. `origin` is the address
+ * without the secret, and `ask` requests a path with the secret.
+ */
+export async function view(use, options = []) {
     const folder = mkdtempSync(join(tmpdir(), 'view-'));
     const [config, scene] = ['config', 'scene'].map((name) => join(folder, `${name}.txt`));
     writeFileSync(config, SMALL.config);
     writeFileSync(scene, SMALL.scene);
-    const program = spawn(process.env.RENDER_LAB, ['view', config, scene, '--port', '0', '--site', site]);
+    const program = spawn(process.env.RENDER_LAB, ['view', config, scene, '--port', '0', '--site', site, ...options]);
     try {
         const url = await new Promise((ready, fail) => {
             program.stdout.once('data', (line) => ready(String(line).trim()));
             program.stderr.once('data', (line) => fail(new Error(String(line))));
         });
-        await use({ url, config, scene, program });
+        const { origin, searchParams } = new URL(url);
+        const headers = { Authorization: `Bearer ${searchParams.get('secret')}` };
+        const ask = async (path, body) => {
+            const response = await fetch(`${origin}/view/${path}`, { method: body === undefined ? 'GET' : 'POST', body, headers });
+            return { status: response.status, text: await response.text() };
+        };
+        await use({ url, origin, ask, config, scene, folder, program });
     } finally {
-        program.kill();
+        program.kill('SIGKILL');
         rmSync(folder, { recursive: true });
     }
 }
@@ -56,7 +65,7 @@ export const tests = {
     }),
 
     'the camera is saved into the file on request, and never over a change of another program': ({ open, faults }) =>
-        view(async ({ url, config }) => {
+        view(async ({ url, ask, config }) => {
             const page = await open(url);
             await digest(page);
             await page.click('#tab-live');
@@ -86,7 +95,7 @@ export const tests = {
             await shoot(page, 'view-saved');
 
             // Another program changes the file, and the page has not seen it yet.
-            const version = await (await fetch(`${url}view/version`)).text();
+            const { text: version } = await ask('version');
             await page.route('**/view/version', (route) => route.fulfill({ body: version }));
             writeFileSync(config, `${SMALL.config}gamma: 1\n`);
             await page.click('#live-save');

@@ -46,6 +46,11 @@ fn texts_become_a_file_or_a_message() {
     assert_eq!(fault(), [0, 1, 8, 1]);
     assert!(room(2, 1).is_null());
 
+    write(0, b"image_width: 8\naspect_ratio: 1 1\nsamples_per_pixel: 18446744073709551615\nmax_depth: 3\n");
+    assert_eq!((cost(), result_text().as_str()), (0, "64 18446744073709551615 3"));
+    write(0, b"image_width: 18446744073709551615\n");
+    assert_eq!((cost(), fault()[0]), (1, 0));
+
     table(0);
     assert!(result_text().contains("gamma:\tnumber > 0\t2.2\tgamma correction"), "{}", result_text());
     assert_eq!(result_text().lines().count(), format::CONFIG.len());

@@ -1,0 +1,254 @@
+//! An input file of the page. It is read again and again, while other programs replace it.
+//!
+//! The page must get the file that the user has named, and nothing else. So links are followed once, when the program
+//! starts. Later the program opens the path that they led to, follows no link, and reads only regular files.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+use crate::terminal;
+
+/// Largest size of an input file that the page can edit, in bytes. The body of a request has room for two such texts.
+pub const MAX_TEXT: u64 = 16 << 20;
+
+/// The version of a file that cannot be read.
+const MISSING: &str = "missing";
+
+/// An input file.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// The path that the user has named, for messages.
+    named: PathBuf,
+    /// The path to which its links led when the program started.
+    path: PathBuf,
+}
+
+impl Input {
+    /// Returns the input file at `named`, whose links are followed now.
+    ///
+    /// # Errors
+    /// A message if there is no regular file that can be read.
+    pub fn new(named: &Path) -> Result<Self, String> {
+        let mut this = Self { named: named.to_owned(), path: named.to_owned() };
+        this.path = named.canonicalize().map_err(|error| this.message(&error))?;
+        this.open().map_err(|error| this.message(&error))?;
+        Ok(this)
+    }
+
+    /// The path to which the links of the file's name led when the program started.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Returns the message for an error of this file.
+    #[must_use]
+    pub fn message(&self, error: &io::Error) -> String {
+        format!("Cannot read file [{}]: {error}", terminal::name(&self.named))
+    }
+
+    /// Opens the file and returns its size. It follows no link, and does not wait for the writer of a pipe.
+    ///
+    /// # Errors
+    /// The error of the system, or another one if the file is not regular or larger than [`MAX_TEXT`].
+    pub fn open(&self) -> io::Result<(File, u64)> {
+        let file = without_links(&self.path)?;
+        let metadata = file.metadata()?;
+        if !metadata.is_file() {
+            let text = "it is not a regular file, and the page needs one that can be read again";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, text));
+        }
+        if metadata.len() > MAX_TEXT { Err(too_large()) } else { Ok((file, metadata.len())) }
+    }
+
+    /// Returns the bytes of the file.
+    ///
+    /// # Errors
+    /// Those of [`Input::open`] and [`content`].
+    pub fn read(&self) -> io::Result<Vec<u8>> {
+        let (file, length) = self.open()?;
+        content(file, length)
+    }
+
+    /// Returns the text of the file that [`Input::open`] has opened, and that had `length` bytes.
+    ///
+    /// # Errors
+    /// Those of [`content`], or [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
+    pub fn text(&self, file: File, length: u64) -> io::Result<String> {
+        String::from_utf8(content(file, length)?).map_err(|error| {
+            let place = error.utf8_error().valid_up_to();
+            io::Error::new(io::ErrorKind::InvalidData, format!("it is not UTF-8 text: see the byte at offset {place}"))
+        })
+    }
+
+    /// Returns a text that changes when the content of the file changes. Its time of modification would not do, because
+    /// a program may set it.
+    #[must_use]
+    pub fn version(&self) -> String {
+        let digest = || -> io::Result<String> {
+            let (file, length) = self.open()?;
+            let (mut file, mut digest) = (file.take(length), Sha256::new());
+            let mut piece = [0; 1 << 16];
+            loop {
+                match file.read(&mut piece)? {
+                    0 => return Ok(hexadecimal(&digest.finalize())),
+                    count => digest.update(&piece[..count]),
+                }
+            }
+        };
+        digest().unwrap_or_else(|_| MISSING.to_owned())
+    }
+}
+
+/// Returns the bytes of an open file that had `length` bytes.
+///
+/// # Errors
+/// The error of the system. Bytes that were added since are not read.
+pub fn content(file: File, length: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(length as usize)?;
+    file.take(length).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Returns the version of a file with this content.
+#[must_use]
+pub fn version_of(content: &[u8]) -> String {
+    hexadecimal(&Sha256::digest(content))
+}
+
+fn too_large() -> io::Error {
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {MAX_TEXT} bytes"))
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // Writing to a string never fails.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// Opens the file at `path` for reading, if no part of the path is a link.
+///
+/// # Errors
+/// The error of the system.
+#[cfg(target_os = "linux")]
+pub fn without_links(path: &Path) -> io::Result<File> {
+    use nix::errno::Errno;
+    use nix::fcntl::{AT_FDCWD, OFlag, OpenHow, ResolveFlag, openat2};
+
+    let flags = OFlag::O_RDONLY | OFlag::O_CLOEXEC | OFlag::O_NONBLOCK;
+    match openat2(AT_FDCWD, path, OpenHow::new().flags(flags).resolve(ResolveFlag::RESOLVE_NO_SYMLINKS)) {
+        Ok(file) => Ok(file.into()),
+        // Linux before 5.6 does not know the call, and some containers forbid it.
+        Err(Errno::ENOSYS | Errno::EPERM) => without_last_link(path),
+        Err(errno) => Err(errno.into()),
+    }
+}
+
+#[cfg(all(unix, not(target_os = "linux")))]
+pub use without_last_link as without_links;
+
+/// Opens the file at `path` for reading, if the last part of the path is no link.
+///
+/// # Errors
+/// The error of the system.
+#[cfg(unix)]
+pub fn without_last_link(path: &Path) -> io::Result<File> {
+    use nix::fcntl::OFlag;
+    use std::os::unix::fs::OpenOptionsExt;
+
+    let flags = OFlag::O_NOFOLLOW | OFlag::O_NONBLOCK;
+    std::fs::OpenOptions::new().read(true).custom_flags(flags.bits()).open(path)
+}
+
+#[cfg(not(unix))]
+pub fn without_links(path: &Path) -> io::Result<File> {
+    File::open(path)
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::fs;
+    use std::os::unix::fs::symlink;
+    use std::os::unix::net::UnixListener;
+
+    use nix::sys::stat::Mode;
+    use test_support::folder::Folder;
+
+    use super::*;
+
+    #[test]
+    fn a_link_is_followed_at_the_start_and_never_later() {
+        let folder = Folder::new();
+        let [file, secret, link] = ["file", "secret", "link"].map(|name| folder.file(name));
+        fs::create_dir(folder.file("a")).expect("the folder is writable");
+        for path in [&file, &secret, &folder.file("a/file")] {
+            fs::write(path, path.as_os_str().as_encoded_bytes()).expect("the folder is writable");
+        }
+        symlink(&file, &link).expect("the folder is writable");
+        let input = Input::new(&link).expect("it leads to a file");
+        assert_eq!(input.read().expect("it is a file"), file.as_os_str().as_encoded_bytes());
+        let version = input.version();
+        fs::remove_file(&file).expect("the folder is writable");
+        symlink(&secret, &file).expect("the folder is writable");
+        for error in [input.read().map(drop), without_last_link(&file).map(drop)] {
+            assert_eq!(error.expect_err("it is a link").raw_os_error(), Some(nix::errno::Errno::ELOOP as i32));
+        }
+        assert_eq!(input.version(), MISSING);
+        assert_ne!(version, MISSING);
+
+        // A folder that becomes a link is not followed either.
+        let input = Input::new(&folder.file("a/file")).expect("it is a file");
+        fs::rename(folder.file("a"), folder.file("b")).expect("the folder is writable");
+        symlink(folder.file("b"), folder.file("a")).expect("the folder is writable");
+        assert!(folder.file("a/file").is_file() && input.read().is_err());
+    }
+
+    #[test]
+    fn a_pipe_a_device_or_a_folder_is_not_opened_for_its_content() {
+        let folder = Folder::new();
+        nix::unistd::mkfifo(&folder.file("pipe"), Mode::S_IRWXU).expect("the folder is writable");
+        let _socket = UnixListener::bind(folder.file("socket")).expect("the folder is writable");
+        for path in [folder.file("pipe"), "/dev/zero".into(), folder.path().to_owned()] {
+            let message = Input::new(&path).expect_err("it is no file");
+            assert!(message.contains("it is not a regular file"), "{message}");
+        }
+        assert!(Input::new(&folder.file("socket")).is_err());
+    }
+
+    #[test]
+    fn a_file_of_exactly_the_limit_is_read_and_one_byte_more_refused() {
+        let folder = Folder::new();
+        let path = folder.file("large");
+        let file = File::create(&path).expect("the folder is writable");
+        let resize = |length| file.set_len(length).expect("the disk has room");
+        resize(MAX_TEXT);
+        let input = Input::new(&path).expect("it is as large");
+        assert_eq!(input.read().expect("it is as large").len() as u64, MAX_TEXT);
+        assert_ne!(input.version(), MISSING);
+        // If it grows after it was opened, no more bytes are read.
+        let (opened, length) = input.open().expect("it is as large");
+        resize(MAX_TEXT + 1);
+        assert_eq!(content(opened, length).expect("it was as large").len() as u64, MAX_TEXT);
+        assert_eq!(input.read().expect_err("it is larger").to_string(), "it is larger than 16777216 bytes");
+    }
+
+    #[test]
+    fn an_edit_with_the_same_size_and_the_same_time_is_another_version() {
+        let folder = Folder::new();
+        let path = folder.write("file", "abc");
+        let input = Input::new(&path).expect("it is a file");
+        let (version, time) = (input.version(), fs::metadata(&path).and_then(|file| file.modified()));
+        assert_eq!(version, version_of(b"abc"));
+        fs::write(&path, "abd").expect("the folder is writable");
+        let file = File::options().write(true).open(&path).expect("it is writable");
+        file.set_modified(time.expect("there is a time")).expect("it is writable");
+        assert_ne!(input.version(), version);
+    }
+}

@@ -1,0 +1,184 @@
+//! Replaces a file only if it still has the content that was read, so that no edit of another program is lost.
+//!
+//! A check before a renaming is not enough, because another program may save between the two. So the new file is
+//! written under another name, and the two files exchange their names, which is one step for the system. If the file
+//! that came out is not the one that was read, the names are exchanged back.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use output::{Options, Output};
+
+use crate::terminal;
+
+/// The reason why a file was not replaced.
+#[derive(Debug)]
+pub enum Unreplaced {
+    /// The file has another content now.
+    Changed,
+    /// The new file could not be written.
+    Failed(output::Error),
+}
+
+impl From<output::Error> for Unreplaced {
+    fn from(error: output::Error) -> Self {
+        Self::Failed(error)
+    }
+}
+
+/// Replaces the content `old` of the regular file at `path` by `new`. `read` returns the present content. `how` tells
+/// how the file is written.
+///
+/// Where the system cannot exchange names, the content is only compared directly before the renaming.
+///
+/// # Errors
+/// [`Unreplaced`]. The file then has a content that another program or the user has written.
+pub fn replace(
+    path: &Path,
+    (old, new): (&[u8], &[u8]),
+    read: impl Fn(&Path) -> io::Result<Vec<u8>>,
+    how: Options,
+) -> Result<(), Unreplaced> {
+    let is_old = |path: &Path| read(path).is_ok_and(|content| content == old);
+    let write = |path: &Path| {
+        let mut output = Output::open(path, how)?;
+        output.write_all(new).map_err(|cause| output::Error { path: path.to_owned(), cause })?;
+        Ok::<_, output::Error>(output)
+    };
+    let Some(beside) = Beside::new(path) else {
+        let output = write(path)?;
+        return if is_old(path) { Ok(output.commit()?) } else { Err(Unreplaced::Changed) };
+    };
+    // The name beside the file is a link to the file itself, so the new file gets the rights of the old one.
+    write(&beside.0)?.commit()?;
+    exchange(&beside.0, path).map_err(|cause| output::Error { path: path.to_owned(), cause })?;
+    if is_old(&beside.0) {
+        return Ok(());
+    }
+    // What came out is an edit, which gets its name back. The file beside must then be the new one. If it is another
+    // edit, or if the exchange fails, it is kept.
+    if exchange(&beside.0, path).is_ok() && read(&beside.0).is_ok_and(|content| content == new) {
+        return Err(Unreplaced::Changed);
+    }
+    let text = format!("it has changed meanwhile; a change is in [{}]", terminal::name(&beside.keep()));
+    Err(Unreplaced::Failed(output::Error { path: path.to_owned(), cause: io::Error::other(text) }))
+}
+
+/// A hidden name beside a file. It is removed when this value is dropped.
+struct Beside(PathBuf);
+
+impl Beside {
+    /// Links the file at `path` under a hidden name in its folder. Returns `None` if the system cannot do that, or
+    /// cannot exchange names there.
+    fn new(path: &Path) -> Option<Self> {
+        let mut number = [0; 8];
+        getrandom::fill(&mut number).ok()?;
+        let beside = Self(path.with_file_name(format!(".render-{:016x}.old", u64::from_ne_bytes(number))));
+        fs::hard_link(path, &beside.0).ok()?;
+        // Exchanging two names of one file changes nothing.
+        let is_file = fs::symlink_metadata(&beside.0).is_ok_and(|metadata| metadata.is_file());
+        (is_file && exchange(&beside.0, path).is_ok()).then_some(beside)
+    }
+
+    /// Returns the name, whose file stays.
+    fn keep(mut self) -> PathBuf {
+        std::mem::take(&mut self.0)
+    }
+}
+
+impl Drop for Beside {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+/// Exchanges the names of two files in one step.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn exchange(one: &Path, other: &Path) -> io::Result<()> {
+    use nix::fcntl::{AT_FDCWD, RenameFlags, renameat2};
+    Ok(renameat2(AT_FDCWD, one, AT_FDCWD, other, RenameFlags::RENAME_EXCHANGE)?)
+}
+
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+fn exchange(_: &Path, _: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+#[cfg(all(test, target_os = "linux", target_env = "gnu"))]
+mod tests {
+    use std::cell::Cell;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    use test_support::folder::Folder;
+
+    use super::*;
+    use crate::view::input;
+
+    /// Replaces the file, and calls `edit` just before the replaced content is looked at.
+    fn replaced(path: &Path, edit: impl Fn()) -> Result<(), Unreplaced> {
+        let is_first = Cell::new(true);
+        let read = |path: &Path| {
+            if is_first.take() {
+                edit();
+            }
+            fs::read(path)
+        };
+        replace(path, (b"old", b"new"), read, Options::default())
+    }
+
+    fn names(folder: &Folder) -> Vec<String> {
+        let entries = fs::read_dir(folder.path()).expect("it is there");
+        let name = |entry: io::Result<fs::DirEntry>| entry.expect("it is read").file_name().display().to_string();
+        entries.map(name).collect()
+    }
+
+    #[test]
+    fn a_file_with_the_old_content_is_replaced_and_keeps_its_rights() {
+        let folder = Folder::new();
+        let path = folder.write("file", "old");
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).expect("it is ours");
+        replaced(&path, || ()).expect("nobody has changed it");
+        assert_eq!(fs::read(&path).expect("it is there"), b"new");
+        assert_eq!(fs::metadata(&path).expect("it is there").permissions().mode() & 0o777, 0o640);
+        assert_eq!(names(&folder), ["file"], "no other file is left");
+    }
+
+    #[test]
+    fn an_edit_that_came_before_the_exchange_stays() {
+        let folder = Folder::new();
+        let path = folder.write("file", "edited");
+        assert!(matches!(replaced(&path, || ()), Err(Unreplaced::Changed)));
+        assert_eq!((fs::read(&path).expect("it is there"), names(&folder)), (b"edited".to_vec(), vec!["file".into()]));
+    }
+
+    #[test]
+    fn an_edit_during_the_exchange_stays_whether_it_writes_or_renames() {
+        let folder = Folder::new();
+        let path = folder.write("file", "old");
+        // The file that is replaced is still open in an editor, which writes into it.
+        let mut editor = fs::OpenOptions::new().write(true).open(&path).expect("it is writable");
+        let result = replaced(&path, || (&editor).write_all(b"typed").expect("it is open"));
+        assert!(matches!(result, Err(Unreplaced::Changed)));
+        editor.flush().expect("it is open");
+        assert_eq!(fs::read(&path).expect("it is there"), b"typed");
+
+        // Another editor renames its file to the name after the exchange, so it has replaced the new file.
+        fs::write(&path, "old").expect("the folder is writable");
+        let other = folder.write("other", "renamed");
+        let result = replaced(&path, || fs::rename(&other, &path).expect("the folder is writable"));
+        assert!(result.is_ok());
+        assert_eq!((fs::read(&path).expect("it is there"), names(&folder)), (b"renamed".to_vec(), vec!["file".into()]));
+    }
+
+    #[test]
+    fn a_link_is_never_followed() {
+        let folder = Folder::new();
+        let [target, path] = [folder.write("target", "old"), folder.file("link")];
+        symlink(&target, &path).expect("the folder is writable");
+        let read = |path: &Path| input::content(input::without_links(path)?, 3);
+        let result = replace(&path, (b"old", b"new"), read, Options::default());
+        assert!(matches!(result, Err(Unreplaced::Changed)), "{result:?}");
+        assert_eq!(fs::read(&target).expect("it is there"), b"old");
+    }
+}

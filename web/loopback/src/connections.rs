@@ -1,0 +1,75 @@
+//! The connections of a server. Their number has a limit, which clients without a valid request cannot use up.
+
+use std::collections::BTreeMap;
+use std::net::{Shutdown, TcpStream};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Largest number of connections at a time. A browser opens up to six connections to one server.
+pub const MAX_CONNECTIONS: usize = 32;
+
+/// The connections that are open, in the order in which they were opened.
+#[derive(Debug, Default)]
+pub struct Connections(Mutex<State>);
+
+#[derive(Debug, Default)]
+struct State {
+    /// The number of the next connection.
+    next: u64,
+    /// The connections that have sent no valid request yet.
+    waiting: BTreeMap<u64, TcpStream>,
+    /// Number of connections whose request is valid.
+    valid: usize,
+}
+
+/// The place of one connection. It is given back when this value is dropped.
+#[derive(Debug)]
+pub struct Place<'a> {
+    connections: &'a Connections,
+    number: u64,
+    is_valid: bool,
+}
+
+impl Connections {
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Returns the place of a new connection, or `None` if there is none. If all places are taken, the connection that
+    /// has waited longest without a valid request is closed, and the new one gets its place. So silent clients cannot
+    /// keep others away.
+    pub fn enter(&self, stream: &TcpStream) -> Option<u64> {
+        let mut state = self.state();
+        if state.waiting.len() + state.valid >= MAX_CONNECTIONS {
+            let (_, oldest) = state.waiting.pop_first()?;
+            // Its thread sees the end of the connection, and ends. An error means that the client has closed it.
+            let _ = oldest.shutdown(Shutdown::Both);
+        }
+        let number = state.next;
+        state.waiting.insert(number, stream.try_clone().ok()?);
+        state.next += 1;
+        Some(number)
+    }
+
+    /// Returns the place that [`Connections::enter`] has given.
+    pub const fn place(&self, number: u64) -> Place<'_> {
+        Place { connections: self, number, is_valid: false }
+    }
+}
+
+impl Place<'_> {
+    /// Makes the place one of a valid request, which no other client can take. Returns false if it is already taken.
+    pub fn keep(&mut self) -> bool {
+        let mut state = self.connections.state();
+        self.is_valid = state.waiting.remove(&self.number).is_some();
+        state.valid += usize::from(self.is_valid);
+        self.is_valid
+    }
+}
+
+impl Drop for Place<'_> {
+    fn drop(&mut self) {
+        let mut state = self.connections.state();
+        state.waiting.remove(&self.number);
+        state.valid -= usize::from(self.is_valid);
+    }
+}
