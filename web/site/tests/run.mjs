@@ -5,6 +5,7 @@
 import { tests as compare } from './compare.mjs';
 import { tests as editing } from './editing.mjs';
 import { tests as exact } from './exact.mjs';
+import { tests as hostile } from './hostile.mjs';
 import { tests as keeping } from './keeping.mjs';
 import { tests as live } from './live.mjs';
 import { tests as looks } from './looks.mjs';
@@ -14,7 +15,7 @@ import { tests as timing } from './timing.mjs';
 import { tests as view } from './view.mjs';
 import { tests as walk } from './walk.mjs';
 
-const all = { ...compare, ...editing, ...exact, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view, ...walk };
+const all = { ...compare, ...editing, ...exact, ...hostile, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view, ...walk };
 const [name] = process.argv.slice(2);
 if (name === '--list') {
     console.log(Object.keys(all).join('\n'));
@@ -27,7 +28,7 @@ if (name === '--list') {
             await test({ open, url, faults, browser });
             // No test may leave an exception behind, or have sent a request to another host.
             check(faults.length === 0, `${known}: ${faults.join('; ')}`);
-            const foreign = requests.filter((request) => !/^(http:\/\/127\.0\.0\.1:|blob:|data:)/.test(request));
+            const foreign = requests.filter((request) => !/^(http:\/\/127\.0\.0\.1:|blob:|data:|file:)/.test(request));
             check(requests.length > 3 && foreign.length === 0, `${known}: requests to ${foreign}`);
         });
         console.log(`ok: ${known}`);
