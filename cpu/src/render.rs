@@ -153,7 +153,7 @@ impl<L: Layout> Kernel for Picture<'_, L> {
         for row in 0..prepared.size.height() {
             self.state.row = row;
             self.state.candidates.begin_row(prepared, row);
-            for span in spans_of_row(prepared.size.width(), prepared.samples) {
+            for span in spans_of_row(prepared.size.width(), prepared.samples, self.state.tracer.limits.samples) {
                 self.span(simd, &span);
                 if let Some(ended) = self.state.tracer.ended()? {
                     return Ok(Some(ended));

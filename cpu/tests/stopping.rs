@@ -18,7 +18,7 @@ fn stops(config: &str, scene: &str) {
     let scene = Scene::parse(scene.as_bytes()).expect("it is valid");
     let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("there is enough memory");
     for set in InstructionSet::available() {
-        let limits = Limits { surfaces: 1 << 20, ..Limits::default() };
+        let limits = Limits { surfaces: 1 << 20, ..Limits::prompt(scene.objects.len()) };
         std::thread::scope(|scope| {
             let (sender, receiver) = mpsc::channel();
             let (prepared, limits) = (&prepared, &limits);
@@ -67,6 +67,40 @@ fn a_sample_that_stays_in_glass_stops() {
         format!("{DEEP}camera_position: 9.9 0 0\ncamera_target: 9.9 1 0\ncamera_north: 0 0 1\nfield_of_view: 1\n");
     for count in [0, 5, 20, 200] {
         stops(&config, &format!("{GLASS}{}", far(count)));
+    }
+}
+
+#[test]
+fn a_sample_in_glass_of_many_objects_stops_though_each_ray_is_tested_against_all() {
+    let camera = "camera_position: 9.9 0 0\ncamera_target: 9.9 1 0\ncamera_north: 0 0 1\n";
+    // The magnitude of the last object leaves no faster structure.
+    let scene = format!("{GLASS}{}sphere: 1e150 0 0 1e149 g\n", "sphere: 0 0 0 10 g\n".repeat(20_000));
+    stops(&format!("samples_per_pixel: 9000000000000000000\nmax_depth: 1000\n{camera}"), &scene);
+}
+
+#[test]
+fn prompt_limits_change_no_byte() {
+    let materials = "matte: m .5 .6 .7\nmetal: s .9 .8 .7 .2\nrefractive: g 1.5\n";
+    let config = "image_width: 24\naspect_ratio: 2 1\nsamples_per_pixel: 70\nmax_depth: 9\n";
+    for count in [1, 5, 30] {
+        let object = |number: usize| {
+            let (x, material) = (1.5 * number as f64 - count as f64, ["m", "s", "g"][number % 3]);
+            format!("sphere: {x} 0 {} 1 {material}\n", number % 4)
+        };
+        let scene = materials.to_owned() + &(0..count).map(object).collect::<String>();
+        let config = Config::parse(config.as_bytes()).expect("it is valid");
+        let scene = Scene::parse(scene.as_bytes()).expect("it is valid");
+        let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("memory is enough");
+        let [usual, prompt] = [Limits::default(), Limits::prompt(usize::MAX)].map(|limits| {
+            let mut image = <Aos as Layout>::Image::black(prepared.size).expect("it is small");
+            let set = InstructionSet::chosen();
+            let ended = render_within(&prepared, set, &limits, &mut image, |_, _| ControlFlow::Continue(()));
+            assert_eq!(ended.expect("memory is enough"), None);
+            let mut ppm = Vec::new();
+            cpu::write_ppm(&image, &mut ppm).expect("memory is enough");
+            ppm
+        });
+        assert!(usual == prompt && usual.len() > 24 * 12 * 6, "{count} objects");
     }
 }
 

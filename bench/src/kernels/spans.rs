@@ -6,7 +6,7 @@ use cpu::internals::render::span_state::SpanState;
 use cpu::internals::render::specular_chains::TraceSpecularChains;
 use cpu::internals::render::stages::{ColorPaths, DrawSamples, FindBytes};
 use cpu::internals::render::trace_paths::TracePaths;
-use cpu::internals::{InstructionSet, Prepared};
+use cpu::internals::{InstructionSet, Limits, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
 use test_support::generator::{self, Arrangement, Options};
 
@@ -22,7 +22,7 @@ pub struct Stages {
 impl Stages {
     /// Returns the first span of `row` that begins at or after `column`, ready for its first stage.
     fn new(prepared: &'static Prepared<Aos>, row: usize, column: usize) -> Self {
-        let mut spans = spans_of_row(prepared.size.width(), prepared.samples);
+        let mut spans = spans_of_row(prepared.size.width(), prepared.samples, Limits::default().samples);
         let span = spans.find(|span| span.first >= column).expect("the row is longer");
         let set = InstructionSet::chosen();
         let mut state = SpanState::new(prepared, set).expect("it fits");

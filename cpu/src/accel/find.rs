@@ -19,6 +19,9 @@ pub struct Origin {
 
 /// An acceleration structure, which finds the closest hit of a ray.
 pub trait Accelerator {
+    /// Whether a ray may take milliseconds, because it may be tested against any number of objects.
+    const MAY_BE_SLOW: bool = true;
+
     /// Returns the closest hit of a ray that starts at `from`. `stack` is memory for the traversal. The caller counts
     /// the ray.
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, stack: &mut Stack) -> ClosestHit;

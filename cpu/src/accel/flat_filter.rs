@@ -129,6 +129,8 @@ fn middle(objects: &impl Objects, dominant: DominantSphere) -> Vec3 {
 }
 
 impl Accelerator for FlatFilter {
+    const MAY_BE_SLOW: bool = false;
+
     #[inline(always)]
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, _: &mut Stack) -> ClosestHit {
         let mut closest = ClosestHit::NOTHING;

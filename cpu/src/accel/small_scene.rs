@@ -91,6 +91,8 @@ fn intersect_cylinders<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &
 }
 
 impl Accelerator for SmallScene {
+    const MAY_BE_SLOW: bool = false;
+
     #[inline(always)]
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
         let (may_hit, mut closest) = (self.objects_may_hit::<S::F64, O>(objects, ray), ClosestHit::NOTHING);

@@ -1,13 +1,18 @@
 //! The limits at which a picture ends before it is complete: a request to stop, and the surfaces that paths hit.
 //!
 //! A path may send up to 2^64 rays, and a pixel may have as many samples. So the renderer looks at the request before
-//! each span of at most 1,024 samples, before each [`PIECE`] paths, and within a path at each [pause](RaysLeft::pauses).
-//! The pauses take the place of a test that each ray needs anyway, so they cost nothing.
+//! each span, before some paths, and within a path at each [pause](RaysLeft::pauses). The pauses take the place of a test
+//! that each ray needs anyway, so they cost nothing.
+//!
+//! In a large scene one ray may take milliseconds, for instance if all objects are at one place. [`Limits::prompt`] then
+//! chooses shorter spans, and a look before each ray.
 //!
 //! [`RaysLeft::pauses`]: crate::render::max_depth::RaysLeft::pauses
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::render::arrays::CAPACITY;
 
 /// Number of paths between two looks at the request to stop.
 pub const PIECE: usize = 64;
@@ -20,11 +25,16 @@ pub struct Limits {
     /// Largest number of surfaces that the paths of a span may hit together, after their first ones. The renderer
     /// stores 8 bytes for each. It has room for 8,192 of them from the start, so a smaller limit has no effect.
     pub surfaces: usize,
+    /// Whether the renderer looks at the request before each ray that starts on a surface. Structures for few objects
+    /// ignore this, because their rays are short work.
+    pub every_ray: bool,
+    /// Largest number of samples of a span, at most 1,024.
+    pub samples: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { stop: Arc::default(), surfaces: usize::MAX }
+        Self { stop: Arc::default(), surfaces: usize::MAX, every_ray: false, samples: CAPACITY }
     }
 }
 
@@ -38,6 +48,23 @@ pub enum Ended {
 }
 
 impl Limits {
+    /// Returns limits with which a picture of so many objects stops within some ten milliseconds, also if every ray is
+    /// tested against each object. Large scenes take a little longer with them.
+    #[must_use]
+    pub fn prompt(objects: usize) -> Self {
+        // So many tests of camera rays, several at once, take some ten milliseconds.
+        const TESTS: usize = 1 << 25;
+        const FEW: usize = 1000;
+
+        Self { every_ray: objects > FEW, samples: (TESTS / objects.max(1)).clamp(32, CAPACITY), ..Self::default() }
+    }
+
+    /// Whether the picture is to stop, and the renderer looks before each ray.
+    #[inline(always)]
+    pub fn stops_every_ray(&self) -> bool {
+        self.every_ray && self.is_stopped()
+    }
+
     /// Whether the picture is to stop.
     #[inline(always)]
     pub fn is_stopped(&self) -> bool {

@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use crate::render::arrays::CAPACITY;
-
 /// Largest width of a span, in pixels. In a wider span each ray would be tested against more candidates. A span may be
 /// narrower. This constant is a multiple of every instruction set's number of lanes, because it is the length of arrays
 /// that are stored in whole lanes.
@@ -57,20 +55,20 @@ impl Span {
     }
 }
 
-/// The spans of a row of `width` pixels with `samples` samples each, in order. Each has at most [`CAPACITY`] samples in
-/// at most [`WIDEST`] pixels.
-pub fn spans_of_row(width: usize, samples: u64) -> impl Iterator<Item = Span> {
+/// The spans of a row of `width` pixels with `samples` samples each, in order. Each has at most `most` samples
+/// in at most [`WIDEST`] pixels. `most` must not exceed the length of the arrays of a span (`render/arrays.rs`).
+pub fn spans_of_row(width: usize, samples: u64, most: usize) -> impl Iterator<Item = Span> {
     let (mut column, mut sample) = (0, 0);
     std::iter::from_fn(move || {
         if column == width {
             return None;
         }
         let (first, first_sample) = (column, sample);
-        let room = CAPACITY as u64;
+        let room = most as u64;
         let left_in_pixel = samples - first_sample;
         if left_in_pixel > room {
             sample += room;
-            return Some(Span { first, first_sample, count: CAPACITY, last: first });
+            return Some(Span { first, first_sample, count: most, last: first });
         }
         // The span has the rest of the first pixel, then as many whole pixels as fit.
         let whole = ((room - left_in_pixel) / samples).min(WIDEST as u64 - 1) as usize;
@@ -84,30 +82,33 @@ pub fn spans_of_row(width: usize, samples: u64) -> impl Iterator<Item = Span> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::render::arrays::CAPACITY;
 
-    fn spans(width: usize, samples: u64) -> Vec<Span> {
-        spans_of_row(width, samples).collect()
+    fn spans(width: usize, samples: u64, most: usize) -> Vec<Span> {
+        spans_of_row(width, samples, most).collect()
     }
 
     #[test]
     fn spans_cover_a_row_in_order() {
         for (width, samples) in [(1, 1), (100, 1), (33, 20), (7, 300), (3, CAPACITY as u64), (2, 5000), (5, 1025)] {
-            let all = spans(width, samples);
-            let total: u64 = all.iter().map(|span| span.count as u64).sum();
-            assert_eq!(total, width as u64 * samples, "{width} pixels of {samples}");
-            let mut position = 0;
-            for span in &all {
-                let mut next = 0;
-                for (column, range) in span.pixels(samples) {
-                    let first = span.first as u64 * samples + span.first_sample + range.start as u64;
-                    assert_eq!((range.start, column as u64), (next, first / samples));
-                    next = range.end;
+            for most in [CAPACITY, 32] {
+                let all = spans(width, samples, most);
+                let total: u64 = all.iter().map(|span| span.count as u64).sum();
+                assert_eq!(total, width as u64 * samples, "{width} pixels of {samples}");
+                let mut position = 0;
+                for span in &all {
+                    let mut next = 0;
+                    for (column, range) in span.pixels(samples) {
+                        let first = span.first as u64 * samples + span.first_sample + range.start as u64;
+                        assert_eq!((range.start, column as u64), (next, first / samples));
+                        next = range.end;
+                    }
+                    assert_eq!(next, span.count);
+                    assert_eq!(span.first as u64 * samples + span.first_sample, position);
+                    position += span.count as u64;
+                    assert_eq!(span.last as u64, (position - 1) / samples);
+                    assert!(span.count <= most && span.last - span.first < WIDEST);
                 }
-                assert_eq!(next, span.count);
-                assert_eq!(span.first as u64 * samples + span.first_sample, position);
-                position += span.count as u64;
-                assert_eq!(span.last as u64, (position - 1) / samples);
-                assert!(span.count <= CAPACITY && span.last - span.first < WIDEST);
             }
         }
     }
@@ -123,7 +124,7 @@ mod tests {
 
     #[test]
     fn the_first_span_of_a_pixel_with_most_samples_is_full() {
-        let first = spans_of_row(1, u64::MAX).next();
+        let first = spans_of_row(1, u64::MAX, CAPACITY).next();
         assert_eq!(first, Some(Span { first: 0, first_sample: 0, count: CAPACITY, last: 0 }));
     }
 }

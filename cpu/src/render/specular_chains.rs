@@ -113,7 +113,7 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, limits: &Limits, batch: &mu
     let mut ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
     let mut origin = object as ObjectId;
     let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
-    while !(rays.pauses() && (rays.is_none() || limits.is_stopped())) {
+    while !(rays.pauses() && (rays.is_none() || limits.is_stopped())) && !limits.stops_every_ray() {
         rays = rays.minus_one();
         let hit = prepared.accel.closest_hit::<S, L::Objects>(&prepared.objects, &ray, origin, &mut batch.stack);
         if !hit.is_hit() {

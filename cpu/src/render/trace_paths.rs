@@ -82,6 +82,9 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
         let mut rays = RaysLeft::of_bits(vertex.rays);
         let mut origin = accel.origin(objects, &ray, vertex.object as ObjectId);
         loop {
+            if A::MAY_BE_SLOW && tracer.limits.stops_every_ray() {
+                return tracer.ends.terminate(at, &mut tracer.queue);
+            }
             add(Counter::PathRays, 1);
             let hit = accel.closest_hit::<S, _>(objects, &ray, origin, &mut tracer.stack);
             if !hit.is_hit() {

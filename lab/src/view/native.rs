@@ -1,6 +1,7 @@
 //! Renders pictures for the page, one at a time. A new picture stops the one before it, and so does a client that has
 //! closed its connection.
 
+use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -53,6 +54,25 @@ struct Texts {
     scene: String,
 }
 
+/// The file of a picture in memory. Writing fails when the picture is to stop.
+struct File<'a> {
+    bytes: &'a mut Vec<u8>,
+    limits: &'a Limits,
+}
+
+impl Write for File<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.limits.is_stopped() {
+            return Err(io::ErrorKind::ConnectionAborted.into());
+        }
+        self.bytes.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 /// The reason why a request for a picture gets none.
 enum Refusal {
     /// An error of the renderer, or a text that is no JSON.
@@ -103,9 +123,9 @@ impl Native {
         let (_, before) = std::mem::replace(&mut *self.current(), (number, Arc::clone(&stop)));
         before.store(true, Ordering::SeqCst);
         let (sender, receiver) = mpsc::channel();
-        let limits = Limits { stop: Arc::clone(&stop), surfaces: MAX_SURFACES };
         std::thread::scope(|scope| {
-            let work = move || drop(sender.send(self.ppm(&limits, body)));
+            let stop_of_picture = Arc::clone(&stop);
+            let work = move || drop(sender.send(self.ppm(&stop_of_picture, body)));
             if std::thread::Builder::new().name("picture".to_owned()).spawn_scoped(scope, work).is_err() {
                 return Answer::refused("503 Service Unavailable", "no thread can be started");
             }
@@ -142,9 +162,9 @@ impl Native {
     }
 
     /// Returns the PPM file of the two texts in `body`, with its share of the budget.
-    fn ppm(&self, limits: &Limits, body: &[u8]) -> Result<(Vec<u8>, Share), Refusal> {
+    fn ppm(&self, stop: &Arc<AtomicBool>, body: &[u8]) -> Result<(Vec<u8>, Share), Refusal> {
         let _busy = self.busy.lock().unwrap_or_else(PoisonError::into_inner);
-        let check = || if limits.is_stopped() { Err(Refusal::Cancelled) } else { Ok(()) };
+        let check = || if stop.load(Ordering::SeqCst) { Err(Refusal::Cancelled) } else { Ok(()) };
         check()?;
         let texts: Texts = serde_json::from_slice(body).map_err(|error| Refusal::Message(error.to_string()))?;
         for (name, text) in [("configuration", &texts.config), ("scene", &texts.scene)] {
@@ -169,7 +189,9 @@ impl Native {
         self.rows[0].store(0, Ordering::SeqCst);
         self.rows[1].store(prepared.size.height(), Ordering::SeqCst);
         let mut image = <Aos as Layout>::Image::black(prepared.size)?;
-        let ended = render_within(&prepared, InstructionSet::chosen(), limits, &mut image, |rows, _| {
+        let limits = Limits { stop: Arc::clone(stop), surfaces: MAX_SURFACES, ..Limits::prompt(scene.objects.len()) };
+        drop(scene);
+        let ended = render_within(&prepared, InstructionSet::chosen(), &limits, &mut image, |rows, _| {
             self.rows[0].store(rows, Ordering::SeqCst);
             ControlFlow::Continue(())
         })?;
@@ -188,7 +210,8 @@ impl Native {
         let no_memory = |_| Refusal::Message("Not enough memory for the file of the picture".to_owned());
         // The header has less than a hundred bytes.
         ppm.try_reserve_exact(pixels * (PIXEL_BYTES - 3) + 100).map_err(no_memory)?;
-        cpu::write_ppm(&image, &mut ppm).map_err(|error| Refusal::Message(error.to_string()))?;
+        // The only reason for which this writer fails is the request to stop.
+        cpu::write_ppm(&image, &mut File { bytes: &mut ppm, limits: &limits }).map_err(|_| Refusal::Cancelled)?;
         drop(image);
         share.shrink(ppm.len());
         Ok((ppm, share))
