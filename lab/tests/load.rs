@@ -72,12 +72,12 @@ impl Program {
     /// Returns the time of the honest picture in seconds. The honest page also asks whether a file has changed.
     fn picture(&self) -> f64 {
         let scene = "matte: m .5 .5 .5\nsphere: 0 0 0 4 m\nsphere: 1 5 0 3 m\nsphere: 4 -2 1 2 m\n";
-        let config = "image_width: 240\nsamples_per_pixel: 60\n";
+        let config = "image_width: 480\nsamples_per_pixel: 150\n";
         let body = serde_json::json!({ "config": config, "scene": scene }).to_string();
         let start = Instant::now();
         assert_eq!(self.ask("GET", "/view/version", "").0, "HTTP/1.1 200");
         let (status, length) = self.ask("POST", "/view/render/1", &body);
-        assert!(status == "HTTP/1.1 200" && length > 240 * 135 * 6, "{status} {length}");
+        assert!(status == "HTTP/1.1 200" && length > 480 * 270 * 6, "{status} {length}");
         start.elapsed().as_secs_f64()
     }
 

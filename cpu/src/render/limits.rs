@@ -1,11 +1,11 @@
 //! The limits at which a picture ends before it is complete: a request to stop, and the surfaces that paths hit.
 //!
 //! A path may send up to 2^64 rays, and a pixel may have as many samples. So the renderer looks at the request before
-//! each span, before some paths, and within a path at each [pause](RaysLeft::pauses). The pauses take the place of a test
-//! that each ray needs anyway, so they cost nothing.
+//! each span, each 64 paths, and within a path at each [pause](RaysLeft::pauses). The test for a pause takes the place
+//! of a test that each ray needs anyway.
 //!
-//! In a large scene one ray may take milliseconds, for instance if all objects are at one place. [`Limits::prompt`] then
-//! chooses shorter spans, and a look before each ray.
+//! In a large scene one ray may take milliseconds, for instance if all objects are at one place. For such a scene,
+//! [`Limits::prompt`] chooses shorter spans, and a look before each ray.
 //!
 //! [`RaysLeft::pauses`]: crate::render::max_depth::RaysLeft::pauses
 

@@ -33,8 +33,8 @@ impl RaysLeft {
         self.0 == 0
     }
 
-    /// Whether the path pauses here, to look whether the picture is to stop: at every 64th ray, and
-    /// when no ray is left. This test is as short as [`RaysLeft::is_none`], so a caller that needs both begins with this
+    /// Whether the path pauses here, to look whether the picture is to stop: at every 64th ray, and when no ray is
+    /// left. This test is as short as [`RaysLeft::is_none`], so a caller that needs both begins with this
     /// one.
     #[inline(always)]
     pub const fn pauses(self) -> bool {

@@ -74,8 +74,8 @@ impl PathTracer {
     }
 
     /// Continues the path at index `at` of the queue at `hit`, and returns its next ray. `rays` is the number of rays
-    /// that the path may still send. If there are none, or if the picture ends, the path ends in black and the result is
-    /// `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
+    /// that the path may still send. If there are none, or if the picture ends, the path ends in black, and the result
+    /// is `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
     #[inline(always)]
     pub fn scatter<'a, L: Layout>(
         &mut self,

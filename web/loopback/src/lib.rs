@@ -6,6 +6,7 @@
 //! [`request`] reads requests and limits their size. [`client`] limits their time. [`secret`] tells which requests are
 //! answered. [`connections`] limits their number, and [`budget`] the bytes of all of them together.
 
+mod answer;
 pub mod budget;
 pub mod client;
 pub mod connections;
@@ -18,6 +19,8 @@ use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::time::Duration;
 
+pub use answer::Answer;
+use answer::HEADERS;
 use budget::{Budget, Share};
 use client::{Client, Timed};
 use connections::{Connections, Place};
@@ -36,20 +39,6 @@ const LEAST_RATE: usize = 8 << 20;
 
 /// Time that the server waits for a resource, such as a free file descriptor, before it accepts connections again.
 const PAUSE: Duration = Duration::from_millis(50);
-
-/// The headers of every answer. No page of another origin may show an answer in a frame, load it or refer to its
-/// window. The browser loads nothing from another host, stores no answer, and does not guess content types.
-const HEADERS: &str = "\
-    Content-Security-Policy: default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; \
-    style-src 'self' 'unsafe-inline'; img-src 'self' data:; base-uri 'none'; form-action 'none'; \
-    frame-ancestors 'none'\r\n\
-    X-Frame-Options: DENY\r\n\
-    X-Content-Type-Options: nosniff\r\n\
-    Referrer-Policy: no-referrer\r\n\
-    Cache-Control: no-store\r\n\
-    Cross-Origin-Opener-Policy: same-origin\r\n\
-    Cross-Origin-Resource-Policy: same-origin\r\n\
-    Connection: close\r\n";
 
 /// The text for a request without the secret.
 const NO_SECRET: &str = "403 Forbidden: this needs the secret of this server. Open the address that the program has \
@@ -75,45 +64,6 @@ struct Patience {
     answer: Duration,
     /// Least number of bytes of an answer that must be accepted in a second.
     rate: usize,
-}
-
-/// The answer to a request.
-#[derive(Debug)]
-pub struct Answer {
-    /// The status, such as `200 OK`.
-    pub status: &'static str,
-    /// The content type, without a character set. Texts are UTF-8.
-    pub kind: &'static str,
-    /// The content.
-    pub body: Arc<Vec<u8>>,
-    /// The bytes of the budget that the body takes, if the owner of the server has counted them already.
-    pub share: Option<Share>,
-}
-
-impl Answer {
-    /// Returns the answer that succeeds with `body`.
-    #[must_use]
-    pub fn ok(kind: &'static str, body: impl Into<Vec<u8>>) -> Self {
-        Self::shared(kind, Arc::new(body.into()))
-    }
-
-    /// Returns the answer that succeeds with `body`, which other answers may use at the same time.
-    #[must_use]
-    pub const fn shared(kind: &'static str, body: Arc<Vec<u8>>) -> Self {
-        Self { status: "200 OK", kind, body, share: None }
-    }
-
-    /// Returns an answer that fails with `status`, and with `text` as an explanation.
-    #[must_use]
-    pub fn refused(status: &'static str, text: impl Into<String>) -> Self {
-        Self { status, kind: "text/plain", body: Arc::new(text.into().into_bytes()), share: None }
-    }
-
-    /// Returns the answer to a request for a path that does not exist.
-    #[must_use]
-    pub fn not_found() -> Self {
-        Self::refused("404 Not Found", "there is nothing here")
-    }
 }
 
 impl Server {

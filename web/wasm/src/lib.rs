@@ -185,8 +185,8 @@ pub extern "C" fn steps(pixel: usize) -> u32 {
 }
 
 /// Makes the result three numbers with blanks between them: the pixels of the configuration's picture, the samples of
-/// each pixel, and the maximum depth. Their product is the largest number of rays. Returns 0, or 1 with a fault as after
-/// [`check`].
+/// each pixel, and the maximum depth. Their product is the largest number of rays. Returns 0, or 1 with a fault as
+/// after [`check`].
 #[unsafe(no_mangle)]
 pub extern "C" fn cost() -> u32 {
     with_state(|state| {

@@ -1,0 +1,195 @@
+//! Tests of the requests for pictures: their bytes, their limits, and how they are stopped.
+
+use std::time::{Duration, Instant};
+
+use test_support::{digest, golden};
+
+use super::*;
+
+#[test]
+fn a_picture_has_the_bytes_of_the_evaluated_program() {
+    let (_folder, view) = view();
+    let cases: Vec<_> =
+        golden::cases().into_iter().filter(|case| case.scatter == cpu::Scatter::Statement).take(4).collect();
+    assert_eq!(cases.len(), 4);
+    for (number, case) in cases.iter().enumerate() {
+        let [config, scene] =
+            [&case.config, &case.scene].map(|path| fs::read_to_string(path).expect("it is committed"));
+        let body = serde_json::json!({ "config": config, "scene": scene }).to_string();
+        let (status, ppm) = asked(&view, "POST", &format!("/view/render/{number}"), &body);
+        assert_eq!(
+            (status, digest::sha256(ppm.as_bytes())),
+            ("200", case.digest().expect("it is listed")),
+            "{}",
+            case.name
+        );
+        let [done, all]: [usize; 2] = [0, 1].map(|place| {
+            let progress = asked(&view, "GET", "/view/progress", "").1;
+            progress.split(' ').nth(place).and_then(|count| count.parse().ok()).expect("two numbers")
+        });
+        assert!(done == all && all > 0, "all rows are finished");
+    }
+}
+
+#[test]
+fn a_picture_that_cannot_be_made_gets_the_words_of_the_renderer() {
+    let (_folder, view) = view();
+    let render = |config: &str| {
+        let body = serde_json::json!({ "config": config, "scene": "" }).to_string();
+        asked(&view, "POST", "/view/render/1", &body)
+    };
+    assert_eq!(render("gama: 2"), ("422", "Unknown configuration key: [gama:]".to_owned()));
+    let (status, message) = render("image_width: 33554433\naspect_ratio: 33554433 1\n");
+    assert!(status == "413" && message.contains("33554433 pixels, and the page shows at most 33554432"), "{message}");
+    assert_eq!(asked(&view, "POST", "/view/render/1", "{").0, "422");
+    assert_eq!(asked(&view, "POST", "/view/render/x", "{}").0, "404");
+}
+
+/// Returns the body that asks for a picture.
+fn texts(config: &str, scene: &str) -> String {
+    serde_json::json!({ "config": config, "scene": scene }).to_string()
+}
+
+/// Pictures that would take longer than anyone waits: with most samples, and with a path between mirrors or in glass.
+fn endless() -> [String; 3] {
+    let one = "image_width: 1\naspect_ratio: 1 1\nsamples_per_pixel: 1\nmax_depth: 1000000000000000000\n";
+    [
+        texts("image_width: 8\nsamples_per_pixel: 9000000000000000000\n", "matte: m .5 .5 .5\nsphere: 0 0 0 1 m\n"),
+        texts(
+            &format!("{one}camera_position: 9.9 0 0\ncamera_target: 9.9 1 0\ncamera_north: 0 0 1\n"),
+            "refractive: g 1.5\nsphere: 0 0 0 10 g\n",
+        ),
+        texts(
+            &format!("{one}camera_position: 0 0 0\ncamera_target: 0 .3 -1\nfield_of_view: .001\n"),
+            "refractive: g 1.5\nmetal: m 1 1 1 0\ncylinder: 0 0 4999990 1 0 0 10000000 g\ncylinder: 0 0 -5.5 .99 0 0 1 m\n",
+        ),
+    ]
+}
+
+/// Time after which a picture must have been cancelled, many times as long as the promised 100 ms.
+const SOON: Duration = Duration::from_secs(3);
+
+/// Waits until the picture that was requested last is being rendered.
+fn until_rendering(view: &View) {
+    while asked(view, "GET", "/view/progress", "").1 == "0 0" {
+        std::thread::yield_now();
+    }
+    // From here on the renderer is between the start and the first row.
+    std::thread::sleep(Duration::from_millis(20));
+}
+
+#[test]
+fn only_the_picture_with_the_number_is_cancelled_and_soon() {
+    for body in endless() {
+        let (_folder, view) = view();
+        std::thread::scope(|scope| {
+            let picture = scope.spawn(|| asked(&view, "POST", "/view/render/7", &body));
+            until_rendering(&view);
+            assert_eq!(asked(&view, "POST", "/view/cancel/8", "").0, "200");
+            assert!(!picture.is_finished());
+            let start = Instant::now();
+            assert_eq!(asked(&view, "POST", "/view/cancel/7", "").0, "200");
+            assert_eq!(picture.join().expect("it does not panic").0, "409");
+            assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+            assert_eq!(view.budget.taken(), 0);
+        });
+    }
+}
+
+#[test]
+fn a_picture_whose_client_has_gone_is_cancelled_and_the_next_one_comes_soon() {
+    let small = texts("image_width: 8\n", "");
+    for body in endless() {
+        let (_folder, view) = view();
+        std::thread::scope(|scope| {
+            // As many clients go as there are connections. Only the first one is rendered before it goes.
+            let gone: Vec<_> = (0..loopback::connections::MAX_CONNECTIONS as u32)
+                .map(|number| {
+                    let [client, server] = connection();
+                    let (view, body) = (&view, &body);
+                    let path = format!("/view/render/{number}");
+                    let picture = scope.spawn(move || asked_by(&server, view, "POST", &path, body));
+                    if number == 0 {
+                        until_rendering(view);
+                    }
+                    drop(client);
+                    picture
+                })
+                .collect();
+            for picture in gone {
+                assert_eq!(picture.join().expect("it does not panic").0, "409");
+            }
+            let start = Instant::now();
+            assert_eq!(asked(&view, "POST", "/view/render/99", &small).0, "200");
+            assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+        });
+    }
+}
+
+#[test]
+fn a_new_picture_stops_the_one_before_it() {
+    for body in endless() {
+        let (_folder, view) = view();
+        std::thread::scope(|scope| {
+            let picture = scope.spawn(|| asked(&view, "POST", "/view/render/1", &body));
+            until_rendering(&view);
+            let start = Instant::now();
+            assert_eq!(asked(&view, "POST", "/view/render/2", &texts("image_width: 8\n", "")).0, "200");
+            assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+            assert_eq!(picture.join().expect("it does not panic").0, "409");
+        });
+    }
+}
+
+#[test]
+fn a_path_that_hits_too_many_surfaces_is_refused_with_the_number() {
+    let (_folder, view) = view();
+    let one = "image_width: 1\naspect_ratio: 1 1\nsamples_per_pixel: 1\nmax_depth:";
+    let mirrors = "metal: m 1 1 1 0\nsphere: 0 0 -10 100 m\n";
+    // The first surface of a path is not counted, and the last ray hits one that is not stored.
+    let render = |depth: u64| asked(&view, "POST", "/view/render/1", &texts(&format!("{one} {depth}\n"), mirrors));
+    assert_eq!(render((1 << 23) + 2).0, "200");
+    let (status, message) = render((1 << 23) + 3);
+    assert!(status == "413" && message.contains("more than 8388608 surfaces"), "{message}");
+}
+
+#[test]
+fn a_picture_is_counted_and_one_that_does_not_fit_is_refused_with_the_numbers() {
+    let (_folder, mut view) = view();
+    let paths = 12 << 23;
+    let budget = Budget::new(paths + 64 * 15);
+    view.native = Native::new(budget.clone());
+    let render = |pixels: u64| {
+        let config = format!("image_width: {pixels}\naspect_ratio: {pixels} 1\n");
+        let [_client, server] = connection();
+        let body = texts(&config, "").into_bytes();
+        let request = Request { method: "POST".to_owned(), path: "/view/render/1".to_owned(), body };
+        view.answer(&request, &Client::new(&server))
+    };
+    let answer = render(64);
+    assert_eq!((answer.status, budget.taken()), ("200 OK", answer.body.len()), "until it is sent");
+    let refused = render(64);
+    let free = paths + 64 * 15 - answer.body.len();
+    let text = format!("this takes {} bytes, and {free} of {} bytes are free; try", paths + 960, paths + 960);
+    assert_eq!(refused.status, "503 Service Unavailable");
+    assert!(refused.body.starts_with(text.as_bytes()), "{}", String::from_utf8_lossy(&refused.body));
+    drop(answer);
+    let refused = render(65);
+    assert!(refused.body.ends_with(b"make it smaller"), "{}", String::from_utf8_lossy(&refused.body));
+    assert_eq!(budget.taken(), 0);
+    assert_eq!(render(64).status, "200 OK");
+}
+
+#[test]
+fn texts_of_exactly_the_limit_are_rendered_and_one_byte_more_is_refused() {
+    let (_folder, view) = view();
+    let render = |config: &str, scene: &str| asked(&view, "POST", "/view/render/1", &texts(config, scene));
+    let small = "image_width: 8\n";
+    let config = |length: usize| format!("{small}{}", "\n".repeat(length - small.len()));
+    let most = input::MAX_TEXT as usize;
+    assert_eq!(render(&config(most), &"\n".repeat(most)).0, "200");
+    for (config, scene) in [(config(most + 1), String::new()), (small.to_owned(), "\n".repeat(most + 1))] {
+        let (status, message) = render(&config, &scene);
+        assert!(status == "413" && message.contains("has 16777217 bytes"), "{message}");
+    }
+}
