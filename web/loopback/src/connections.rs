@@ -73,3 +73,28 @@ impl Drop for Place<'_> {
         state.valid -= usize::from(self.is_valid);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::net::TcpListener;
+
+    use super::*;
+
+    #[test]
+    fn valid_requests_keep_their_places_and_others_give_way_to_newer_ones() {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+        let stream = TcpStream::connect(listener.local_addr().expect("it listens")).expect("it listens");
+        let connections = Connections::default();
+        let enter = || connections.enter(&stream).map(|number| connections.place(number));
+        let mut places: Vec<_> = (0..MAX_CONNECTIONS).map(|_| enter().expect("there is a place")).collect();
+        // The newest one takes the place of the oldest one, which can then keep none.
+        places.push(enter().expect("the oldest gives way"));
+        assert_eq!(places.iter_mut().filter_map(|place| place.keep().then_some(())).count(), MAX_CONNECTIONS);
+        assert!(!places[0].is_valid && places[1].is_valid);
+        assert!(enter().is_none(), "all of them are valid");
+        drop(places.remove(0));
+        assert!(enter().is_none(), "it had no place to give back");
+        drop(places.pop());
+        assert!(enter().expect("a place is free").keep());
+    }
+}
