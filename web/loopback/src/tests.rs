@@ -181,8 +181,8 @@ fn too_many_valid_requests_get_status_503_and_later_ones_are_answered() {
     let server = server();
     let address = server.address().expect("it listens");
     std::thread::spawn(move || server.serve(answer));
-    // The request of each client is valid, but its body does not come. A connection may be closed for a newer one before
-    // its request is read, so a few more clients than places are needed.
+    // The request of each client is valid, but its body does not come. A connection may be closed for a newer one
+    // before its request is read, so a few more clients than places may be needed.
     let post = "POST /echo HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\n";
     let mut valid = Vec::new();
     while !answer_to(address, &get("/data/a")).starts_with("HTTP/1.1 503") {
