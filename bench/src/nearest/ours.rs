@@ -96,11 +96,7 @@ impl Ours {
 
 #[inline(always)]
 fn nearest(hit: &ClosestHit) -> NearestHit {
-    if !hit.is_hit() {
-        return NearestHit::NOTHING;
-    }
-    // The rank is the place for a sphere or a side, and `-1 - place` for a cap.
-    NearestHit { place: hit.rank.max(-1 - hit.rank) as u32, lambda: hit.lambda }
+    if hit.is_hit() { NearestHit { place: hit.order, lambda: hit.lambda } } else { NearestHit::NOTHING }
 }
 
 /// A kernel that finds the nearest hit of one ray after the other.

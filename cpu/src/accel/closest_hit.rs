@@ -3,7 +3,7 @@
 use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
 use crate::exact::{self, error_bound::Decision};
-use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::NO_RANK, tie::is_closer, tie::rank};
+use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::Place, tie::is_closer};
 use crate::layout::Objects;
 
 /// The closest hit among the objects intersected so far.
@@ -13,16 +13,22 @@ pub struct ClosestHit {
     pub lambda: f64,
     /// The object that is hit, or [`NO_OBJECT`] if there is no hit.
     pub object: ObjectId,
-    /// The [rank] of the hit among hits at the same lambda.
-    pub rank: i64,
+    /// The object's place in the scene file, which decides between hits at the same lambda.
+    pub order: u32,
     /// The part of a cylinder that is hit. It is the side for a sphere.
     pub part: CylinderPart,
 }
 
 impl ClosestHit {
-    /// The value before any hit. Every hit replaces it, even one whose lambda is infinite.
+    /// The value before any hit. Every hit replaces it, even one whose lambda is infinite, because no hit at the same
+    /// lambda has a lower rank than the last object's cap.
     pub const NOTHING: Self =
-        Self { lambda: f64::INFINITY, object: NO_OBJECT, rank: NO_RANK, part: CylinderPart::Side };
+        Self { lambda: f64::INFINITY, object: NO_OBJECT, order: u32::MAX, part: CylinderPart::Bottom };
+
+    #[inline(always)]
+    fn place(&self) -> Place {
+        Place { order: self.order, on_cap: self.part != CylinderPart::Side }
+    }
 
     /// Whether any object is hit.
     #[inline(always)]
@@ -30,18 +36,18 @@ impl ClosestHit {
         self.object != NO_OBJECT
     }
 
-    /// Replaces the hit by the one that the parameters describe, if that one is closer. `order` is the object's place in
-    /// the scene file. Of two hits at the same lambda, the one with the higher [rank] counts.
+    /// Replaces the hit by the one that the parameters describe, if that one is closer by the [rule for
+    /// ties](crate::geometry::tie). `order` is the object's place in the scene file.
     #[inline(always)]
     pub fn update(&mut self, lambda: f64, object: ObjectId, order: u32, part: CylinderPart) {
-        self.update_by(&Self { lambda, object, rank: rank(order, part != CylinderPart::Side), part });
+        self.update_by(&Self { lambda, object, order, part });
     }
 
     /// Replaces the hit by `other`, which must be a hit, if that one is closer.
     #[inline(always)]
     pub fn update_by(&mut self, other: &Self) {
         debug_assert!(other.is_hit());
-        if is_closer((other.lambda, other.rank), (self.lambda, self.rank)) {
+        if is_closer((other.lambda, other.place()), (self.lambda, self.place())) {
             *self = *other;
         }
     }

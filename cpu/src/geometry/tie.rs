@@ -7,7 +7,7 @@
 //!
 //! All comparisons of the hits on two objects call the functions of this module. In lanes the objects are intersected
 //! in the order of the scene file (`object::in_order` and `render/frustum.rs` sort them by the places that `layout.rs`
-//! gives). Searches in any order compare the [ranks](rank) of two hits. Two parts of a cylinder have the same lambda
+//! gives). Searches in any order compare the [ranks](Place::rank) of two hits. Two parts of a cylinder have the same lambda
 //! only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie, so
 //! `exact/cylinder.rs` and `exact/cylinder_lanes.rs` find the part without this rule. The reference has a literal copy of
 //! this rule in `update` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
@@ -28,27 +28,39 @@ pub fn later_cap_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
     lambda.less(closest)
 }
 
-/// The rank of no hit. Every hit has a higher rank.
-pub const NO_RANK: i64 = i64::MIN;
+/// The place of a hit, which decides between hits at the same lambda.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// The place of the object in the scene file.
+    pub order: u32,
+    /// Whether the hit is on a cap.
+    pub on_cap: bool,
+}
 
-/// Returns the rank of a hit among the hits at the same lambda: the hit with the highest rank counts. `order` is the
-/// object's place in the scene file.
-#[inline(always)]
-pub fn rank(order: u32, on_cap: bool) -> i64 {
-    if on_cap { -1 - i64::from(order) } else { i64::from(order) }
+impl Place {
+    /// Returns the rank of the hit among the hits at the same lambda: the hit with the highest rank counts.
+    #[inline(always)]
+    pub fn rank(self) -> i64 {
+        let order = i64::from(self.order);
+        if self.on_cap { -1 - order } else { order }
+    }
 }
 
 /// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
-/// are equal and its rank is not lower. Each hit is a pair of lambda and [`rank`]. The objects may come in any order. It
-/// serves one ray; lanes call [`later_is_closer`] and [`later_cap_is_closer`].
+/// are equal and its [rank](Place::rank) is not lower. Each hit is a pair of lambda and place. The objects may come in
+/// any order. It serves one ray; lanes call [`later_is_closer`] and [`later_cap_is_closer`].
 #[inline(always)]
-pub fn is_closer<T: Real<Mask = bool>>((lambda, rank): (T, i64), (closest, closest_rank): (T, i64)) -> bool {
-    lambda.less_equal(closest) && (lambda.less(closest) || rank >= closest_rank)
+pub fn is_closer<T: Real<Mask = bool>>((lambda, place): (T, Place), (closest, closest_place): (T, Place)) -> bool {
+    lambda.less_equal(closest) && (lambda.less(closest) || place.rank() >= closest_place.rank())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn place(order: u32, on_cap: bool) -> Place {
+        Place { order, on_cap }
+    }
 
     /// Returns the index of the hit that counts, by the statement's rule, of hits at one lambda in the order of the
     /// scene file. Each hit says whether it is on a cap.
@@ -61,9 +73,9 @@ mod tests {
         for bits in 0..8 {
             let on_cap = [0, 1, 2].map(|index| bits >> index & 1 == 1);
             for search in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
-                let (mut found, mut closest) = (usize::MAX, (f64::INFINITY, NO_RANK));
+                let (mut found, mut closest) = (usize::MAX, (f64::INFINITY, place(0, false)));
                 for index in search {
-                    let hit = (2.0, rank(index as u32, on_cap[index]));
+                    let hit = (2.0, place(index as u32, on_cap[index]));
                     if is_closer(hit, closest) {
                         (found, closest) = (index, hit);
                     }
@@ -75,10 +87,10 @@ mod tests {
 
     #[test]
     fn a_smaller_lambda_wins_whatever_the_rank() {
-        assert!(is_closer((1.0, rank(5, true)), (2.0, rank(9, false))));
-        assert!(!is_closer((2.0, rank(9, false)), (1.0, rank(5, true))));
+        assert!(is_closer((1.0, place(5, true)), (2.0, place(9, false))));
+        assert!(!is_closer((2.0, place(9, false)), (1.0, place(5, true))));
         assert!(later_is_closer(2.0_f64, 2.0));
         assert!(!later_cap_is_closer(2.0_f64, 2.0) && later_cap_is_closer(1.0_f64, 2.0));
-        assert!(rank(u32::MAX, true) > NO_RANK && rank(0, false) > rank(0, true));
+        assert!(place(0, false).rank() > place(0, true).rank());
     }
 }

@@ -4,7 +4,7 @@
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::internals::geometry::tie::{is_closer, rank};
+use cpu::internals::geometry::tie::{Place, is_closer};
 use cpu::internals::layout::Placed;
 use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::real::Real;
@@ -18,8 +18,14 @@ use crate::picture::{Kind, PackedMaterial};
 struct ClosestHit<T> {
     lambda: T,
     order: u32,
-    rank: i64,
     surface: Surface,
+}
+
+impl<T> ClosestHit<T> {
+    fn place(&self) -> Place {
+        let on_cap = matches!(self.surface, Surface::Cylinder(_, CylinderPart::Top | CylinderPart::Bottom));
+        Place { order: self.order, on_cap }
+    }
 }
 
 /// The surface that a ray hits first, with the hit.
@@ -90,7 +96,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
                 update(&mut closest, lambda, *order, Surface::Cylinder(index, part));
             }
         }
-        let ClosestHit { lambda, order, surface, .. } = closest?;
+        let ClosestHit { lambda, order, surface } = closest?;
         let point = ray.at(lambda);
         let (outward, material, part) = match surface {
             Surface::Sphere(index) => (self.spheres[index].record.outward(point), self.spheres[index].material, 0),
@@ -124,8 +130,8 @@ pub fn scattered<T: Real<Mask = bool>>(
 
 /// Replaces the closest hit by the hit at `lambda` if that hit is closer. The objects may come in any order.
 fn update<T: Real<Mask = bool>>(closest: &mut Option<ClosestHit<T>>, lambda: T, order: u32, surface: Surface) {
-    let rank = rank(order, matches!(surface, Surface::Cylinder(_, CylinderPart::Top | CylinderPart::Bottom)));
-    if closest.as_ref().is_none_or(|best| is_closer((lambda, rank), (best.lambda, best.rank))) {
-        *closest = Some(ClosestHit { lambda, order, rank, surface });
+    let hit = ClosestHit { lambda, order, surface };
+    if closest.as_ref().is_none_or(|best| is_closer((lambda, hit.place()), (best.lambda, best.place()))) {
+        *closest = Some(hit);
     }
 }
