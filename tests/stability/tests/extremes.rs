@@ -4,6 +4,7 @@
 //! The variable RENDER_REGIME_RAYS sets the number of rays for each regime, and RENDER_REGIME_SEED sets another seed.
 
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::{Cylinder, Shape};
 use cpu::reference::intersect::{Exact, Intersect};
@@ -92,4 +93,21 @@ fn a_coefficient_that_cancels_to_zero_leaves_the_root_its_size() {
     let sphere = SphereRecord::new(far, 2.0);
     let ray = Ray { direction: Vec3::new(0.0, 4.0, 0.0), ..ray };
     assert_eq!(Exact::sphere(&sphere, &ray), Some(0.5));
+}
+
+#[test]
+fn a_surface_at_the_midpoint_below_the_least_lambda_counts() {
+    let half_step = (LAMBDA_MIN - LAMBDA_MIN.next_down()) / 2.0;
+    let forward = Vec3::new(0.0, 0.0, 1.0);
+    // Both objects end at z = 1e-3. The rays start inside, and meet nothing else.
+    let cylinder = Cylinder { center: Vec3::ZERO, radius: 1.0, axis: Vec3::new(0.0, 0.0, 2.0 * LAMBDA_MIN) };
+    let (center, radius) = (Vec3::new(0.0, 0.0, LAMBDA_MIN - 0.000_976_562_5), 0.000_976_562_5);
+    for (start, counts) in [(0.0, true), (half_step, true), (half_step.next_up(), false)] {
+        let origin = Vec3::new(0.0, 0.0, start);
+        for case in [Case::cylinder(cylinder, origin, forward), Case::sphere(center, radius, origin, forward)] {
+            assert_eq!(oracle::judge(&case).truth.is_some(), counts, "the oracle, {case:?}");
+            let lambda = exact_answer(&case).map(|(lambda, _)| lambda);
+            assert_eq!(lambda, counts.then_some(LAMBDA_MIN), "{case:?}");
+        }
+    }
 }
