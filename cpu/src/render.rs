@@ -28,7 +28,7 @@ pub mod path_ends;
 pub(crate) mod path_vertex;
 pub mod prepared;
 pub mod queue;
-pub(crate) mod ray_error;
+pub mod ray_error;
 pub mod samples;
 pub(crate) mod shade;
 pub mod span;

@@ -21,6 +21,8 @@
 //!   with the axis; 2 of the extent across the plane; 2 of the sums. They are at most `16 u`, which is `2 t`.
 //!
 //! The sum is `5 t`.
+//!
+//! [`RayError::turn`]: crate::render::ray_error::RayError::turn
 
 use crate::render::{prepared::Prepared, span::Span};
 
@@ -40,8 +42,8 @@ pub enum Candidate {
     Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
-/// The margin of the culling tests, in units of [`RayError::turn`]. The documentation of [this module](self) derives
-/// that 5 suffice.
+/// The margin of the culling tests, in units of the turn of a camera ray. The documentation of [this module](self)
+/// derives that 5 suffice.
 const TURNS: f64 = 8.0;
 
 /// An additional margin relative to a cylinder's radius. If the axis is close to the normal of the plane,
