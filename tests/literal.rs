@@ -1,9 +1,9 @@
 //! Builds the literal program in C++ (`tests/literal`), and checks that its pictures have the digests in `tests/cases`.
 //!
 //! So the digests can be computed again from this repository alone, and the program whose times are compared renders
-//! the right pictures. The literal program also renders 200 random ordinary scenes, and 200 scenes with hard cameras, or
-//! `RENDER_LITERAL_SCENES` of each. Its pictures are compared with those of the reference and of the renderer. Without g++ these tests are shown as
-//! ignored.
+//! the right pictures. The literal program also renders 200 random ordinary scenes, and 200 scenes with hard cameras,
+//! or `RENDER_LITERAL_SCENES` of each. Its pictures are compared with those of the reference and of the renderer.
+//! Without g++ these tests are shown as ignored.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -155,8 +155,8 @@ fn has_sound_window(config: &Config) -> bool {
         && config.check_picture().is_ok()
 }
 
-/// Checks with random [hard cameras](hard_camera) that the reference with the plain formulas gives the literal program's
-/// bytes, and that the renderer gives them too where the plain formulas decide as exact arithmetic does.
+/// Checks with random [hard cameras](hard_camera) that the reference with the plain formulas gives the literal
+/// program's bytes, and that the renderer gives them too where the plain formulas decide as exact arithmetic does.
 fn renders_hard_cameras(program: &Path) -> Result<(), Failed> {
     let (scenes, literal) = (scenes()?, Literal { program, folder: Folder::new() });
     let (mut rendered, mut sound, mut with_objects) = (0, 0, 0);

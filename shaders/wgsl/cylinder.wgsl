@@ -117,8 +117,8 @@ fn cylinder_with_caps(cylinder: CylinderRecord, ray: Ray, side: Root) -> Cylinde
     return cylinder_closer(closest, bottom, BOTTOM);
 }
 
-// A step of CylinderRecord::intersect: returns the closer of `closest` and the hit `later` on the cap `part`. Either may
-// be missing. At equal lambdas `closest` counts.
+// A step of CylinderRecord::intersect: returns the closer of `closest` and the hit `later` on the cap `part`. Either
+// may be missing. At equal lambdas `closest` counts.
 fn cylinder_closer(closest: CylinderRoot, later: Root, part: u32) -> CylinderRoot {
     let replaces = later.some & (!closest.some | tie_later_cap_is_closer(later.lambda, closest.lambda));
     let lambda = select(closest.lambda, later.lambda, replaces);

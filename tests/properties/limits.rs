@@ -2,8 +2,8 @@
 //! target's distance, in round decimals.
 //!
 //! The specification, section 8.2, counts a hit whose exact lambda, rounded to f64, is at least the f64 `1e-3`. The
-//! renderer and the reference with exact intersections could be wrong together. So pictures of one ray are also compared
-//! with integer arithmetic.
+//! renderer and the reference with exact intersections could be wrong together. So pictures of one ray are also
+//! compared with integer arithmetic.
 
 use std::cell::Cell;
 
@@ -79,9 +79,9 @@ impl Case {
         format!("matte: a .8 .2 .1\n{object} a\n")
     }
 
-    /// Whether the surface's exact lambda is at least the limit, by integers in units of 2^-60. The surface's distance is
-    /// the sum of two numbers of f64: the object's centre, and its radius or half of its height. Lambda is this distance
-    /// divided by that of the target.
+    /// Whether the surface's exact lambda is at least the limit, by integers in units of 2^-60. The surface's distance
+    /// is the sum of two numbers of f64: the object's centre, and its radius or half of its height. Lambda is this
+    /// distance divided by that of the target.
     fn counts(&self) -> bool {
         let units = |text: String| {
             let value: f64 = text.parse().expect("it is a decimal");

@@ -13,8 +13,8 @@ use crate::accel::object::ObjectId;
 use crate::{input::error::Error, layout::OBJECTS, layout::with_room};
 
 /// The smallest distance of an isolated object from the box of any other object, relative to the scene's largest
-/// coordinate. Rounding moves the two ends of a ray inside the object, and a hit on another object, by less than half of
-/// this (docs/margins.md).
+/// coordinate. Rounding moves the two ends of a ray inside the object, and a hit on another object, by less than half
+/// of this (docs/margins.md).
 pub const SEPARATION: f64 = 1e-8;
 
 /// The set of the isolated objects, which no other object overlaps. If a ray starts on an isolated object and hits it

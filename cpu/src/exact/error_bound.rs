@@ -127,8 +127,8 @@ impl<T: Rounding> ErrorBound<T> {
         Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
     }
 
-    /// Whether the lambda `numerator / a` certainly is below [`least_lambda`]. This is cheaper than [`ErrorBound::root`],
-    /// because there is no division.
+    /// Whether the lambda `numerator / a` certainly is below [`least_lambda`]. This is cheaper than
+    /// [`ErrorBound::root`], because there is no division.
     #[inline(always)]
     pub fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
         // The limit is lowered by more than the relative error of `a` and the rounding of the limit.

@@ -10,10 +10,10 @@ use crate::math::{double_double::DoubleDouble, real::Real};
 use crate::simd::fused::run_fused;
 
 /// Returns the lambda at which the ray hits the sphere: the smallest lambda, of at least
-/// [`LAMBDA_MIN`](crate::geometry::ray::LAMBDA_MIN) when it is rounded to `f64`, for which `ray.at(lambda)` is on the sphere. If there is none, the
-/// ray misses, and the result is `None`. Rounding changes neither whether the ray hits nor which of the two roots is
-/// returned, and the relative error of lambda is at most 5.9e-12. The plain formula, [`SphereRecord::intersect`], is
-/// faster and does not guarantee this.
+/// [`LAMBDA_MIN`](crate::geometry::ray::LAMBDA_MIN) when it is rounded to `f64`, for which `ray.at(lambda)` is on the
+/// sphere. If there is none, the ray misses, and the result is `None`. Rounding changes neither whether the ray hits
+/// nor which of the two roots is returned, and the relative error of lambda is at most 5.9e-12. The plain formula,
+/// [`SphereRecord::intersect`], is faster and does not guarantee this.
 ///
 /// ```
 /// use cpu::intersect::{self, SphereRecord};

@@ -44,8 +44,8 @@ impl Camera {
     /// [`Picture::CameraAtTarget`], [`Picture::NorthParallel`] or [`Picture::CameraOutOfRange`] if the configuration
     /// gives no projection window.
     pub fn new(config: &Config, size: Size) -> Result<Self, Picture> {
-        // The computed cross product of parallel vectors may not be zero. It may be a rounding error of a few units in the last
-        // place of the product of their lengths.
+        // The computed cross product of parallel vectors may not be zero. It may be a rounding error of a few units in
+        // the last place of the product of their lengths.
         const PARALLEL: f64 = 4.0 * f64::EPSILON;
 
         let (position, target) = (config.camera_position, config.camera_target);

@@ -6,8 +6,8 @@ use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 pub const LAMBDA_MIN: f64 = 1e-3;
 
 /// Half of the distance between [`LAMBDA_MIN`] and the `f64` below it, 2^-63. A hit counts if its exact lambda, rounded
-/// to `f64`, is at least [`LAMBDA_MIN`]. So the limit of exact lambdas is `LAMBDA_MIN - HALF_STEP`, which itself counts,
-/// because it is rounded to `LAMBDA_MIN`, the number whose last bit is even.
+/// to `f64`, is at least [`LAMBDA_MIN`]. So the limit of exact lambdas is `LAMBDA_MIN - HALF_STEP`, which itself
+/// counts, because it is rounded to `LAMBDA_MIN`, the number whose last bit is even.
 pub const HALF_STEP: f64 = (LAMBDA_MIN - LAMBDA_MIN.next_down()) / 2.0;
 
 /// Returns the smallest lambda of a hit that counts, as exactly as the arithmetic `T` allows. It is

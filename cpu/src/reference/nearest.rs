@@ -23,8 +23,8 @@ fn in_range(lambda: f64) -> bool {
 }
 
 /// Replaces `nearest` by `hit` if there is no `nearest`, or if the lambda of `hit` is smaller. At the same lambda a
-/// sphere and the side of a cylinder replace `nearest`, and a cap does not (specification, section 8.2). Returns whether
-/// `nearest` was replaced.
+/// sphere and the side of a cylinder replace `nearest`, and a cap does not (specification, section 8.2). Returns
+/// whether `nearest` was replaced.
 pub(super) fn update(nearest: &mut Option<Hit>, hit: Option<Hit>) -> bool {
     let is_nearer = hit.is_some_and(|hit| {
         nearest.is_none_or(|nearest| hit.lambda < nearest.lambda || hit.lambda == nearest.lambda && !hit.on_cap)

@@ -10,9 +10,9 @@
 //! is at most `6 / |d|^2`.
 //!
 //! The renderer computes `s` of rounded directions `d^` and `d0^`. Let `r` bound the error of a direction
-//! ([`RayError::length`]). The formula holds for `d^` and `d0^` too, but `e = d^ - d0^` differs from `x dx + y dy` by up
-//! to `2 r`. So `|e|` is larger by up to `2 r`. As `|g| <= 1 / |d0^|`, the linear term has an additional error of at most
-//! `2 r / |d0^|`, which is at most twice [`RayError::turn`].
+//! ([`RayError::length`]). The formula holds for `d^` and `d0^` too, but `e = d^ - d0^` differs from `x dx + y dy` by
+//! up to `2 r`. So `|e|` is larger by up to `2 r`. As `|g| <= 1 / |d0^|`, the linear term has an additional error of at
+//! most `2 r / |d0^|`, which is at most twice [`RayError::turn`].
 
 use crate::render::ray_error::RayError;
 use crate::{geometry::camera::Camera, geometry::camera::HALF_PIXEL, math::real::Real, math::vec3::Vec3};
@@ -20,8 +20,8 @@ use crate::{geometry::camera::Camera, geometry::camera::HALF_PIXEL, math::real::
 /// Bounds of the directions of the camera rays through one pixel, which hold for every pixel of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct PixelReach<T = f64> {
-    /// An upper bound of the distance between the computed directions through a point of a pixel and through the pixel's
-    /// middle, in scene units. It bounds `|e|` in the documentation of [this module](self).
+    /// An upper bound of the distance between the computed directions through a point of a pixel and through the
+    /// pixel's middle, in scene units. It bounds `|e|` in the documentation of [this module](self).
     radius: T,
     /// An upper bound of the error of the linear term that comes from the rounding of directions.
     linear: T,

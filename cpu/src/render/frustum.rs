@@ -7,16 +7,16 @@
 //! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes: others have
 //! no boxes, and [`Candidates::are_culled`] is not set.
 //!
-//! The margin of the comparisons is [`TURNS`] times [`RayError::turn`] `t`, relative to a bound `l` of the distance from
-//! the camera to the farthest point of the object or box. `t` is at least `8 u` with `u = 2^-53`. These errors are in
-//! the margin, each relative to `l`:
+//! The margin of the comparisons is [`TURNS`] times [`RayError::turn`] `t`, relative to a bound `l` of the distance
+//! from the camera to the farthest point of the object or box. `t` is at least `8 u` with `u = 2^-53`. These errors are
+//! in the margin, each relative to `l`:
 //!
 //! - A computed camera ray leaves the exact half-space by an angle of up to `t`. So its hit point may lie beyond the
 //!   plane by `t`.
 //! - With the terms of `render/ray_error.rs`, the vector to a point of the window has an error of at most `3 u s`. The
 //!   cross product of this vector and a side of the pixel adds `3 u s` times that side. The exact cross product is at
-//!   least `D` times that side. Normalising at most doubles the relative error, and adds `4 u`. So the error of the unit
-//!   normal is at most `12 u s / D + 4 u <= 2 t`.
+//!   least `D` times that side. Normalising at most doubles the relative error, and adds `4 u`. So the error of the
+//!   unit normal is at most `12 u s / D + 4 u <= 2 t`.
 //! - The other roundings are: 1 of the vector to the centre; 3 of its dot product; 4 of the unit axis; 4 of the product
 //!   with the axis; 2 of the extent across the plane; 2 of the sums. They are at most `16 u`, which is `2 t`.
 //!

@@ -74,10 +74,10 @@ impl<V: SimdF64> HitLanes<V> {
     }
 
     /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. The caller must pass the
-    /// objects in the order of the scene file, because the [rule for ties](crate::geometry::tie) depends on it. `closer`
-    /// has the lanes in which the hit is closer by that rule, if it is a hit. In `certain` lanes an infinite lambda means
-    /// a miss. In all other lanes NaN means a miss, because a hit's lambda may overflow to infinity there. `valid` has a
-    /// bit for each lane that holds a ray.
+    /// objects in the order of the scene file, because the [rule for ties](crate::geometry::tie) depends on it.
+    /// `closer` has the lanes in which the hit is closer by that rule, if it is a hit. In `certain` lanes an infinite
+    /// lambda means a miss. In all other lanes NaN means a miss, because a hit's lambda may overflow to infinity there.
+    /// `valid` has a bit for each lane that holds a ray.
     #[inline(always)]
     fn update(&mut self, object: ObjectId, (lambda, part): (V, V), closer: V::Mask, certain: V::Mask, valid: u32) {
         let closer = closer & (lambda.less(V::of(f64::INFINITY)) | !certain);

@@ -1,8 +1,8 @@
 //! The limits at which a picture ends before it is complete: a request to stop, and the surfaces that paths hit.
 //!
 //! A path may send up to 2^64 rays, and a pixel may have as many samples. So the renderer looks at the request before
-//! each span, each 64 paths if there is no lookahead, and within a path at each [pause]. The test for a pause takes the place of a test that
-//! each ray needs anyway.
+//! each span, each 64 paths if there is no lookahead, and within a path at each [pause]. The test for a pause takes the
+//! place of a test that each ray needs anyway.
 //!
 //! In a large scene one ray may take milliseconds, for instance if all objects are at one place. For such a scene,
 //! [`Limits::prompt`] chooses shorter spans, and a look before each ray.

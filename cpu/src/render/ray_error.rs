@@ -4,8 +4,8 @@
 //! Take `O`, `P`, `dx` and `dy` as exact. The camera ray through a point of the picture has the direction
 //! `d = (O - P) + dx (c + x) + dy (f + y)`, and `d^` is the direction that [`Camera::ray`] computes. The point
 //! `O + dx (c + x) + dy (f + y)` is rounded to the spacing of numbers near the camera's *position*, however near the
-//! window is. Let `W` and `H` be the picture's width and height in pixels, and `u = 2^-53`. The roundings of a component
-//! of `d^` are, in units of `u`:
+//! window is. Let `W` and `H` be the picture's width and height in pixels, and `u = 2^-53`. The roundings of a
+//! component of `d^` are, in units of `u`:
 //!
 //! | operation | error at most |
 //! |---|---|
@@ -16,14 +16,14 @@
 //! | difference from `P` | `abs(O) + W abs(dx) + H abs(dy) + abs(P)` |
 //!
 //! With `abs(O) <= abs(P) + abs(O - P)` the sum is at most `5 u (|P| + s)`, where `s = |O - P| + W |dx| + H |dy|`. So
-//! `|d^ - d| <= 5 u (|P| + s)`. The code uses [`ROUNDINGS`] `= 8` instead of 5, which also covers terms in `u^2` and the
-//! roundings of the bound itself.
+//! `|d^ - d| <= 5 u (|P| + s)`. The code uses [`ROUNDINGS`] `= 8` instead of 5, which also covers terms in `u^2` and
+//! the roundings of the bound itself.
 //!
 //! Let `D` be the distance of `P` from the plane of the window. No direction `d` is shorter than `D`, and no computed
 //! direction is shorter than `D - |d^ - d|`. So rounding turns a camera ray by an angle whose sine is at most
-//! `|d^ - d| / (D - |d^ - d|)`. This is also a bound of `|d^ - d| / |d^|`, which background pixels need. The computed `D`
-//! has an error of at most `8 u s`. The difference between 5 and 8 roundings covers this if the computed `D` is at least
-//! four times the bound of `|d^ - d|`. Otherwise the code gives no bound.
+//! `|d^ - d| / (D - |d^ - d|)`. This is also a bound of `|d^ - d| / |d^|`, which background pixels need. The computed
+//! `D` has an error of at most `8 u s`. The difference between 5 and 8 roundings covers this if the computed `D` is at
+//! least four times the bound of `|d^ - d|`. Otherwise the code gives no bound.
 
 use crate::geometry::camera::Camera;
 use crate::input::size::Size;
@@ -72,7 +72,8 @@ mod tests {
         (Camera::new(&config, size).expect("there is a window"), size)
     }
 
-    /// Returns the length of the error of the camera ray through this point of the picture, by double-double arithmetic.
+    /// Returns the length of the error of the camera ray through this point of the picture, by double-double
+    /// arithmetic.
     fn error(camera: &Camera, row: f64, column: f64, [x, y]: [f64; 2]) -> f64 {
         let of = DoubleDouble::of;
         let wide = |vector: Vec3| vector.map(of);
