@@ -50,6 +50,13 @@ impl Connections {
         Some(number)
     }
 
+    /// Returns the number of places that are taken.
+    #[cfg(test)]
+    pub fn count(&self) -> usize {
+        let state = self.state();
+        state.waiting.len() + state.valid
+    }
+
     /// Returns the place that [`Connections::enter`] has given.
     pub const fn place(&self, number: u64) -> Place<'_> {
         Place { connections: self, number, is_valid: false }

@@ -146,10 +146,10 @@ impl Server {
         }
     }
 
-    /// Reads one request and sends its answer.
-    fn talk(&self, stream: &TcpStream, place: Place, answer: impl Fn(Request, &Client) -> Answer) -> io::Result<()> {
-        match self.read(stream, place) {
-            Ok((request, is_first, _place, _share)) => {
+    /// Reads one request and sends its answer. The connection has `place` until the end, also if it is refused.
+    fn talk(&self, stream: &TcpStream, mut place: Place, answer: impl Fn(Request, &Client) -> Answer) -> io::Result<()> {
+        match self.read(stream, &mut place) {
+            Ok((request, is_first, _share)) => {
                 let mut answer = answer(request, &Client::new(stream));
                 // A body that is used by several answers is counted once, by its owner.
                 if answer.share.is_none() && Arc::strong_count(&answer.body) == 1 {
@@ -170,7 +170,7 @@ impl Server {
     }
 
     /// Reads one request. Also returns whether it is the first one, with the secret in its address.
-    fn read<'a>(&self, stream: &TcpStream, mut place: Place<'a>) -> Result<(Request, bool, Place<'a>, Share), Refusal> {
+    fn read(&self, stream: &TcpStream, place: &mut Place) -> Result<(Request, bool, Share), Refusal> {
         let mut reader = BufReader::new(Timed::new(stream, self.patience.request));
         let mut head = Head::read(&mut reader)?;
         let admission = self.secret.as_ref().map_or(Admission::Full, |secret| secret.admit(&head));
@@ -185,7 +185,7 @@ impl Server {
             return Err(Refusal::Broken(io::ErrorKind::ConnectionAborted.into()));
         }
         let (request, share) = head.with_body(&mut reader, &self.budget)?;
-        Ok((request, is_first, place, share))
+        Ok((request, is_first, share))
     }
 
     /// Sends an answer. The client must accept all of it in time.
