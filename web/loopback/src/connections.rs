@@ -38,6 +38,8 @@ impl Connections {
     /// has waited longest without a valid request is closed, and the new one gets its place. So silent clients cannot
     /// keep others away.
     pub fn enter(&self, stream: &TcpStream) -> Option<u64> {
+        // This can fail, so it comes before another connection is closed.
+        let stream = stream.try_clone().ok()?;
         let mut state = self.state();
         if state.waiting.len() + state.valid >= MAX_CONNECTIONS {
             let (_, oldest) = state.waiting.pop_first()?;
@@ -45,7 +47,7 @@ impl Connections {
             let _ = oldest.shutdown(Shutdown::Both);
         }
         let number = state.next;
-        state.waiting.insert(number, stream.try_clone().ok()?);
+        state.waiting.insert(number, stream);
         state.next += 1;
         Some(number)
     }
