@@ -44,6 +44,10 @@ const PAUSE: Duration = Duration::from_millis(50);
 const NO_SECRET: &str = "403 Forbidden: this needs the secret of this server. Open the address that the program has \
     printed. You can open a link to this page after that: copy the link into the address bar.\n";
 
+/// The text for a request of a foreign page to a server that has no secret.
+const FOREIGN: &str = "403 Forbidden: a page of another origin has sent this request. Open the address of this server \
+    in the address bar.\n";
+
 /// A server that listens at a port.
 #[derive(Debug)]
 pub struct Server {
@@ -176,7 +180,8 @@ impl Server {
         let admission = self.secret.as_ref().map_or(Admission::Full, |secret| secret.admit(&head));
         let is_first = admission == Admission::First;
         if admission == Admission::None || head.is_foreign && !is_first {
-            return Err(Refusal::Status("403 Forbidden", NO_SECRET.into()));
+            let text = if self.secret.is_some() { NO_SECRET } else { FOREIGN };
+            return Err(Refusal::Status("403 Forbidden", text.into()));
         }
         if is_first {
             head.path.truncate(1);

@@ -73,6 +73,8 @@ fn a_body_reaches_the_owner() {
 fn a_foreign_name_for_this_server_gets_nothing() {
     let answer = asked("GET /data/a HTTP/1.1\r\nHost: evil.example\r\n\r\n");
     assert!(answer.starts_with("HTTP/1.1 403") && !answer.contains("numbers"), "{answer}");
+    let answer = asked("GET /data/a HTTP/1.1\r\nHost: localhost\r\nSec-Fetch-Site: cross-site\r\n\r\n");
+    assert!(answer.contains("a page of another origin") && !answer.contains("secret"), "{answer}");
 }
 
 #[test]
