@@ -61,7 +61,9 @@ impl Secret {
     /// Returns what the request with this head may do.
     #[must_use]
     pub fn admit(&self, head: &Head) -> Admission {
-        let is_file = head.method == "GET" && !head.path.starts_with(self.private);
+        // The page takes the secret from its query. So a cookie opens no address with a query: a link of a stranger could
+        // otherwise replace the secret that the page has.
+        let is_file = head.method == "GET" && !head.path.starts_with(self.private) && !head.path.contains('?');
         let has_key = |header: &String| header.strip_prefix("Bearer ").is_some_and(|key| is_same(key, &self.key));
         let has_cookie = || head.cookies.iter().any(|cookie| is_same(cookie, &self.cookie));
         if head.method == "GET" && is_same(&head.path, &self.path()) {
@@ -110,6 +112,9 @@ mod tests {
         for (method, path, by_cookie) in [
             ("GET", "/", Admission::Full),
             ("GET", "/main.js", Admission::Full),
+            ("GET", "/?secret=x", Admission::None),
+            ("GET", "/?a=1&%73ecret=x", Admission::None),
+            ("GET", "/index.html?secret=x", Admission::None),
             ("GET", "/view/files", Admission::None),
             ("POST", "/main.js", Admission::None),
             ("POST", "/view/camera", Admission::None),
