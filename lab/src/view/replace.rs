@@ -41,6 +41,10 @@ pub fn replace(
     how: Options,
 ) -> Result<(), Unreplaced> {
     let is_old = |path: &Path| read(path).is_ok_and(|content| content == old);
+    // A pipe would block when it is opened for writing, and a device would take the bytes.
+    if !fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file()) || !is_old(path) {
+        return Err(Unreplaced::Changed);
+    }
     let write = |path: &Path| {
         let mut output = Output::open(path, how)?;
         output.write_all(new).map_err(|cause| output::Error { path: path.to_owned(), cause })?;
@@ -117,9 +121,11 @@ mod tests {
 
     /// Replaces the file, and calls `edit` just before the replaced content is looked at.
     fn replaced(path: &Path, edit: impl Fn()) -> Result<(), Unreplaced> {
-        let is_first = Cell::new(true);
+        let reads = Cell::new(0);
         let read = |path: &Path| {
-            if is_first.take() {
+            reads.set(reads.get() + 1);
+            // The first reading is the check before anything is written.
+            if reads.get() == 2 {
                 edit();
             }
             fs::read(path)
@@ -177,8 +183,19 @@ mod tests {
         let [target, path] = [folder.write("target", "old"), folder.file("link")];
         symlink(&target, &path).expect("the folder is writable");
         let read = |path: &Path| input::content(input::without_links(path)?, 3);
-        let result = replace(&path, (b"old", b"new"), read, Options::default());
-        assert!(matches!(result, Err(Unreplaced::Changed)), "{result:?}");
+        let refused = |path: &Path, old: &[u8]| {
+            let result = replace(path, (old, b"new"), read, Options::default());
+            assert!(matches!(result, Err(Unreplaced::Changed)), "{result:?}");
+        };
+        refused(&path, b"old");
         assert_eq!(fs::read(&target).expect("it is there"), b"old");
+
+        // A pipe is not opened for writing, which would wait for a reader. Reading it or the device gives no bytes.
+        let [pipe, device] = ["pipe", "device"].map(|name| folder.file(name));
+        nix::unistd::mkfifo(&pipe, nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
+        symlink("/dev/null", &device).expect("the folder is writable");
+        refused(&pipe, b"");
+        refused(&device, b"");
+        assert_eq!(names(&folder).len(), 4, "no other file is left");
     }
 }
