@@ -33,7 +33,8 @@ impl From<output::Error> for Unreplaced {
 /// Where the system cannot exchange names, the content is only compared directly before the renaming.
 ///
 /// # Errors
-/// [`Unreplaced`]. The file then has a content that another program or the user has written.
+/// [`Unreplaced`]. The file then has a content that another program or the user has written. If only the folder could
+/// not be synced, the file has the new content.
 pub fn replace(
     path: &Path,
     (old, new): (&[u8], &[u8]),
@@ -58,15 +59,25 @@ pub fn replace(
     write(&beside.0)?.commit()?;
     exchange(&beside.0, path).map_err(|cause| output::Error { path: path.to_owned(), cause })?;
     if is_old(&beside.0) {
-        return Ok(());
+        drop(beside);
+        return if how.sync { Ok(sync_folder(path)?) } else { Ok(()) };
     }
-    // What came out is an edit, which gets its name back. The file beside must then be the new one. If it is another
-    // edit, or if the exchange fails, it is kept.
+    // The exchanged file was edited, so it gets its name back. The hidden name must then hold the new file. Otherwise
+    // the hidden file is kept.
     if exchange(&beside.0, path).is_ok() && read(&beside.0).is_ok_and(|content| content == new) {
         return Err(Unreplaced::Changed);
     }
     let text = format!("it has changed meanwhile; a change is in [{}]", terminal::name(&beside.keep()));
     Err(Unreplaced::Failed(output::Error { path: path.to_owned(), cause: io::Error::other(text) }))
+}
+
+/// Waits until the names in the folder of the file at `path` are on the disk.
+fn sync_folder(path: &Path) -> Result<(), output::Error> {
+    let synced = fs::File::open(path.parent().unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all());
+    synced.map_err(|error| {
+        let text = format!("the new file is there, but a loss of power may bring the old one back: {error}");
+        output::Error { path: path.to_owned(), cause: io::Error::new(error.kind(), text) }
+    })
 }
 
 /// A hidden name beside a file. It is removed when this value is dropped.
@@ -130,7 +141,7 @@ mod tests {
             }
             fs::read(path)
         };
-        replace(path, (b"old", b"new"), read, Options::default())
+        replace(path, (b"old", b"new"), read, Options { sync: true })
     }
 
     fn names(folder: &Folder) -> Vec<String> {
