@@ -8,7 +8,7 @@ use loopback::Answer;
 use serde::Deserialize;
 
 use super::View;
-use super::input::{content, version_of, without_links};
+use super::input::{MAX_TEXT, content, version_of, without_links};
 use super::replace::{Unreplaced, replace};
 use crate::Failure;
 
@@ -62,7 +62,8 @@ impl View {
         let read = |path: &Path| {
             let file = without_links(path)?;
             let length = file.metadata()?.len();
-            content(file, length)
+            // One byte more than the page can edit is enough to see that the file is another one.
+            content(file, length.min(MAX_TEXT + 1))
         };
         replace(self.config.path(), (&old, &new), read, self.how).map_err(|error| match error {
             Unreplaced::Changed => changed(),
@@ -90,30 +91,37 @@ fn check(lines: &[String; 3]) -> Result<(), Refusal> {
 /// Returns the configuration with other lines of the camera. Each replaces the last line with its key, which is the one
 /// that counts, or is added at the end. All other bytes stay, and so do the line ends.
 fn replaced(config: &[u8], lines: &[String; 3]) -> Vec<u8> {
-    let mut rows: Vec<Vec<u8>> = config.split_inclusive(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
-    let usual = rows.iter().rev().map(|row| end_of(row)).find(|end| !end.is_empty()).unwrap_or(b"\n").to_vec();
-    for (line, key) in lines.iter().zip(KEYS) {
-        let has_key = |row: &Vec<u8>| Tokens::new(content_of(row)).next() == Some(key.as_bytes());
-        match rows.iter_mut().rfind(|row| has_key(row)) {
-            // The new line keeps the line end of the old one.
-            Some(row) => *row = [line.as_bytes(), end_of(row)].concat(),
-            None => {
-                if let Some(last) = rows.last_mut().filter(|last| end_of(last).is_empty()) {
-                    last.extend(&usual);
-                }
-                rows.push([line.as_bytes(), &usual].concat());
-            }
+    // The offsets of the last line with each key, without its line end, and the last line end of the file.
+    let (mut places, mut usual, mut start) = ([None; 3], &b"\n"[..], 0);
+    for row in config.split_inclusive(|byte| *byte == b'\n') {
+        let (content, end) = row.split_at(content_of(row).len());
+        let token = Tokens::new(content).next();
+        if let Some(index) = KEYS.iter().position(|key| token == Some(key.as_bytes())) {
+            places[index] = Some((start, start + content.len()));
         }
+        usual = if end.is_empty() { usual } else { end };
+        start += row.len();
     }
-    rows.concat()
+    let mut found: Vec<_> = places.iter().zip(lines).filter_map(|(place, line)| Some(((*place)?, line))).collect();
+    found.sort_unstable();
+    let (mut new, mut copied) = (Vec::with_capacity(config.len() + MAX_BODY), 0);
+    for ((start, end), line) in found {
+        new.extend(&config[copied..start]);
+        new.extend(line.as_bytes());
+        copied = end;
+    }
+    new.extend(&config[copied..]);
+    for (_, line) in places.iter().zip(lines).filter(|(place, _)| place.is_none()) {
+        if !new.is_empty() && !new.ends_with(b"\n") {
+            new.extend(usual);
+        }
+        new.extend(line.as_bytes());
+        new.extend(usual);
+    }
+    new
 }
 
-/// Returns the line end of a row: LF, CRLF or nothing.
-fn end_of(row: &[u8]) -> &[u8] {
-    &row[content_of(row).len()..]
-}
-
-/// Returns a row without its line end.
+/// Returns a row without its line end: LF, CRLF or nothing.
 fn content_of(row: &[u8]) -> &[u8] {
     row.strip_suffix(b"\n").map_or(row, |row| row.strip_suffix(b"\r").unwrap_or(row))
 }
