@@ -1,8 +1,8 @@
 //! `render-lab view` under 200 hostile requests a second, beside an honest user.
 //!
 //! Nothing hostile has the secret. Half of the requests end with an answer, and half keep their connection open. The
-//! honest picture must come within twice its usual time. `RENDER_LOAD_SECONDS=60` is the long form, which
-//! `tests/extensive` runs.
+//! median time of an honest picture must be less than twice its usual time. `RENDER_LOAD_SECONDS=60` is the long form,
+//! which `tests/extensive` runs.
 
 #![cfg(target_os = "linux")]
 
@@ -182,7 +182,7 @@ fn an_honest_picture_comes_within_twice_its_usual_time_and_memory_stays_small() 
         "{sent} hostile requests in {seconds} s, {refused} refused; {pictures} pictures: median {loaded:.3} s, \
          slowest {slowest:.3} s, alone {usual:.3} s; memory {after} bytes, before {before}"
     );
-    assert!(sent as u64 > seconds * u64::from(RATE) / 2, "only {sent} requests");
+    assert!(sent as u64 >= seconds * u64::from(RATE) * 4 / 5, "only {sent} requests");
     assert!(refused > sent / 8, "only {refused} of {sent} had an answer");
     assert!(pictures > 3 && loaded < 2.0 * usual, "{loaded} s instead of {usual} s");
     assert!(after < before + FOR_CONNECTIONS, "{after} bytes instead of {before}");
