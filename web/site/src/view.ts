@@ -70,13 +70,12 @@ export async function watch(listener: Listener): Promise<Texts> {
     document.getElementById('live-save')!.hidden = false;
     const look = async () => {
         const response = await ask('view/version').catch(() => null);
-        if (!response) {
-            listener.failed(null);
-        } else {
-            const now = await response.text();
-            if (now !== version) {
-                version = now;
-                const changed = await files();
+        if (!response?.ok) {
+            listener.failed(response && await response.text());
+        } else if (await response.text() !== version) {
+            const changed = await files();
+            // The files may have their old content again.
+            if (changed.version !== version) {
                 version = changed.version;
                 listener.changed(changed);
             }
