@@ -72,7 +72,7 @@ impl Arguments {
 ///
 /// All users of a machine can see the arguments of a program, so the address with the secret must not be one. It is in
 /// a file that only this user can read, and the browser opens that file. The file is removed after a minute, when the
-/// browser has read it.
+/// browser has read it. If Ctrl+C ends the program earlier, the file stays.
 fn open(url: &str) -> io::Result<()> {
     let mut file = tempfile::Builder::new().prefix("render-view-").suffix(".html").tempfile()?;
     // The address has no character with a meaning in HTML.

@@ -133,7 +133,8 @@ fn hexadecimal(bytes: &[u8]) -> String {
     })
 }
 
-/// Opens the file at `path` for reading, if no part of the path is a link.
+/// Opens the file at `path` for reading, if no part of the path is a link. On a system without `openat2`, only the last
+/// part is checked.
 ///
 /// # Errors
 /// The error of the system.

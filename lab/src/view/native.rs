@@ -24,8 +24,8 @@ const MAX_PIXELS: usize = 1 << 25;
 /// Largest number of bytes of a pixel: three in the picture, and twelve in its file.
 const PIXEL_BYTES: usize = 15;
 
-/// Largest number of surfaces that the paths of a span may hit. Their colours are computed in one step, which is not
-/// cancelled. It takes some ten milliseconds for so many.
+/// Largest number of surfaces that the paths of a span may hit. The renderer colours these surfaces in one step, which
+/// cannot be cancelled and takes about 10 ms.
 const MAX_SURFACES: usize = 1 << 23;
 
 /// Bytes of the paths of a picture. A list of surfaces of 8 bytes each is copied when it grows to double its length.

@@ -151,7 +151,12 @@ impl Server {
     }
 
     /// Reads one request and sends its answer. The connection has `place` until the end, also if it is refused.
-    fn talk(&self, stream: &TcpStream, mut place: Place, answer: impl Fn(Request, &Client) -> Answer) -> io::Result<()> {
+    fn talk(
+        &self,
+        stream: &TcpStream,
+        mut place: Place,
+        answer: impl Fn(Request, &Client) -> Answer,
+    ) -> io::Result<()> {
         match self.read(stream, &mut place) {
             Ok((request, is_first, _share)) => {
                 let mut answer = answer(request, &Client::new(stream));

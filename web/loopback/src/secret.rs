@@ -19,9 +19,9 @@ use crate::request::Head;
 pub enum Admission {
     /// Nothing.
     None,
-    /// All that its path names.
+    /// May use the requested path.
     Full,
-    /// Everything. The request is the first one, with the secret in its address, and the answer sets the cookie.
+    /// Gets the index page and the cookie. The request is the first one, with the secret in its address.
     First,
 }
 
@@ -88,7 +88,7 @@ fn random() -> std::io::Result<String> {
     Ok(text)
 }
 
-/// Whether two texts are the same. The time does not depend on how many of their first bytes are, so it reveals nothing
+/// Whether two texts are the same. The time does not depend on the number of equal leading bytes. So it reveals nothing
 /// about a secret but its length.
 fn is_same(one: &str, other: &str) -> bool {
     let differences = one.bytes().zip(other.bytes()).fold(0, |bits, (one, other)| bits | (one ^ other));
