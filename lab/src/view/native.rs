@@ -122,23 +122,27 @@ impl Native {
         let stop = Arc::<AtomicBool>::default();
         let (_, before) = std::mem::replace(&mut *self.current(), (number, Arc::clone(&stop)));
         before.store(true, Ordering::SeqCst);
-        let (sender, receiver) = mpsc::channel();
+        let (sender, receiver) = mpsc::channel::<()>();
         std::thread::scope(|scope| {
             let stop_of_picture = Arc::clone(&stop);
-            let work = move || drop(sender.send(self.ppm(&stop_of_picture, body)));
-            if std::thread::Builder::new().name("picture".to_owned()).spawn_scoped(scope, work).is_err() {
+            let work = move || {
+                let result = self.ppm(&stop_of_picture, body);
+                drop(sender);
+                result
+            };
+            let Ok(thread) = std::thread::Builder::new().name("picture".to_owned()).spawn_scoped(scope, work) else {
                 return Answer::refused("503 Service Unavailable", "no thread can be started");
-            }
-            loop {
-                match receiver.recv_timeout(PAUSE) {
-                    Ok(Ok((ppm, share))) => {
-                        return Answer { share: Some(share), ..Answer::ok("image/x-portable-pixmap", ppm) };
-                    }
-                    Ok(Err(refusal)) => return refusal.answer(),
-                    Err(RecvTimeoutError::Timeout) if !client.is_gone() => {}
-                    Err(RecvTimeoutError::Timeout) => stop.store(true, Ordering::SeqCst),
-                    Err(RecvTimeoutError::Disconnected) => return Refusal::Cancelled.answer(),
+            };
+            // The channel closes when the picture is finished.
+            while receiver.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
+                if client.is_gone() {
+                    stop.store(true, Ordering::SeqCst);
                 }
+            }
+            match thread.join() {
+                Ok(Ok((ppm, share))) => Answer { share: Some(share), ..Answer::ok("image/x-portable-pixmap", ppm) },
+                Ok(Err(refusal)) => refusal.answer(),
+                Err(panic) => std::panic::resume_unwind(panic),
             }
         })
     }
