@@ -61,8 +61,8 @@ impl Secret {
     /// Returns what the request with this head may do.
     #[must_use]
     pub fn admit(&self, head: &Head) -> Admission {
-        // The page takes the secret from its query. So a cookie opens no address with a query: a link of a stranger could
-        // otherwise replace the secret that the page has.
+        // The page takes the secret from its query. So a cookie opens no address with a query. Otherwise a link of a
+        // stranger could replace the secret that the page has.
         let is_file = head.method == "GET" && !head.path.starts_with(self.private) && !head.path.contains('?');
         let has_key = |header: &String| header.strip_prefix("Bearer ").is_some_and(|key| is_same(key, &self.key));
         let has_cookie = || head.cookies.iter().any(|cookie| is_same(cookie, &self.cookie));
