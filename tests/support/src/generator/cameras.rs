@@ -86,10 +86,13 @@ fn visible(draws: &mut Draws, config: &Config) -> Shape {
     let lambda = position.length() / view.length() * draws.decades(nearest, 0.5);
     let aside = cube(draws) * (view.length() * tangent);
     let center = position + (view + aside) * lambda;
+    // The lengths of extreme views overflow or vanish.
+    let center = if center.is_finite() { center } else { position };
     let radius = view.length() * lambda * tangent.min(1.0) * draws.decades(-1.5, 0.5);
-    // In most scenes no size is below the smallest one of a moderate scene. Elsewhere a shorter axis than 10^-141 would
-    // be invalid, because its square vanishes.
-    let radius = radius.max(if (1e-3..1e10).contains(&position.length()) { 1.1e-6 } else { 1e-140 });
+    // In most scenes no size is below the smallest one of a moderate scene. Elsewhere a much shorter or longer axis would
+    // be invalid, because its square vanishes or overflows.
+    let smallest = if (1e-3..1e10).contains(&position.length()) { 1.1e-6 } else { 1e-140 };
+    let radius = if radius.is_finite() { radius.clamp(smallest, 1e150) } else { smallest };
     if draws.chance(0.5) {
         return Shape::Sphere(Sphere { center, radius });
     }
