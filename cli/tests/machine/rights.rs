@@ -160,8 +160,8 @@ fn set_user_id() -> Result<(), Failed> {
         let output = without_rights(place.render(program, &out), true).output()?;
         let metadata = fs::metadata(&out)?;
         // The new file has another owner and another group than the old one. So it has no set-user-ID bit, and its
-        // group has only the permissions that all users have.
-        if !output.status.success() || metadata.uid() != NOBODY || metadata.mode() & 0o7777 != 0o757 {
+        // group and all other users have only the permissions that both had.
+        if !output.status.success() || metadata.uid() != NOBODY || metadata.mode() & 0o7777 != 0o755 {
             return Err(format!("{output:?}, mode {:o}", metadata.mode()).into());
         }
     }

@@ -60,13 +60,15 @@ impl Rights {
     }
 
     /// Returns the permissions of a new file with the owner `user` and the group `group`, which replaces a file with
-    /// the rights `self`. If the owners differ, the set-user-ID bit is removed. If the groups differ, the set-group-ID
+    /// the rights `self`. If the owners differ, the set-user-ID bit is removed, and no other user
+    /// keeps a permission that the old owner lacked. If the groups differ, the set-group-ID
     /// bit is removed, and the new group and all other users get only the permissions that both the old group and all
     /// other users had. A member of the old group is now one of the other users.
     fn mode_for(&self, user: u32, group: u32) -> u32 {
         let mut mode = self.mode & 0o7777;
         if user != self.user {
-            mode &= !SET_USER;
+            let owner = mode >> 6 & 0o007;
+            mode &= !SET_USER & (!0o077 | owner << 3 | owner);
         }
         if group != self.group {
             let common = mode >> 3 & mode & 0o007;

@@ -89,8 +89,8 @@ fn visible(draws: &mut Draws, config: &Config) -> Shape {
     // The lengths of extreme views overflow or vanish.
     let center = if center.is_finite() { center } else { position };
     let radius = view.length() * lambda * tangent.min(1.0) * draws.decades(-1.5, 0.5);
-    // In most scenes no size is below the smallest one of a moderate scene. Elsewhere a much shorter or longer axis would
-    // be invalid, because its square vanishes or overflows.
+    // In most scenes no size is below the smallest one of a moderate scene. Elsewhere a much shorter or longer axis
+    // would be invalid, because its square vanishes or overflows.
     let smallest = if (1e-3..1e10).contains(&position.length()) { 1.1e-6 } else { 1e-140 };
     let radius = if radius.is_finite() { radius.clamp(smallest, 1e150) } else { smallest };
     if draws.chance(0.5) {

@@ -21,6 +21,7 @@ fn the_same_owner_keeps_all_permissions() {
 fn another_user_does_not_get_the_set_user_id_bit() {
     assert_eq!(mode(0o7775, 2, 1), 0o3775);
     assert_eq!(mode(0o640, 2, 1), 0o640);
+    assert_eq!(mode(0o477, 2, 1), 0o444, "the old owner is now one of the others, and could not write");
 }
 
 #[test]
