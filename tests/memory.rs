@@ -8,6 +8,7 @@
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout as Request, System};
+use std::cell::Cell;
 use std::fmt::Write;
 use std::io;
 use std::ops::ControlFlow;
@@ -23,6 +24,12 @@ use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Size, Soa};
 #[global_allocator]
 static REFUSING: Refusing = Refusing { least: AtomicUsize::new(usize::MAX), left: AtomicUsize::new(0) };
 
+thread_local! {
+    /// Whether this thread runs the action. The harness of the tests has threads of its own, whose requests are neither
+    /// refused nor counted.
+    static RUNS_THE_ACTION: Cell<bool> = const { Cell::new(false) };
+}
+
 /// An allocator that passes requests to the system's allocator, but refuses one of them.
 struct Refusing {
     /// Requests for fewer bytes are neither refused nor counted.
@@ -34,7 +41,9 @@ struct Refusing {
 impl Refusing {
     fn refuses(&self, bytes: usize) -> bool {
         // After the refused request the counter wraps around to the largest number, so no other request is refused.
-        bytes >= self.least.load(Ordering::Relaxed) && self.left.fetch_sub(1, Ordering::Relaxed) == 0
+        bytes >= self.least.load(Ordering::Relaxed)
+            && RUNS_THE_ACTION.get()
+            && self.left.fetch_sub(1, Ordering::Relaxed) == 0
     }
 }
 
@@ -61,6 +70,7 @@ unsafe impl GlobalAlloc for Refusing {
 /// second, and so on. Ends when the action makes no further request, and returns the number of requests. `what` names
 /// the action.
 fn refused(what: &str, least: usize, mut action: impl FnMut() -> Result<(), Error>) -> usize {
+    RUNS_THE_ACTION.set(true);
     for number in 0.. {
         REFUSING.left.store(number, Ordering::Relaxed);
         REFUSING.least.store(least, Ordering::Relaxed);
