@@ -12,8 +12,8 @@ use test_support::folder::Folder;
 /// Time limit for the program, long enough for a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A running server and its address. It is killed when this value is dropped.
-struct Server(Child, String);
+/// A running server, its address and its secret. It is killed when this value is dropped.
+struct Server(Child, String, String);
 
 impl Server {
     fn start() -> Self {
@@ -30,9 +30,10 @@ impl Server {
         let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
         let mut line = String::new();
         BufReader::new(child.stdout.take().expect("it is a pipe")).read_line(&mut line).expect("it is text");
-        let address = line.strip_prefix("http://").and_then(|rest| rest.split_once('/')).map(|(address, _)| address);
-        let address = address.unwrap_or_else(|| panic!("[{line}] has no address")).to_owned();
-        Self(child, address)
+        let parts = line.trim_end().strip_prefix("http://").and_then(|rest| rest.split_once("/?secret="));
+        let (address, secret) = parts.unwrap_or_else(|| panic!("[{line}] has no address with a secret"));
+        let (address, secret) = (address.to_owned(), secret.to_owned());
+        Self(child, address, secret)
     }
 
     /// Returns the number of file descriptors that the process has open.
@@ -48,7 +49,9 @@ impl Server {
 
     fn ask(&self) -> TcpStream {
         let mut stream = self.connect();
-        stream.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n").expect("the system takes it");
+        let Self(_, address, secret) = self;
+        let request = format!("GET / HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {secret}\r\n\r\n");
+        stream.write_all(request.as_bytes()).expect("the system takes it");
         stream
     }
 }
