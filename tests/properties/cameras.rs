@@ -55,8 +55,8 @@ fn scenes_with_hard_cameras_give_the_references_bytes_and_means() {
     assert!(2 * moderate > rendered, "only {moderate} of {rendered} scenes are moderate");
 }
 
-/// Renders two scenes whose objects were lost, because rays of a far camera were taken as exact. The second one is
-/// rendered again with 200 other objects, which make a hierarchy.
+/// Renders two scenes in which culling once lost objects, because it took the rays of a far camera as exact. The second
+/// scene is rendered again with 200 other objects, which make a hierarchy.
 #[test]
 fn objects_before_a_far_camera_with_a_near_window_are_seen() {
     let white = "background_dark_color: 1 1 1\nbackground_light_color: 1 1 1\n";
