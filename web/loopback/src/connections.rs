@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::net::{Shutdown, TcpStream};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Largest number of connections at a time. A browser opens up to six connections to one server.
 pub const MAX_CONNECTIONS: usize = 32;
@@ -16,7 +16,7 @@ struct State {
     /// The number of the next connection.
     next: u64,
     /// The connections that have sent no valid request yet.
-    waiting: BTreeMap<u64, TcpStream>,
+    waiting: BTreeMap<u64, Arc<TcpStream>>,
     /// Number of connections whose request is valid.
     valid: usize,
 }
@@ -37,9 +37,7 @@ impl Connections {
     /// Returns the place of a new connection, or `None` if there is none. If all places are taken, the connection that
     /// has waited longest without a valid request is closed, and the new one gets its place. So silent clients cannot
     /// keep others away.
-    pub fn enter(&self, stream: &TcpStream) -> Option<u64> {
-        // This can fail, so it comes before another connection is closed.
-        let stream = stream.try_clone().ok()?;
+    pub fn enter(&self, stream: &Arc<TcpStream>) -> Option<u64> {
         let mut state = self.state();
         if state.waiting.len() + state.valid >= MAX_CONNECTIONS {
             let (_, oldest) = state.waiting.pop_first()?;
@@ -47,7 +45,7 @@ impl Connections {
             let _ = oldest.shutdown(Shutdown::Both);
         }
         let number = state.next;
-        state.waiting.insert(number, stream);
+        state.waiting.insert(number, Arc::clone(stream));
         state.next += 1;
         Some(number)
     }
@@ -93,6 +91,7 @@ mod tests {
     fn valid_requests_keep_their_places_and_others_give_way_to_newer_ones() {
         let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
         let stream = TcpStream::connect(listener.local_addr().expect("it listens")).expect("it listens");
+        let stream = Arc::new(stream);
         let connections = Connections::default();
         let enter = || connections.enter(&stream).map(|number| connections.place(number));
         let mut places: Vec<_> = (0..MAX_CONNECTIONS).map(|_| enter().expect("there is a place")).collect();

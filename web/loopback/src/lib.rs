@@ -124,7 +124,7 @@ impl Server {
         let shared = Arc::new((self, answer));
         loop {
             let stream = match shared.0.listener.accept() {
-                Ok((stream, _)) => stream,
+                Ok((stream, _)) => Arc::new(stream),
                 Err(error) if may_pass(&error) => {
                     std::thread::sleep(PAUSE);
                     continue;

@@ -38,7 +38,7 @@ fn asked(request: &str) -> String {
 fn asked_of(server: &Server, request: &str) -> String {
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     client.write_all(request.as_bytes()).expect("it reads");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
+    let stream = accept(server);
     // The result is an error for a refused client, because this client keeps its end of the connection open.
     let _ = talk(server, &stream);
     drop(stream);
@@ -47,8 +47,13 @@ fn asked_of(server: &Server, request: &str) -> String {
     answer
 }
 
+/// Returns the connection that a client has opened.
+fn accept(server: &Server) -> Arc<TcpStream> {
+    Arc::new(server.listener.accept().expect("there is a connection").0)
+}
+
 /// Answers the one request of a connection.
-fn talk(server: &Server, stream: &TcpStream) -> io::Result<()> {
+fn talk(server: &Server, stream: &Arc<TcpStream>) -> io::Result<()> {
     let number = server.connections.enter(stream).expect("there is a place");
     server.talk(stream, server.connections.place(number), answer)
 }
@@ -86,7 +91,7 @@ fn bodies_and_answers_have_a_common_limit_and_give_their_bytes_back() {
     let mut first = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     // This client announces all bytes but six, and sends none of them.
     first.write_all(post(94, "").as_bytes()).expect("it reads");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
+    let stream = accept(&server);
     std::thread::scope(|scope| {
         let slow = scope.spawn(|| talk(&server, &stream));
         while server.budget.taken() == 0 {
@@ -185,7 +190,7 @@ fn a_refused_client_has_its_place_until_its_connection_ends() {
     let is_counted = || {
         let server = server();
         let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-        let (stream, _) = server.listener.accept().expect("there is a connection");
+        let stream = accept(&server);
         client.write_all(b"bad\r\n\r\n").expect("it reads");
         std::thread::scope(|scope| {
             let refused = scope.spawn(|| drop(talk(&server, &stream)));
@@ -223,7 +228,7 @@ fn too_many_valid_requests_get_status_503_and_later_ones_are_answered() {
 fn a_client_that_closes_its_connection_is_gone() {
     let server = server();
     let client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
+    let stream = accept(&server);
     assert!(!Client::new(&stream).is_gone());
     drop(client);
     while !Client::new(&stream).is_gone() {

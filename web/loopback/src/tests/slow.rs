@@ -16,7 +16,7 @@ fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does()
     let [short, long] = [50, 60_000].map(Duration::from_millis);
     let server = server_with([short, long]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
+    let stream = accept(&server);
     // Each byte comes in time, but the request never ends.
     let trickle = std::thread::spawn(move || {
         client.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nA: ").expect("it reads");
@@ -31,7 +31,7 @@ fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does()
 
     let server = server_with([long, long]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
+    let stream = accept(&server);
     client.write_all(get("/data/a").as_bytes()).expect("it reads");
     talk(&server, &stream).expect("it has time enough");
 }
@@ -41,7 +41,7 @@ fn an_answer_that_the_client_does_not_read_is_given_up() {
     let [short, long] = [50, 60_000].map(Duration::from_millis);
     let server = server_with([long, short]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
+    let stream = accept(&server);
     client.write_all(get("/large").as_bytes()).expect("it reads");
     let error = talk(&server, &stream).expect_err("the client reads nothing");
     assert!(matches!(error.kind(), io::ErrorKind::TimedOut | io::ErrorKind::WouldBlock), "{error}");
@@ -54,7 +54,7 @@ fn an_answer_that_the_client_reads_too_slowly_is_given_up() {
         let patience = Patience { request: Duration::from_secs(60), answer: short, rate };
         let server = Server { patience, ..Server::new(0).expect("a port is free") };
         let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-        let (stream, _) = server.listener.accept().expect("there is a connection");
+        let stream = accept(&server);
         client.write_all(get("/large").as_bytes()).expect("it reads");
         // The client never stops reading, so each write of the server has some success.
         let reader = std::thread::spawn(move || {
