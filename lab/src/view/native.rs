@@ -170,6 +170,8 @@ impl Native {
         let _busy = self.busy.lock().unwrap_or_else(PoisonError::into_inner);
         let check = || if stop.load(Ordering::SeqCst) { Err(Refusal::Cancelled) } else { Ok(()) };
         check()?;
+        // A text in JSON is at least as long as the text itself.
+        let share_of_texts = self.budget.take(body.len())?;
         let texts: Texts = serde_json::from_slice(body).map_err(|error| Refusal::Message(error.to_string()))?;
         for (name, text) in [("configuration", &texts.config), ("scene", &texts.scene)] {
             if text.len() as u64 > MAX_TEXT {
@@ -188,6 +190,7 @@ impl Native {
         }
         let mut share = self.budget.take(pixels * PIXEL_BYTES + PATH_BYTES)?;
         let scene = Scene::parse(texts.scene.as_bytes())?;
+        drop((texts, share_of_texts));
         check()?;
         let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?;
         self.rows[0].store(0, Ordering::SeqCst);

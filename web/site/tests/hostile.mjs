@@ -65,7 +65,9 @@ export const tests = {
             // The browser has the cookie and the secret. `localhost` is another site than 127.0.0.1, and another port
             // of 127.0.0.1 is another origin of the same site, to which a browser sends the cookie.
             const target = `${origin}/${link(HOSTILE, { tab: 'live-pane', camera: null, pixel: null })}`;
-            const html = `foreign<iframe src="${target}"></iframe><script>
+            // Even an address with the secret, which no foreign page knows, is not shown in a frame.
+            const known = `${url}${link(HOSTILE)}`;
+            const html = `foreign<iframe src="${target}"></iframe><iframe src="${known}"></iframe><script>
                 const asks = ['render/1', 'camera', 'cancel/1'].map((path) => fetch('${origin}/view/' + path,
                     { method: 'POST', mode: 'no-cors', credentials: 'include', body: ${JSON.stringify(JSON.stringify(HOSTILE))} }));
                 Promise.allSettled(asks).then(() => { document.title = 'asked'; });
@@ -76,7 +78,9 @@ export const tests = {
                     const page = await own.context().newPage();
                     await page.goto(`http://${host}:${port}/`);
                     await page.waitForFunction(() => document.title === 'asked');
+                    equal(page.frames().length, 3, `${host}: the page and its frames`);
                     for (const frame of page.frames().slice(1)) {
+                        await frame.waitForLoadState();
                         equal(await frame.locator('#status').count(), 0, `${host}: the parts of the page in the frame`);
                     }
                     const opening = page.context().waitForEvent('page');

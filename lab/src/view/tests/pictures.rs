@@ -66,8 +66,12 @@ fn endless() -> [String; 3] {
     ]
 }
 
-/// Time after which a picture must have been cancelled, many times as long as the promised 100 ms.
-const SOON: Duration = Duration::from_secs(3);
+/// Returns the time after which a picture must have been cancelled: `RENDER_STOP_MS` milliseconds. The promise is
+/// 100 ms, and by default the tests allow many times as much, because the machine may be busy.
+fn soon() -> Duration {
+    let milliseconds = std::env::var("RENDER_STOP_MS").map(|text| text.parse().expect("RENDER_STOP_MS is a number"));
+    Duration::from_millis(milliseconds.unwrap_or(3000))
+}
 
 /// Waits until the picture that was requested last is being rendered.
 fn until_rendering(view: &View) {
@@ -90,7 +94,7 @@ fn only_the_picture_with_the_number_is_cancelled_and_soon() {
             let start = Instant::now();
             assert_eq!(asked(&view, "POST", "/view/cancel/7", "").0, "200");
             assert_eq!(picture.join().expect("it does not panic").0, "409");
-            assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+            assert!(start.elapsed() < soon(), "{:?}", start.elapsed());
             assert_eq!(view.budget.taken(), 0);
         });
     }
@@ -121,7 +125,7 @@ fn a_picture_whose_client_has_gone_is_cancelled_and_the_next_one_comes_soon() {
             }
             let start = Instant::now();
             assert_eq!(asked(&view, "POST", "/view/render/99", &small).0, "200");
-            assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+            assert!(start.elapsed() < soon(), "{:?}", start.elapsed());
         });
     }
 }
@@ -135,7 +139,7 @@ fn a_new_picture_stops_the_one_before_it() {
             until_rendering(&view);
             let start = Instant::now();
             assert_eq!(asked(&view, "POST", "/view/render/2", &texts("image_width: 8\n", "")).0, "200");
-            assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+            assert!(start.elapsed() < soon(), "{:?}", start.elapsed());
             assert_eq!(picture.join().expect("it does not panic").0, "409");
         });
     }
@@ -156,25 +160,26 @@ fn a_path_that_hits_too_many_surfaces_is_refused_with_the_number() {
 #[test]
 fn a_picture_is_counted_and_one_that_does_not_fit_is_refused_with_the_numbers() {
     let (_folder, mut view) = view();
-    let paths = 12 << 23;
-    let budget = Budget::new(paths + 64 * 15);
+    let body = |pixels: u64| texts(&format!("image_width: {pixels}\naspect_ratio: {pixels} 1\n"), "").into_bytes();
+    let (paths, text) = (12 << 23, body(64).len());
+    let all = paths + 64 * 15 + text;
+    let budget = Budget::new(all);
     view.native = Native::new(budget.clone());
     let render = |pixels: u64| {
-        let config = format!("image_width: {pixels}\naspect_ratio: {pixels} 1\n");
         let [_client, server] = connection();
-        let body = texts(&config, "").into_bytes();
+        let body = body(pixels);
         let request = Request { method: "POST".to_owned(), path: "/view/render/1".to_owned(), body };
         view.answer(&request, &Client::new(&server))
     };
     let answer = render(64);
     assert_eq!((answer.status, budget.taken()), ("200 OK", answer.body.len()), "until it is sent");
     let refused = render(64);
-    let free = paths + 64 * 15 - answer.body.len();
-    let text = format!("this takes {} bytes, and {free} of {} bytes are free; try", paths + 960, paths + 960);
+    let free = all - text - answer.body.len();
+    let message = format!("this takes {} bytes, and {free} of {all} bytes are free; try", paths + 960);
     assert_eq!(refused.status, "503 Service Unavailable");
-    assert!(refused.body.starts_with(text.as_bytes()), "{}", String::from_utf8_lossy(&refused.body));
+    assert!(refused.body.starts_with(message.as_bytes()), "{}", String::from_utf8_lossy(&refused.body));
     drop(answer);
-    let refused = render(65);
+    let refused = render(65 + text as u64 / 15);
     assert!(refused.body.ends_with(b"make it smaller"), "{}", String::from_utf8_lossy(&refused.body));
     assert_eq!(budget.taken(), 0);
     assert_eq!(render(64).status, "200 OK");
