@@ -1,15 +1,25 @@
-//! Compares the translations of all kernels in f32, into five languages, with the files in `goldens/`.
+//! Compares the translations of all kernels with the digests in `goldens/SHA256SUMS`, and those of one kernel with whole
+//! texts, which show a reader what a translation looks like.
 //!
-//! Any change of a module, of naga or of its options changes these files. If the change is intended, run the test with
-//! `BLESS=1` and commit the files that it writes.
+//! Any change of a module, of naga or of its options changes the digests. `shaders/translations` prints a translation,
+//! or what has changed since a commit. If the change is intended, run the test with `BLESS=1` and commit the files that
+//! it writes. With `TRANSLATIONS=FOLDER` the test also writes all translations into that folder.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
+use std::env::var_os;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use rspirv::binary::Disassemble;
 use shaders::module::MODULES;
-use shaders::{Features, Library, Precision, Target, Translation, translate};
+use shaders::{Error, Features, Library, Precision, Target, Translation, translate};
+use test_support::digest::{read_sums, sha256};
+
+/// The kernel whose translations are committed as whole texts.
+const SHOWN: &str = "camera";
+
+/// The first lines of the list of digests.
+const HEAD: &str = "# Digests of the translations of all kernels; shaders/translations prints a translation.\n";
 
 /// Returns the names of all kernel modules that are compared. Modules of reports are left out.
 fn kernels() -> Vec<&'static str> {
@@ -21,13 +31,51 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("goldens")
 }
 
-fn text(library: &Library, kernel: &str, target: Target) -> String {
-    let composition = library.compose(kernel, Precision::F32).expect("it exists");
+/// Returns the translation, or `None` if the target lacks the precision.
+fn text(library: &Library, kernel: &str, precision: Precision, target: Target) -> Option<String> {
+    let composition = library.compose(kernel, precision).expect("it exists");
     let shader = composition.validate().expect("it is valid");
-    match translate(&shader, target, &Features::all(5)).unwrap_or_else(|error| panic!("{kernel}: {error}")) {
-        Translation::Text(text) => text,
-        // SPIR-V is stored as assembly text, so that a difference can be read.
-        Translation::Words(words) => rspirv::dr::load_words(words).expect("naga writes valid words").disassemble(),
+    match translate(&shader, target, &Features::all(5)) {
+        Ok(Translation::Text(text)) => Some(text),
+        // SPIR-V is shown as assembly text, so that a difference can be read.
+        Ok(Translation::Words(words)) => {
+            Some(rspirv::dr::load_words(words).expect("naga writes valid words").disassemble())
+        }
+        Err(Error::Unsupported { .. }) => None,
+        Err(error) => panic!("{kernel}: {error}"),
+    }
+}
+
+/// Returns all translations by the names of their files.
+fn translations(library: &Library) -> BTreeMap<String, String> {
+    let mut texts = BTreeMap::new();
+    for kernel in kernels() {
+        for (precision, name) in [(Precision::F32, "f32"), (Precision::F64, "f64")] {
+            for target in Target::ALL {
+                if let Some(text) = text(library, kernel, precision, target) {
+                    let kernel = kernel.trim_start_matches("kernels/");
+                    texts.insert(format!("{kernel}.{name}.{}", target.extension()), text);
+                }
+            }
+        }
+    }
+    texts
+}
+
+/// Returns the names of the files in `folder`, and their texts.
+fn files(folder: &Path) -> BTreeMap<String, String> {
+    let entries = fs::read_dir(folder).expect("the folder is there");
+    let file = |path: PathBuf| {
+        let name = path.file_name().and_then(|name| name.to_str()).expect("names are ASCII").to_owned();
+        (name, fs::read_to_string(&path).expect("it is a text"))
+    };
+    entries.map(|entry| file(entry.expect("the folder is readable").path())).collect()
+}
+
+fn write(folder: &Path, files: &BTreeMap<String, String>) {
+    fs::create_dir_all(folder).expect("the folder is writable");
+    for (name, text) in files {
+        fs::write(folder.join(name), text).expect("the folder is writable");
     }
 }
 
@@ -49,35 +97,52 @@ fn show(line: Option<&str>) -> &str {
 }
 
 #[test]
-fn translations_are_the_goldens() {
-    let bless = std::env::var_os("BLESS").is_some_and(|value| value == "1");
-    let mut expected_files = BTreeSet::new();
-    let mut faults = Vec::new();
-    for kernel in kernels() {
-        for target in Target::ALL {
-            let name = format!("{}.{}", kernel.trim_start_matches("kernels/"), target.extension());
-            let path = folder().join(&name);
-            let actual = text(&Library::standard(), kernel, target);
-            assert!(actual.lines().count() > 20, "{name} is all but empty:\n{actual}");
-            if bless {
-                fs::write(&path, &actual).expect("goldens/ is writable");
-            }
-            match fs::read_to_string(&path) {
-                Ok(golden) if golden == actual => {}
-                Ok(golden) => faults.push(format!("{name}, {}", first_difference(&golden, &actual))),
-                Err(error) => faults.push(format!("{name}: {error}")),
-            }
-            expected_files.insert(name);
+fn translations_are_those_of_the_digests() {
+    let translations = translations(&Library::standard());
+    if let Some(folder) = var_os("TRANSLATIONS") {
+        write(Path::new(&folder), &translations);
+    }
+    for (name, text) in &translations {
+        assert!(text.lines().count() > 20, "{name} is all but empty:\n{text}");
+    }
+    let digests = translations.iter().map(|(name, text)| (name.clone(), sha256(text.as_bytes())));
+    let digests: Vec<_> = digests.collect();
+    let mut expected: BTreeMap<_, _> =
+        translations.into_iter().filter(|(name, _)| name.split('.').next() == Some(SHOWN)).collect();
+    assert_eq!(expected.len(), 7, "five languages in f32 and two in f64");
+    let list = digests.iter().map(|(name, digest)| format!("{digest}  {name}\n")).collect::<String>();
+    expected.insert("SHA256SUMS".to_owned(), format!("{HEAD}{list}"));
+    if var_os("BLESS").is_some_and(|value| value == "1") {
+        fs::remove_dir_all(folder()).expect("goldens/ is there");
+        write(&folder(), &expected);
+    }
+    let mut goldens = files(&folder());
+    let list = goldens.remove("SHA256SUMS").expect("goldens/ has a list of digests");
+    let mut faults: Vec<String> = Vec::new();
+    let old: BTreeMap<_, _> = read_sums(&list).expect("it is a list").into_iter().collect();
+    let new: BTreeMap<_, _> = digests.into_iter().collect();
+    for name in old.keys().chain(new.keys().filter(|name| !old.contains_key(*name))) {
+        match (old.get(name), new.get(name)) {
+            (Some(old), Some(new)) if old == new => {}
+            (Some(_), Some(_)) => faults.push(format!("{name} has changed")),
+            (Some(_), None) => faults.push(format!("{name} is no translation any more")),
+            (None, _) => faults.push(format!("{name} is not in the list")),
         }
     }
-    assert!(faults.is_empty(), "{}\nWhen this is meant: BLESS=1 cargo test -p shaders", faults.join("\n"));
-    println!("{} translations compared", expected_files.len());
-    let found: BTreeSet<_> = fs::read_dir(folder())
-        .expect("goldens/ is there")
-        .map(|entry| entry.expect("goldens/ is readable").file_name().into_string().expect("names are ASCII"))
-        .collect();
-    assert_eq!(found, expected_files, "goldens/ holds exactly the translations");
-    assert!(expected_files.len() >= 55);
+    expected.remove("SHA256SUMS");
+    for (name, text) in &expected {
+        if let Some(golden) = goldens.get(name).filter(|golden| *golden != text) {
+            faults.push(format!("{name}, {}", first_difference(golden, text)));
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "{}\n`shaders/translations --since HEAD` shows the difference. \
+         If it is meant: BLESS=1 cargo test -p shaders --test goldens",
+        faults.join("\n")
+    );
+    assert!(goldens.keys().eq(expected.keys()), "goldens/ has exactly the translations of {SHOWN}, and their digests");
+    assert!(new.len() >= 140, "{} translations", new.len());
 }
 
 #[test]
@@ -87,7 +152,12 @@ fn a_changed_formula_changes_every_translation() {
     assert_eq!(source.matches("h * h - a * view.c").count(), 1);
     let changed = source.replace("h * h - a * view.c", "h * h + a * view.c");
     library.replace("sphere", "changed.wgsl", changed).expect("it exists");
-    for target in Target::ALL {
-        assert!(text(&library, "kernels/sphere", target) != text(&Library::standard(), "kernels/sphere", target));
+    for precision in [Precision::F32, Precision::F64] {
+        for target in Target::ALL {
+            let [old, new] =
+                [&Library::standard(), &library].map(|library| text(library, "kernels/sphere", precision, target));
+            assert_eq!(old.is_some(), target.obstacle(precision).is_none());
+            assert!(old.is_none() || old != new, "{target}");
+        }
     }
 }
