@@ -13,12 +13,12 @@ use cpu::internals::layout::aos::AosImage;
 use cpu::internals::math::tangent::tangent;
 use cpu::reference::intersect::Exact;
 use cpu::{Aos, Config, Scatter, Scene};
+use generator::cameras::hard_camera;
+use generator::{self, Options};
 use libtest_mimic::{Arguments, Failed, Trial};
 use test_support::folder::Folder;
-use test_support::generator::cameras::hard_camera;
-use test_support::generator::{self, Options};
 use test_support::golden::{self, Golden};
-use test_support::{digest, p3};
+use test_support::p3;
 
 /// The name of the compiler. It must be g++, because the digests depend on the random distributions of its library,
 /// libstdc++.
@@ -98,8 +98,8 @@ impl Literal<'_> {
     /// the files, so that all programs render the numbers in the files.
     fn render(&self, config: &Config, scene: &Scene, scatter: Scatter) -> Result<(Vec<u8>, Config, Scene), Failed> {
         let [config_file, scene_file, out] = ["config.txt", "scene.txt", "out.ppm"].map(|name| self.folder.file(name));
-        std::fs::write(&config_file, test_support::write::config(config))?;
-        std::fs::write(&scene_file, test_support::write::scene(scene))?;
+        std::fs::write(&config_file, generator::write::config(config))?;
+        std::fs::write(&scene_file, generator::write::scene(scene))?;
         let mut command = Command::new(self.program);
         command.args([&config_file, &scene_file, &out]);
         if scatter == Scatter::Published {

@@ -1,6 +1,8 @@
-//! Checks the order of the modules of `cpu`: a folder uses only folders before it, and files do not use each other in a
-//! circle.
+//! Checks the order of the modules of `cpu`: a folder uses only folders before it. In all crates, files do not use each
+//! other in a circle, and no crate needs one in a later top folder.
 
+#[path = "module_order/crates.rs"]
+mod crates;
 #[path = "module_order/design.rs"]
 mod design;
 #[path = "module_order/paths.rs"]
@@ -10,8 +12,9 @@ mod uses;
 
 use std::collections::BTreeSet;
 
+use crates::{crates, faults, sources};
 use design::{arrows_without_a_use, dotted_arrows, folders_of_page};
-use uses::{Sources, against_the_order, in_circles, read, uses};
+use uses::{Sources, against_the_order, in_circles, read, uses, without_parents};
 
 /// Names of the folders and files at the top of `cpu/src`. Each uses only those before it.
 const ORDER: [&str; 14] = [
@@ -75,4 +78,41 @@ fn circles_and_uses_against_the_order_are_found() {
     assert_eq!(against_the_order(&uses, &["a", "b", "d"]), ["a uses b", "a uses b::c"]);
     assert_eq!(against_the_order(&uses, &["b", "a"]), ["b::c uses a", "d uses a"]);
     assert_eq!(in_circles(&uses), ["a", "b", "b::c"]);
+}
+
+/// The top folders that have crates. A crate needs only crates in its own folder and in those before it, so no product
+/// is built from tests or benchmarks.
+const FOLDERS: [&str; 8] = ["cpu", "cli", "shaders", "web", "gpu-check", "lab", "tests", "bench"];
+
+#[test]
+fn no_crate_needs_one_in_a_later_folder() {
+    let mut crates = crates(&test_support::project_root());
+    assert!(crates.len() > 15 && crates["lab"].needs.len() > 5, "{crates:?}");
+    assert_eq!(faults(&crates, &FOLDERS), [""; 0]);
+    crates.get_mut("cpu").expect("it is a crate").needs.insert("tests/support".into());
+    assert_eq!(faults(&crates, &FOLDERS), ["cpu in cpu needs tests/support"]);
+}
+
+#[test]
+fn the_laboratory_and_the_shaders_programs_do_not_need_each_other() {
+    let crates = crates(&test_support::project_root());
+    for (name, other) in [("lab", "gpu-check"), ("gpu-check", "lab")] {
+        assert!(crates[name].needs.iter().all(|need| !need.starts_with(other)), "{name} needs {other}");
+    }
+}
+
+#[test]
+fn no_files_of_a_crate_use_each_other_in_a_circle() {
+    let root = test_support::project_root();
+    let (mut files, mut circles) = (0, Vec::new());
+    for (name, one) in crates(&root) {
+        for sources in sources(&root.join(one.folder).join("src")) {
+            let uses = uses(&sources);
+            files += uses.len();
+            circles
+                .extend(in_circles(&without_parents(uses.clone())).into_iter().map(|file| format!("{name}: {file}")));
+        }
+    }
+    assert_eq!(circles, [""; 0]);
+    assert!(files > 300, "only {files} files were found");
 }

@@ -19,7 +19,6 @@ use std::sync::Arc;
 
 use cpu::Scatter;
 use libtest_mimic::{Arguments, Failed, Trial};
-use test_support::digest;
 use test_support::golden::{self, Golden};
 
 use host::{Host, Job};

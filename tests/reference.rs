@@ -3,7 +3,7 @@
 
 use cpu::internals::layout::aos::AosImage;
 use cpu::{Config, Scene};
-use test_support::{digest, golden, ppm};
+use test_support::{golden, ppm};
 
 #[test]
 fn the_reference_gives_the_digests_of_the_small_scenes() {

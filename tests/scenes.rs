@@ -5,7 +5,7 @@ use std::fs;
 
 use cpu::internals::input::scene::Shape;
 use cpu::{Config, Material, Scene};
-use test_support::generator::{self, Arrangement, Options};
+use generator::{self, Arrangement, Options};
 
 /// Names of the folders in `scenes`.
 const NAMES: [&str; 6] = ["cylinders", "grid", "listings", "materials", "spheres", "ten-thousand"];
@@ -76,7 +76,7 @@ fn generated_scenes_are_what_the_generator_makes() {
     for (name, options) in generated() {
         let (made, view) = (generator::scene(&options), generator::view(&options));
         assert_eq!(made.objects.len(), options.objects);
-        assert!(text(name, "scene.txt") == test_support::write::scene(&made), "scenes/{name}/scene.txt");
-        assert!(text(name, "config.txt") == test_support::write::config(&view), "scenes/{name}/config.txt");
+        assert!(text(name, "scene.txt") == generator::write::scene(&made), "scenes/{name}/scene.txt");
+        assert!(text(name, "config.txt") == generator::write::config(&view), "scenes/{name}/config.txt");
     }
 }

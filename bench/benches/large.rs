@@ -14,7 +14,7 @@ use cpu::internals::layout::Objects;
 use cpu::internals::layout::aos::{AosImage, AosObjects};
 use cpu::internals::layout::soa::SoaImage;
 use cpu::{Image, Rgb, Scene, Size};
-use test_support::generator::{self, Options};
+use generator::{self, Options};
 
 /// Calls `work` `turns` times, and returns the shortest time of a call in seconds.
 fn fastest<T>(turns: usize, mut work: impl FnMut() -> T) -> f64 {
@@ -56,7 +56,7 @@ fn write<I: Image>(layout: &str) {
 fn read() {
     const OBJECTS: usize = 1_000_000;
     let options = Options { objects: OBJECTS, ..Options::default() };
-    let text = test_support::write::scene(&generator::scene(&options));
+    let text = generator::write::scene(&generator::scene(&options));
     let parse = || Scene::parse(text.as_bytes()).expect("it is valid");
     let scene = parse();
     let config = generator::view(&options);

@@ -11,7 +11,7 @@ use std::time::Duration;
 use bench::time::user_seconds;
 use cpu::{Aos, Config, Scatter, Scene};
 use criterion::{Criterion, criterion_group};
-use test_support::digest::sha256;
+use digest::sha256;
 use test_support::golden::{self, Golden};
 
 /// Returns the bytes of the picture's file, rendered from the bytes of the configuration and of the scene.

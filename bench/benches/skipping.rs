@@ -10,7 +10,7 @@ use cpu::internals::image::quantize::Quantizer;
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
-use test_support::generator::{self, Arrangement, Options};
+use generator::{self, Arrangement, Options};
 
 type Picture = <Aos as Layout>::Image;
 

@@ -11,8 +11,19 @@ pub mod ours;
 pub mod scene;
 pub mod table;
 
+use cpu::Ray;
+
 /// The place that stands for no object: the origin object of a free ray, or the object of a ray without a hit.
 pub const NO_PLACE: u32 = u32::MAX;
+
+/// A ray, and the place of the object on which it starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// The ray.
+    pub ray: Ray,
+    /// The place of the object on which the ray starts, or [`NO_PLACE`].
+    pub from: u32,
+}
 
 /// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use cpu::{Aos, Config, Layout, Scatter, Scene, Soa};
 use libtest_mimic::{Arguments, Failed, Trial};
 use test_support::folder::Folder;
 use test_support::golden::{self, Golden};
-use test_support::{digest, p3, ppm};
+use test_support::{p3, ppm};
 
 /// One layout's two ways to render: the built program, and the function of the library.
 #[derive(Clone, Copy)]

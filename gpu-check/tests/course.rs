@@ -20,7 +20,6 @@ use gpu_check::scenes::Case;
 use libtest_mimic::{Arguments, Failed, Trial};
 use sampled::{Pipelines, Tally, is_everything, record};
 use shaders::Library;
-use test_support::digest;
 use test_support::golden::{self, Golden};
 
 fn main() {

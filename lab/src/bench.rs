@@ -15,5 +15,6 @@ pub mod machine;
 pub mod matrix;
 pub mod progress;
 pub mod results;
+pub mod scenes;
 pub mod statistics;
 pub mod timing;

@@ -199,8 +199,7 @@ mod tests {
     #[test]
     fn every_engine_makes_the_same_picture() {
         let config = Config::parse(&b"image_width: 24\nsamples_per_pixel: 3\n"[..]).expect("it is valid");
-        let scene =
-            test_support::generator::scene(&test_support::generator::Options { objects: 20, ..Default::default() });
+        let scene = generator::scene(&generator::Options { objects: 20, ..Default::default() });
         let expected = Engine::Reference.ppm(&config, &scene).expect("it is small");
         let engines = [Engine::all(), Engine::changed()].concat();
         assert!(engines.len() >= 3 + 5, "the reference and the portable one in two layouts, and what is switched off");
@@ -227,7 +226,7 @@ mod tests {
     #[test]
     fn the_means_are_those_of_the_reference() {
         let config = Config::parse(&b"image_width: 16\nsamples_per_pixel: 2\n"[..]).expect("it is valid");
-        let scene = test_support::generator::scene(&test_support::generator::Options::default());
+        let scene = generator::scene(&generator::Options::default());
         let mut expected = Vec::new();
         cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, mean| expected.push(mean))
             .expect("it is small");

@@ -25,8 +25,7 @@ use thumbnails::Thumbnail;
 /// # Errors
 /// An output is the file `data`, a file cannot be written, or a chart cannot be drawn.
 pub fn write(results: &Results, data: &Path, folder: &Path, options: Options) -> Result<(), Failure> {
-    let scenes = test_support::project_root().join("scenes");
-    write_with(results, data, folder, options, || Ok(thumbnails::of(results, &scenes)?))
+    write_with(results, data, folder, options, || Ok(thumbnails::of(results)))
 }
 
 /// Writes the report with the thumbnails of `pictures`, which is called when all outputs have been found writable.

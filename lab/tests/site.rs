@@ -11,7 +11,7 @@ use std::sync::Arc;
 use cpu::{Aos, Scatter};
 use libtest_mimic::{Arguments, Failed, Trial};
 use test_support::folder::Folder;
-use test_support::{digest, golden, project_root};
+use test_support::{golden, project_root};
 
 /// Lines that are added to the configurations of the large scenes. The last line with a key counts.
 const REDUCED: &str = "\nimage_width: 160\nsamples_per_pixel: 8\n";

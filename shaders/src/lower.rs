@@ -6,7 +6,8 @@
 //! driver may rewrite them. What cannot be lowered is refused with its place in the text.
 //!
 //! - [`arithmetic`] has the functions in WGSL;
-//! - `types` and `globals` copy what stands outside of functions, and `function` copies the bodies;
+//! - `module` goes through the parts of a module, and `lowering` knows what stands for each of them;
+//! - `types` and `globals` copy what stands outside of functions, and `function` and `declared` copy the bodies;
 //! - `expression`, `operators`, `math` and `convert` replace the operations on f64;
 //! - `names` keeps the names of overrides and entry points;
 //! - `layout` writes the sizes of structure members, which naga's writer leaves out.
@@ -25,10 +26,12 @@ pub mod arithmetic;
 mod block;
 mod convert;
 mod copy;
+mod declared;
 mod expression;
 mod function;
 mod globals;
 mod layout;
+mod lowering;
 mod math;
 mod module;
 mod names;
@@ -44,7 +47,7 @@ use naga::back::wgsl::{WriterFlags, write_string};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 use crate::{Composition, Diagnostic, Error, Precision, limits, validate};
-use module::Lowering;
+use lowering::Lowering;
 
 /// Returns the text of a module without f64 that computes what `source` computes. Messages show `path` as the file of
 /// `source`.

@@ -10,10 +10,10 @@ use std::env::var_os;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use digest::{read_sums, sha256};
 use rspirv::binary::Disassemble;
 use shaders::module::MODULES;
 use shaders::{Error, Features, Library, Precision, Target, Translation, translate};
-use test_support::digest::{read_sums, sha256};
 
 /// The kernel whose translations are committed as whole texts.
 const SHOWN: &str = "camera";

@@ -36,13 +36,13 @@ pub fn uses(sources: &Sources) -> Uses {
     for (&module, paths) in read.iter().filter(|(module, _)| !is_test(module)) {
         let used = uses.entry(module.clone()).or_default();
         for path in &paths.paths {
+            let supers = path.iter().take_while(|part| *part == "super").count();
             let absolute = match path.first().map(String::as_str) {
                 Some("crate") => path[1..].to_vec(),
                 // A path without `crate` leads to a child module, or out of this crate. For the latter, no source is
                 // found.
-                _ => [module.clone(), path.clone()].concat(),
+                _ => [&module[..module.len().saturating_sub(supers)], &path[supers..]].concat(),
             };
-            assert!(path.first().is_none_or(|first| first != "super"), "{module:?}: begin {path:?} with `crate`");
             let target = (1..=absolute.len())
                 .rev()
                 .map(|length| absolute[..length].to_vec())
@@ -84,6 +84,14 @@ pub fn in_circles(uses: &Uses) -> Vec<String> {
     }
 }
 
+/// Returns the uses without those of a file that the file is a part of: `exact/rays.rs` may use `exact.rs`.
+pub fn without_parents(mut uses: Uses) -> Uses {
+    for (module, used) in &mut uses {
+        used.retain(|target| !module.starts_with(target));
+    }
+    uses
+}
+
 /// Reads all sources in `folder`, which belongs to the module `module`, into `sources`. Subfolders are included.
 pub fn read(folder: &Path, module: &Module, sources: &mut Sources) {
     for entry in std::fs::read_dir(folder).expect("the folder is there") {
@@ -93,7 +101,8 @@ pub fn read(folder: &Path, module: &Module, sources: &mut Sources) {
         if path.is_dir() {
             read(&path, &below, sources);
         } else {
-            let key = if name == "lib" && module.is_empty() { Vec::new() } else { below };
+            let is_root = module.is_empty() && ["lib", "main"].contains(&name.as_str());
+            let key = if is_root { Vec::new() } else { below };
             sources.insert(key, std::fs::read_to_string(&path).expect("a source is text"));
         }
     }

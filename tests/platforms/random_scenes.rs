@@ -2,10 +2,11 @@
 
 use cpu::internals::{InstructionSet, Prepared, render_with};
 use cpu::{Aos, Config, Scatter, Scene};
+use generator::write;
+use generator::{self, Arrangement, Options};
 use libtest_mimic::Failed;
 use test_support::folder::Folder;
-use test_support::generator::{self, Arrangement, Options};
-use test_support::{ppm, write};
+use test_support::ppm;
 
 use crate::host::Job;
 use crate::table::Platform;

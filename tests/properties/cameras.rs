@@ -5,10 +5,10 @@ use std::cell::Cell;
 
 use cpu::internals::Prepared;
 use cpu::{Aos, Config, Scatter, Scene};
+use generator::cameras::hard_camera;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use test_support::agreement::{Picture, SCATTERS, equals_reference, reference};
-use test_support::generator::cameras::hard_camera;
 
 use crate::runner::check;
 

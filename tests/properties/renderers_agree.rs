@@ -4,10 +4,10 @@
 use std::cell::Cell;
 
 use cpu::{Config, Scatter, Scene, Vec3};
+use generator::{Arrangement, Options, scene};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use test_support::agreement::{SCATTERS, equals_reference, reference};
-use test_support::generator::{Arrangement, Options, scene};
 
 use crate::runner::check;
 

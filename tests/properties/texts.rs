@@ -3,9 +3,9 @@
 use std::cell::Cell;
 
 use cpu::{Config, Error, Scene};
+use generator::write;
+use generator::{self, Arrangement, Options};
 use proptest::prelude::*;
-use test_support::generator::{self, Arrangement, Options};
-use test_support::write;
 
 use crate::runner::check;
 

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use test_support::generator::{self, Options};
+use generator::{self, Options};
 
 const USAGE: &str = "\
 parse-speed [LINES]
@@ -29,7 +29,7 @@ fn main() -> ExitCode {
             }
         },
     };
-    let text = test_support::write::scene(&generator::scene(&Options { objects, ..Options::default() }));
+    let text = generator::write::scene(&generator::scene(&Options { objects, ..Options::default() }));
     let lines = text.lines().count();
     let best = (0..5)
         .map(|_| {

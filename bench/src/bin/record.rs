@@ -10,7 +10,7 @@ use bench::record::{Record, Time, latest};
 use bench::time::{median, seconds_of};
 use cpu::internals::{InstructionSet, Prepared, render_with};
 use cpu::{Aos, Config, Scatter, Scene};
-use test_support::generator::{self, Arrangement, Options};
+use generator::{self, Arrangement, Options};
 use test_support::{golden, project_root};
 
 const USAGE: &str = "\

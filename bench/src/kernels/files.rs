@@ -9,7 +9,7 @@ use cpu::internals::accel::extent::Extent;
 use cpu::internals::layout::Objects;
 use cpu::internals::layout::aos::{AosImage, AosObjects};
 use cpu::{Config, Image, Rgb, Scene, Size};
-use test_support::generator::{self, Options};
+use generator::{self, Options};
 
 use super::{Kernel, Work, plain};
 
@@ -22,14 +22,14 @@ pub const KERNELS: &[Kernel] = &[
 ];
 
 fn parse_config() -> Box<dyn Work> {
-    let text = test_support::write::config(&Config::default());
+    let text = generator::write::config(&Config::default());
     plain(text.lines().count(), move || {
         black_box(Config::parse(black_box(text.as_bytes())).expect("it is valid"));
     })
 }
 
 fn parse_scene() -> Box<dyn Work> {
-    let text = test_support::write::scene(&generator::scene(&Options { objects: 1000, ..Options::default() }));
+    let text = generator::write::scene(&generator::scene(&Options { objects: 1000, ..Options::default() }));
     plain(text.lines().count(), move || {
         black_box(Scene::parse(black_box(text.as_bytes())).expect("it is valid"));
     })

@@ -8,7 +8,7 @@ use cpu::internals::render::stages::{ColorPaths, DrawSamples, FindBytes};
 use cpu::internals::render::trace_paths::TracePaths;
 use cpu::internals::{InstructionSet, Limits, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
-use test_support::generator::{self, Arrangement, Options};
+use generator::{self, Arrangement, Options};
 
 use super::{Kernel, Work};
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{NearestHit, scene::Start};
+use super::{NearestHit, Start};
 
 /// The smallest share of rays for which both sides must hit the same object.
 pub const LEAST_AGREEMENT: f64 = 0.9999;

@@ -15,7 +15,7 @@ use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::{Scene, Shape, Vec3};
 use libloading::Library;
 
-use super::{NearestHit, scene::Start};
+use super::{NearestHit, Start};
 
 /// The file name of the library, as the system's loader finds it.
 const LIBRARY: &str = "libembree3.so.3";

@@ -3,10 +3,11 @@
 use cpu::internals::InstructionSet;
 use serde::Serialize;
 
+use super::Start;
 use super::agreement::Agreement;
 use super::embree::{Embree, SingleRay};
 use super::ours::Ours;
-use super::scene::{Setting, Start, free_rays, surface_rays};
+use super::scene::{Setting, free_rays, surface_rays};
 use crate::time::{compare, median, seconds_of};
 
 /// What is measured, beside the scenes.

@@ -13,7 +13,7 @@ use cpu::internals::simd::{Kernel, Simd};
 use cpu::internals::{InstructionSet, geometry::sphere::SphereRecord};
 use cpu::{Error, Ray, Scene};
 
-use super::{NO_PLACE, NearestHit, scene::Start};
+use super::{NO_PLACE, NearestHit, Start};
 
 /// The objects of a scene and their acceleration structure.
 #[derive(Debug)]

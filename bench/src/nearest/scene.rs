@@ -8,7 +8,7 @@ use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Material, Object, Ray, Scene, Shape, Vec3};
 use serde::Serialize;
 
-use super::{NO_PLACE, ours::Ours};
+use super::{NO_PLACE, Start, ours::Ours};
 
 /// Half the side of the cube that contains the spheres' centres, in scene units.
 const HALF_SIDE: f64 = 4.0;
@@ -58,15 +58,6 @@ impl Setting {
         let objects = ground.into_iter().chain(spheres).collect();
         Scene { materials: vec![Material::Matte { reflectance: Vec3::splat(0.5) }], objects }
     }
-}
-
-/// A ray, and the place of the object on which it starts.
-#[derive(Clone, Copy, Debug)]
-pub struct Start {
-    /// The ray.
-    pub ray: Ray,
-    /// The place of the object on which the ray starts, or [`NO_PLACE`].
-    pub from: u32,
 }
 
 /// Returns `count` rays from random points of the cube in random directions. The seed 1 is that of the spheres.

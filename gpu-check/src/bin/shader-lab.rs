@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::process::ExitCode;
 
-use gpu_check::shader_lab::args::{self, Command, USAGE};
+use gpu_check::shader_lab::args::Arguments;
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
 use gpu_check::shader_lab::{TEMPLATE, guard, watch::Lab};
@@ -34,21 +34,25 @@ fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let mut arguments = std::env::args_os().skip(1).peekable();
-    if arguments.next_if(|argument| argument == guard::FLAG).is_some() {
-        return match guard::compile(arguments) {
+    if std::env::args_os().nth(1).is_some_and(|argument| argument == guard::FLAG) {
+        return match guard::compile(std::env::args_os().skip(2)) {
             Ok(()) => ExitCode::SUCCESS,
             Err(error) => failed(&error.to_string()),
         };
     }
-    let command = match args::parse(arguments) {
-        Ok(command) => command,
-        Err(message) => return failed(&format!("{message}; see --help")),
+    let arguments = match Arguments::read(std::env::args_os()) {
+        Ok(arguments) => arguments,
+        Err(message) if message.use_stderr() => {
+            // The message repeats the arguments, so its control characters must be escaped for the terminal.
+            terminal::note(message.render().to_string().trim_end());
+            return ExitCode::from(TROUBLE);
+        }
+        Err(help) => return said(&help.render().to_string()),
     };
-    match command {
-        Command::Help => said(&format!("{USAGE}\n")),
-        Command::Template(path) => template(&path),
-        Command::Render(options) => {
+    match arguments {
+        Arguments { template: Some(path), .. } => template(&path),
+        Arguments { options: None, .. } => ExitCode::from(TROUBLE),
+        Arguments { options: Some(options), .. } => {
             let (watch, check) = (options.watch, options.check);
             // If the picture goes to standard output, the report goes to standard error.
             let is_output_taken = [OsStr::new("-"), OsStr::new(STANDARD_OUTPUT)].contains(&options.out.as_os_str());

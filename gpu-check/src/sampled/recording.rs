@@ -13,7 +13,7 @@ pub const MAX_SAMPLES: u64 = 1 << 28;
 
 /// The conventions of the scatter vectors that use random numbers, with the numbers that `scatter_vectors.wgsl` gives
 /// them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[repr(u32)]
 pub enum Convention {
     /// [`Scatter::Statement`], which `render-aos` and `render-soa` use.

@@ -48,7 +48,7 @@ impl Places {
         let open = |path: PathBuf| -> Result<Place, Error> {
             output::refuse_inputs(&path, &inputs)?;
             let named = if path.as_os_str() == "-" { Path::new(STANDARD_OUTPUT) } else { &path };
-            let output = Output::open(named, output::Options { sync: options.sync })?;
+            let output = Output::open(named, output::Options { sync: !options.no_sync })?;
             Ok(Place { path, output })
         };
         let allows_other_files = allows_other_files(&options.out);
@@ -139,21 +139,6 @@ pub fn bytes<T: Float>(pixels: &[Vec3<T>], gamma: f64) -> Vec<[u8; 3]> {
     pixels.iter().map(|color| color.to_array().map(|channel| quantize(channel.wide(), gamma))).collect()
 }
 
-/// Checks that the name of a picture's file ends in `.png` or `.ppm`, or has no ending, which means PPM.
-///
-/// # Errors
-/// A message for the user, if the name has another ending.
-pub fn check_name(path: &Path) -> Result<(), String> {
-    match path.extension() {
-        None => Ok(()),
-        Some(ending) if ["png", "ppm"].iter().any(|known| ending.eq_ignore_ascii_case(known)) => Ok(()),
-        Some(ending) => {
-            let ending = ending.to_string_lossy();
-            Err(format!("--out: a picture cannot be written as .{ending}; its name must end in .png or .ppm"))
-        }
-    }
-}
-
 fn is_png(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
 }
@@ -180,10 +165,6 @@ mod tests {
         assert!(file("a.PNG").starts_with(b"\x89PNG"));
         assert_eq!(file("a.ppm"), b"P6\n2 1\n255\n\x01\x02\x03\x04\x05\x06");
         assert_eq!(file("-"), file("a.ppm"));
-        for name in ["a.png", "a.ppm", "-", "/dev/stdout"] {
-            assert_eq!(check_name(Path::new(name)), Ok(()), "{name}");
-        }
-        assert!(check_name(Path::new("a.jpg")).is_err_and(|message| message.contains("must end in .png or .ppm")));
     }
 
     #[test]

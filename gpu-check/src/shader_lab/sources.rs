@@ -86,12 +86,14 @@ mod tests {
     use std::fs;
     use test_support::folder::Folder;
 
+    use super::super::args::Arguments;
     use super::*;
 
     fn options(folder: &Path, config: &str) -> Options {
-        let text = format!("{0}/m.wgsl --config {config} --scene {0}/scene --out {0}/o.png", folder.display());
-        let Ok(super::super::args::Command::Render(options)) =
-            super::super::args::parse(text.split(' ').map(std::ffi::OsString::from))
+        let text =
+            format!("shader-lab {0}/m.wgsl --config {config} --scene {0}/scene --out {0}/o.png", folder.display());
+        let Ok(Arguments { options: Some(options), .. }) =
+            Arguments::read(text.split(' ').map(std::ffi::OsString::from))
         else {
             panic!("{text} is a command line");
         };

@@ -70,11 +70,11 @@ impl Held for f32 {
 /// one surface of a path already takes too many iterations.
 pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: &Scene) -> Result<(), Error> {
     check_size(config)?;
-    if options.samples.is_some() {
+    if options.samples {
         check_samples(config)?;
     }
     let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
-    if let Some([x, y]) = options.pixel
+    if let Some([x, y]) = options.pixel()
         && (x >= size.width() || y >= size.height())
     {
         let message = format!("--pixel: the picture has {} x {} pixels", size.width(), size.height());
@@ -83,7 +83,7 @@ pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: 
     let (features, _) = options.apply(features_of(config, scene)?).map_err(|message| Error::Request { message })?;
     let objects = scene.objects.len();
     let deepest = depth(config)?.max(features.max_depth);
-    let tries = options.samples.map_or(0, Convention::tries);
+    let tries = options.convention().map_or(0, Convention::tries);
     ray_loop::check(objects, files::has_hierarchy(modules, objects), deepest, tries)
 }
 
@@ -154,7 +154,7 @@ impl Trial<'_> {
             }
             Some(view) => report.push_str(&self.show::<T>(view, &features, &own, &picture, (out, both))?),
         }
-        if let Some([x, y]) = options.pixel {
+        if let Some([x, y]) = options.pixel() {
             let index = y * size.width() + x;
             report.push_str(&self.follow(index, &features, &own, &picture)?);
             report.push_str(&pixel::colors(held[index].to_array(), rendering.pixels[index].to_array()));

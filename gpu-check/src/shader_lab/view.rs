@@ -1,13 +1,14 @@
 //! Draws what camera rays hit, in false colours, so that the user sees where two implementations differ.
 
 use std::fmt;
-use std::str::FromStr;
+
+use clap::ValueEnum;
 
 use crate::Float;
 use crate::steps::{Step, first_difference};
 
 /// The property of each pixel that is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum View {
     /// The lambda of the hit. Nearer hits are lighter.
     Lambda,
@@ -25,9 +26,6 @@ pub enum View {
 }
 
 impl View {
-    /// All views, in the order in which messages list them.
-    pub const ALL: [Self; 6] = [Self::Lambda, Self::Normal, Self::Object, Self::Side, Self::Steps, Self::Difference];
-
     /// Returns the colour of a pixel whose path has the steps `steps`. `depth` is the maximum depth of the picture.
     #[must_use]
     pub fn color<T: Float>(self, steps: &[Step<T>], depth: u32) -> [u8; 3] {
@@ -85,26 +83,10 @@ fn hue(object: u64) -> [u8; 3] {
     [56, 48, 40].map(|shift| 64 + ((scattered >> shift) as u8) / 4 * 3)
 }
 
-impl FromStr for View {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let names: Vec<_> = Self::ALL.iter().map(ToString::to_string).collect();
-        let found = Self::ALL.into_iter().find(|view| view.to_string() == text);
-        found.ok_or_else(|| format!("--show: there is no view [{text}]; there are: {}", names.join(", ")))
-    }
-}
-
+/// Writes the name of the view on the command line.
 impl fmt::Display for View {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Lambda => "lambda",
-            Self::Normal => "normal",
-            Self::Object => "object",
-            Self::Side => "side",
-            Self::Steps => "steps",
-            Self::Difference => "difference",
-        })
+        f.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
     }
 }
 
@@ -119,12 +101,6 @@ mod tests {
             step.0[NAMES.iter().position(|known| known == name).expect("the name exists")] = *value;
         }
         step
-    }
-
-    #[test]
-    fn a_view_is_known_by_its_name() {
-        assert!(View::ALL.iter().all(|view| view.to_string().parse() == Ok(*view)));
-        assert!("depth".parse::<View>().is_err_and(|message| message.contains("lambda, normal, object, side")));
     }
 
     #[test]

@@ -62,7 +62,7 @@ impl Lab {
             // Checked before the CPU renders, which with many objects takes half a minute.
             trial::check(&self.options, modules, &config, &scene)?;
             terminal::note("the CPU renders by the definition ...");
-            self.truth = Some(Truth::new(config, scene, self.options.samples)?);
+            self.truth = Some(Truth::new(config, scene, self.options.convention())?);
             self.texts = Some(sources.texts.clone());
         }
         if self.gpu.is_none() {
@@ -70,7 +70,7 @@ impl Lab {
         }
         let (Some(gpu), Some(truth)) = (&self.gpu, &self.truth) else { unreachable!("both were just made") };
         let trial = Trial { gpu, options: &self.options, modules, truth };
-        match self.options.precision {
+        match self.options.precision() {
             Precision::F32 => trial.run::<f32>(places),
             Precision::F64 => trial.run::<f64>(places),
         }

@@ -5,25 +5,8 @@
 //! gain is included in the row of the reference, which has none of them.
 
 use cpu::internals::InstructionSet;
-use serde::{Deserialize, Serialize};
 
-use super::results::{Setting, Timing};
-
-/// The gain of one optimisation: how much longer a picture takes without it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Gain {
-    /// The scene's name.
-    pub scene: String,
-    /// The name of what is switched off or used instead, such as `no search` (no acceleration structure) or `avx2
-    /// lanes`.
-    pub without: String,
-    /// Median time without the optimisation, divided by the median time with all optimisations.
-    pub ratio: f64,
-    /// The smallest ratio that the bounds of both medians allow.
-    pub low: f64,
-    /// The largest ratio that the bounds of both medians allow.
-    pub high: f64,
-}
+use super::results::{Gain, Setting, Timing};
 
 /// Returns the name of what is switched off in the implementation `engine`, or `None` if nothing is or the name is
 /// unknown. `best` is the instruction set of the engine with all optimisations. Results of older versions have engines

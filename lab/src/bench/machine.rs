@@ -56,11 +56,17 @@ fn processor(cpuinfo: &str) -> String {
     values.find(|(key, _)| key.trim() == "model name").map(|(_, name)| name.trim().to_owned()).unwrap_or_default()
 }
 
+/// Returns the commit of the checkout that contains this program, or an empty text if it was installed elsewhere.
 fn commit() -> String {
-    let mut git = Command::new("git");
-    git.current_dir(env!("CARGO_MANIFEST_DIR")).args(["describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"]);
-    let output = git.output().ok().filter(|output| output.status.success());
-    output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default()
+    let program = std::env::current_exe().unwrap_or_default();
+    let git = |arguments: &[&str]| {
+        let mut git = Command::new("git");
+        let output = git.current_dir(program.parent()?).args(arguments).output().ok()?;
+        output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    };
+    // Another repository may contain the program, such as one of a home folder.
+    let own = git(&["ls-files", "--error-unmatch", ":/lab/src/bench/machine.rs"]);
+    own.and_then(|_| git(&["describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"])).unwrap_or_default()
 }
 
 fn today() -> String {

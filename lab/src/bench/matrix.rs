@@ -6,12 +6,13 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cpu::{Config, Scene};
-use test_support::generator::{self, Arrangement, Options};
+use generator::{self, Arrangement, Options};
 
 use super::energy::{self, Meter};
 use super::error;
 use super::intersections::{self, OBJECTS};
 use super::results::{Omitted, Results, Setting};
+use super::scenes;
 use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 use crate::{Failure, sources};
@@ -43,9 +44,6 @@ impl std::fmt::Display for Task {
     }
 }
 
-/// Names of the scenes whose error and energy are measured, from the folder `scenes`.
-const SCENES: [&str; 3] = ["materials", "grid", "spheres"];
-
 /// Name of a generated scene with many objects.
 pub const BOARD: &str = "board";
 
@@ -67,17 +65,21 @@ pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "dens
 #[must_use]
 pub fn tasks() -> Vec<Task> {
     let scale = PARAMETERS.map(Task::Scale);
-    let gains = SCENES.into_iter().chain([BOARD]).chain(CASES).map(Task::Gain);
+    let gains = scenes::NAMES.into_iter().chain([BOARD]).chain(CASES).map(Task::Gain);
     scale
         .into_iter()
-        .chain(SCENES.map(Task::Error))
+        .chain(scenes::NAMES.map(Task::Error))
         .chain(OBJECTS.map(Task::Intersection))
         .chain(gains)
-        .chain(SCENES.map(Task::Energy))
+        .chain(scenes::NAMES.map(Task::Energy))
         .collect()
 }
 
-/// Options for the tasks: how much to measure, and where the scenes are.
+fn scene(name: &str) -> Result<(Config, Scene), Failure> {
+    Ok(scenes::named(name).ok_or_else(|| format!("there is no scene [{name}]"))?)
+}
+
+/// Options for the tasks: how much to measure, and where the course's cases are.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// Whether to measure the small matrix, with smaller pictures and fewer values.
@@ -86,8 +88,6 @@ pub struct Plan {
     pub repeats: usize,
     /// Whether to subtract the power of the idle machine from energies.
     pub idle: bool,
-    /// The folder that contains the scenes.
-    pub scenes: PathBuf,
     /// The folder of the course's cases, with `config1.txt`, `scene1.txt` and so on. `None` if their gains are not
     /// measured.
     pub reference: Option<PathBuf>,
@@ -121,11 +121,6 @@ impl Plan {
         }
     }
 
-    fn scene(&self, name: &str) -> Result<(Config, Scene), Failure> {
-        let folder = self.scenes.join(name);
-        Ok((sources::config(&folder.join("config.txt"), &[])?, sources::scene(&folder.join("scene.txt"))?))
-    }
-
     /// Returns whether a task has nothing to measure, because the folder of the course's cases was not given.
     #[must_use]
     pub fn is_empty(&self, task: &Task) -> bool {
@@ -152,7 +147,7 @@ impl Plan {
     }
 
     fn scale(&self, parameter: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
-        let (base, scene) = self.scene(SCALED)?;
+        let (base, scene) = scene(SCALED)?;
         let base = Config { image_width: self.width(), samples_per_pixel: 4, max_depth: 8, ..base };
         let pictures = self.values(parameter).into_iter().map(|value| match parameter {
             "width" => (value, Config { image_width: value, ..base.clone() }, scene.clone()),
@@ -169,7 +164,7 @@ impl Plan {
     }
 
     fn error(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
-        let (config, scene) = self.scene(name)?;
+        let (config, scene) = scene(name)?;
         let config = Config { image_width: self.width(), ..config };
         let samples: Vec<u64> = (0..=if self.quick { 6 } else { 8 }).map(|power| 1 << power).collect();
         // The converged picture has 64 times the samples of the finest picture, so its error is an eighth of that
@@ -202,8 +197,7 @@ impl Plan {
                 (if self.quick { small } else { config }, scene)
             }
             (None, _) => {
-                let (config, scene) =
-                    if name == BOARD { board(BOARD_OBJECTS, self.width()) } else { self.scene(name)? };
+                let (config, scene) = if name == BOARD { board(BOARD_OBJECTS, self.width()) } else { scene(name)? };
                 (Config { image_width: self.width(), samples_per_pixel: samples, ..config }, scene)
             }
         };
@@ -212,7 +206,7 @@ impl Plan {
     }
 
     fn energy(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
-        let (config, scene) = self.scene(name)?;
+        let (config, scene) = scene(name)?;
         let meter = Meter::here();
         let shortest = Duration::from_secs(if self.quick { 2 } else { 20 });
         for engine in Engine::main() {
@@ -244,7 +238,7 @@ mod tests {
     #[test]
     fn parameters_rise() {
         for quick in [true, false] {
-            let plan = Plan { quick, repeats: 1, idle: false, scenes: PathBuf::new(), reference: None };
+            let plan = Plan { quick, repeats: 1, idle: false, reference: None };
             for parameter in PARAMETERS {
                 let values = plan.values(parameter);
                 assert!(values.len() >= 4 && values.is_sorted_by(|a, b| a < b), "{parameter}: {values:?}");

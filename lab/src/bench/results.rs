@@ -1,6 +1,7 @@
 //! The measured data, and the figures that are derived from them.
 
 pub mod check;
+mod derived;
 mod files;
 mod merge;
 mod names;
@@ -9,8 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::energy::Energy;
 use super::error::ErrorCurve;
-use super::fit::{PowerLaw, reaches};
-use super::gain::{self, Gain};
+use super::fit::PowerLaw;
 use super::machine::Machine;
 use super::statistics::Median;
 use crate::usage::Seconds;
@@ -102,6 +102,22 @@ pub struct Growth {
     pub law: PowerLaw,
 }
 
+/// The gain of one optimisation: how much longer a picture takes without it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gain {
+    /// The scene's name.
+    pub scene: String,
+    /// The name of what is switched off or used instead, such as `no search` (no acceleration structure) or `avx2
+    /// lanes`.
+    pub without: String,
+    /// Median time without the optimisation, divided by the median time with all optimisations.
+    pub ratio: f64,
+    /// The smallest ratio that the bounds of both medians allow.
+    pub low: f64,
+    /// The largest ratio that the bounds of both medians allow.
+    pub high: f64,
+}
+
 /// The time after which a picture has at most a given error against the converged picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimeToError {
@@ -156,33 +172,6 @@ pub struct Results {
 }
 
 impl Results {
-    /// Sorts `timings`, and computes `growth`, `times_to_error` and `gains` from the measured data.
-    pub fn complete(&mut self) {
-        self.timings.sort_by(|a, b| a.setting.partial_cmp(&b.setting).unwrap_or(std::cmp::Ordering::Equal));
-        self.growth = self
-            .lines("scale")
-            .into_iter()
-            .filter_map(|Line { scene, parameter, engine, points }| {
-                Some(Growth { law: PowerLaw::through(&points)?, scene, parameter, engine })
-            })
-            .collect();
-        let best = self.machines.first().map_or("", |machine| &machine.instruction_set);
-        self.gains = gain::of(&self.timings, best);
-        self.times_to_error = Vec::new();
-        for Line { scene, engine, points, .. } in self.lines("error") {
-            let Some(curve) = self.curves.iter().find(|curve| curve.scene == scene) else { continue };
-            let error_at = |samples: f64| curve.points.iter().find(|point| point.samples as f64 == samples);
-            let points: Vec<_> = points
-                .iter()
-                .filter_map(|&(samples, seconds)| Some((seconds, error_at(samples)?.linear.median)))
-                .collect();
-            for error in TARGETS {
-                let (scene, engine, seconds) = (scene.clone(), engine.clone(), reaches(&points, error));
-                self.times_to_error.push(TimeToError { scene, engine, error, seconds });
-            }
-        }
-    }
-
     /// Returns the lines of the charts of the suite `suite`.
     #[must_use]
     pub fn lines(&self, suite: &str) -> Vec<Line> {
@@ -209,7 +198,6 @@ impl Results {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::bench::error::ErrorPoint;
 
     pub fn timing(engine: &str, value: u64, seconds: &[f64]) -> Timing {
         let [suite, scene, parameter, engine] = ["scale", "grid", "samples", engine].map(str::to_owned);
@@ -219,22 +207,5 @@ pub(crate) mod tests {
 
     pub fn results(timings: Vec<Timing>) -> Results {
         Results { timings, machines: vec![Machine::here()], ..Results::default() }
-    }
-
-    #[test]
-    fn the_time_to_an_error_lies_between_measured_points() {
-        let error = |samples, rmse| ErrorPoint { samples, linear: Median::of(&[rmse]), course: Median::of(&[1.0]) };
-        let points = vec![error(1, 0.08), error(4, 0.04), error(16, 0.02)];
-        let curve = ErrorCurve { scene: "grid".to_owned(), reference_samples: 99, reference_error: 0.0, points };
-        let mut timings: Vec<_> = [1, 4, 16].map(|value| timing("a", value, &[value as f64])).to_vec();
-        timings.iter_mut().for_each(|timing| timing.setting.suite = "error".to_owned());
-        let mut results = Results { curves: vec![curve], ..results(timings) };
-        results.complete();
-        let seconds: Vec<_> = results.times_to_error.iter().map(|time| time.seconds).collect();
-        // The error halves when the time grows fourfold. So the error 0.05, which is 0.08 / 1.6, takes 1.6² = 2.56 s.
-        // The smallest measured error is 0.02, so the error 0.01 was not reached.
-        assert!((seconds[0].expect("measured") - 2.56).abs() < 1e-9, "{seconds:?}");
-        assert!((seconds[1].expect("measured") - 16.0).abs() < 1e-9, "{seconds:?}");
-        assert_eq!(seconds[2], None);
     }
 }

@@ -5,7 +5,7 @@
 //! engines must write the same bytes, because the time of a wrong picture means nothing.
 
 use cpu::{Config, Scene};
-use test_support::digest::sha256;
+use digest::sha256;
 
 use crate::Failure;
 use crate::engine::Engine;

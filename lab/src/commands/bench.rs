@@ -99,9 +99,6 @@ struct How {
     /// Measure the idle machine's power too and subtract it from energies
     #[arg(long)]
     subtract_idle: bool,
-    /// Folder of the scenes
-    #[arg(long, default_value_os_t = test_support::project_root().join("scenes"), hide_default_value = true)]
-    scenes: PathBuf,
     /// Folder of the course's cases, config1.txt, scene1.txt and so on, to measure the gains on them too
     #[arg(long, value_name = "FOLDER")]
     reference: Option<PathBuf>,

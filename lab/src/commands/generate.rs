@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use generator::{self, Arrangement, Options};
 use output::Output;
-use test_support::generator::{self, Arrangement, Options};
 
 use crate::{Failure, sources};
 
@@ -118,8 +118,8 @@ impl Arguments {
         // Both files are opened before one is written. So neither is changed if one of them cannot be opened.
         let (config, scene) =
             (Output::open(&sources::output(&self.config), how)?, Output::open(&sources::output(&self.scene), how)?);
-        config.fill(|file| file.write_all(test_support::write::config(&generator::view(&options)).as_bytes()))?;
-        scene.fill(|file| file.write_all(test_support::write::scene(&generator::scene(&options)).as_bytes()))?;
+        config.fill(|file| file.write_all(generator::write::config(&generator::view(&options)).as_bytes()))?;
+        scene.fill(|file| file.write_all(generator::write::scene(&generator::scene(&options)).as_bytes()))?;
         Ok(())
     }
 }

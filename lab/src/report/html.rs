@@ -232,8 +232,8 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::gain::Gain;
     use crate::bench::machine::Machine;
+    use crate::bench::results::Gain;
 
     #[test]
     fn a_page_has_contents_that_lead_to_its_headings() {

@@ -3,7 +3,6 @@
 //! The page must get the file that the user has named, and nothing else. So links are followed once, when the program
 //! starts. Later the program opens the path that they led to, follows no link, and reads only regular files.
 
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -91,12 +90,12 @@ impl Input {
     pub fn version(&self) -> String {
         let digest = || -> io::Result<String> {
             let (file, length) = self.open()?;
-            let (mut file, mut digest) = (file.take(length), Sha256::new());
+            let (mut file, mut hasher) = (file.take(length), Sha256::new());
             let mut piece = [0; 1 << 16];
             loop {
                 match file.read(&mut piece)? {
-                    0 => return Ok(hexadecimal(&digest.finalize())),
-                    count => digest.update(&piece[..count]),
+                    0 => return Ok(digest::hexadecimal(&hasher.finalize())),
+                    count => hasher.update(&piece[..count]),
                 }
             }
         };
@@ -118,21 +117,12 @@ pub fn content(file: File, length: u64) -> io::Result<Vec<u8>> {
 /// Returns the version of a file with this content.
 #[must_use]
 pub fn version_of(content: &[u8]) -> String {
-    hexadecimal(&Sha256::digest(content))
+    digest::sha256(content)
 }
 
 fn too_large() -> io::Error {
     io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {MAX_TEXT} bytes"))
 }
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing to a string never fails.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
-}
-
 /// Opens the file at `path` for reading, if no part of the path is a link. On a system without `openat2`, only the last
 /// part is checked.
 ///

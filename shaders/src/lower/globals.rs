@@ -5,7 +5,7 @@ use naga::{
     VectorSize,
 };
 
-use super::module::{LoweredOverride, Lowering, split};
+use super::lowering::{LoweredOverride, Lowering, split};
 use super::refusal::{Lowered, Refusal};
 use super::types::{Shape, shape, shape_type};
 

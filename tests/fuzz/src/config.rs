@@ -14,7 +14,7 @@ pub fn check(bytes: &[u8]) {
     match (real, plain::config::parse(bytes)) {
         (Ok(real), Ok(plain)) => {
             assert_eq!(real, plain);
-            let written = test_support::write::config(&real);
+            let written = generator::write::config(&real);
             assert_eq!(Config::parse(written.as_bytes()).ok(), Some(real.clone()), "{written}");
             // For every valid configuration, `image_size` and `Camera::new` return a value or an error.
             if let Ok(size) = real.image_size() {

@@ -13,7 +13,7 @@ pub fn check(bytes: &[u8]) {
     match (Scene::parse(bytes), plain::scene::parse(bytes)) {
         (Ok(real), Ok(plain)) => {
             assert_eq!(real, plain);
-            let written = test_support::write::scene(&real);
+            let written = generator::write::scene(&real);
             assert_eq!(Scene::parse(written.as_bytes()).ok(), Some(real), "{written}");
         }
         (Err(real), Err(plain)) => {

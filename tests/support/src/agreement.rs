@@ -6,7 +6,7 @@ use cpu::internals::{InstructionSet, Prepared, render_linear, render_with};
 use cpu::reference::intersect::Exact;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Soa, Vec3};
 
-use crate::write;
+use generator::write;
 
 /// All conventions for the random vectors that scatter light.
 pub const SCATTERS: [Scatter; 3] = [Scatter::Statement, Scatter::Published, Scatter::Deterministic];

@@ -1,23 +1,19 @@
 //! Code that the tests of all crates share.
 //!
-//! [`agreement`] compares the renderer with the reference. [`generator`] generates scenes from a seed.
-//! [`write`](mod@write) converts scenes and configurations back to text. [`golden`] lists the pictures whose digests
-//! come from other programs, and [`digest`] computes digests. [`p3`] is a strict reader of pictures. `injection` makes
-//! system calls of a program fail.
+//! [`agreement`] compares the renderer with the reference. [`golden`] lists the pictures whose digests come from other
+//! programs, and [`digest`] computes digests. [`p3`] is a strict reader of pictures. `injection` makes system calls of a
+//! program fail. The crate `generator` generates scenes.
 //!
 //! The tests of the built programs are in `cli/tests`, because Cargo builds the programs first there. The tests that
 //! need only the library are in `tests`.
 
 pub mod agreement;
-pub mod digest;
 #[cfg(feature = "programs")]
 pub mod folder;
-pub mod generator;
 pub mod golden;
 #[cfg(unix)]
 pub mod injection;
 pub mod p3;
-pub mod write;
 
 use std::path::{Path, PathBuf};
 

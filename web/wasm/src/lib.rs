@@ -7,21 +7,21 @@
 
 #![allow(unsafe_code, reason = "a name in the module's interface must be unique, which the compiler cannot check")]
 
+mod fault;
 mod live;
 mod page;
 mod picture;
 mod state;
 mod texts;
 
-use std::fmt::Write;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use cpu::internals::InstructionSet;
 use cpu::{Aos, Scatter, Soa};
-use sha2::{Digest, Sha256};
 
+use crate::fault::Fault;
 use crate::live::Live;
-use crate::state::{Fault, State};
+use crate::state::State;
 
 /// The texts and the result of the last call. A module has one thread, so nothing waits for the lock.
 static STATE: Mutex<State> = Mutex::new(State::new());
@@ -85,12 +85,7 @@ pub extern "C" fn render(layout: u32, is_published: u32, is_portable: u32) -> u3
 #[unsafe(no_mangle)]
 pub extern "C" fn digest() {
     let mut state = state();
-    let mut text = String::with_capacity(64);
-    for byte in Sha256::digest(&state.result) {
-        // Writing to a string never fails.
-        let _ = write!(text, "{byte:02x}");
-    }
-    state.result = text.into_bytes();
+    state.result = digest::sha256(&state.result).into_bytes();
 }
 
 /// Makes the result the table of the lines of a configuration (`text` is 0) or of a scene. `render-lab help config` and
@@ -143,7 +138,7 @@ pub extern "C" fn fault_length() -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare() -> u32 {
     with_state(|state| {
-        state.live = Some(Live::new(state)?);
+        state.live = Some(Live::new(state.config()?, state.scene()?)?);
         Ok(Vec::new())
     })
 }
@@ -154,7 +149,7 @@ pub extern "C" fn prepare() -> u32 {
 pub extern "C" fn aim() -> u32 {
     with_state(|state| {
         let mut live = state.live.take().ok_or_else(unprepared)?;
-        let aimed = live.aim(state);
+        let aimed = state.config().and_then(|config| live.aim(config));
         state.live = Some(live);
         aimed.map(|()| Vec::new())
     })

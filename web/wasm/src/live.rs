@@ -9,7 +9,7 @@ use twin::packed::buffer;
 use twin::picture::depth;
 use twin::{Picture, features_of};
 
-use crate::state::{Fault, State};
+use crate::fault::Fault;
 
 /// The scene that the shaders show, and the same scene in the numbers of the shaders.
 #[derive(Debug)]
@@ -45,23 +45,21 @@ fn fault_of(error: twin::Error) -> Fault {
 }
 
 impl Live {
-    /// Reads both texts.
+    /// Returns the scene as a picture of the shaders.
     ///
     /// # Errors
-    /// The first fault of the texts.
-    pub fn new(state: &State) -> Result<Self, Fault> {
-        let (config, scene) = (state.config()?, state.scene()?);
+    /// A scene that the shaders cannot show.
+    pub fn new(config: Config, scene: Scene) -> Result<Self, Fault> {
         let picture = Picture::new(&config, &scene).map_err(fault_of)?;
         Ok(Self { config, scene, picture })
     }
 
-    /// Reads the configuration again, and keeps the scene. It is fast for every scene, so a page calls it for each
+    /// Takes another configuration, and keeps the scene. It is fast for every scene, so a page calls it for each
     /// movement of the camera.
     ///
     /// # Errors
-    /// The first fault of the configuration.
-    pub fn aim(&mut self, state: &State) -> Result<(), Fault> {
-        let config = state.config()?;
+    /// A picture or a camera that is impossible.
+    pub fn aim(&mut self, config: Config) -> Result<(), Fault> {
         let size = config.image_size().map_err(|error| Fault::without_line(error.into(), 0))?;
         let camera = Camera::new(&config, size).map_err(|error| Fault::without_line(error.into(), 0))?;
         self.picture.max_depth = depth(&config).map_err(fault_of)?;

@@ -4,6 +4,7 @@ use cpu::internals::input::error::Error;
 use cpu::{Config, Scene};
 use format::place;
 
+use crate::fault::{Fault, Place};
 use crate::live::Live;
 
 /// The configuration and the scene as the caller wrote them, and the result of the last call.
@@ -17,42 +18,6 @@ pub struct State {
     pub fault: Place,
     /// The scene for the shaders, after it has been asked for.
     pub live: Option<Live>,
-}
-
-/// The place of a fault in a text. The three numbers are 0 if the fault is not about a line.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Place {
-    /// The text: 0 is the configuration, 1 the scene. A fault that is about no text, such as too little memory, has 2.
-    pub text: usize,
-    /// The number of the line, counted from 1.
-    pub line: usize,
-    /// The first character of the wrong token, counted from 1. Characters are counted in units of UTF-16, as editors
-    /// and JavaScript do.
-    pub column: usize,
-    /// Number of characters of the wrong token, in units of UTF-16. It is 0 if a token is missing.
-    pub length: usize,
-}
-
-/// A message with its place.
-#[derive(Debug)]
-pub struct Fault {
-    /// The message, which is that of `render-aos` for its errors.
-    pub message: Vec<u8>,
-    /// The place of the error.
-    pub place: Place,
-}
-
-impl Fault {
-    /// Returns the fault for an error that is about no line of the text number `text`.
-    pub fn without_line(error: Error, text: usize) -> Self {
-        let text = if matches!(error, Error::OutOfMemory { .. }) { 2 } else { text };
-        Self { message: error.message(), place: Place { text, ..Place::default() } }
-    }
-
-    /// Returns the fault for a message that is not one of `render-aos`.
-    pub fn own(message: String, text: usize) -> Self {
-        Self { message: message.into_bytes(), place: Place { text, ..Place::default() } }
-    }
 }
 
 impl State {

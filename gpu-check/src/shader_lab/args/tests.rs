@@ -4,27 +4,43 @@ use super::*;
 
 const NEEDED: &str = "mine.wgsl --config c --scene s --out o.png";
 
-fn parsed(text: &str) -> Result<Command, String> {
-    parse(text.split_whitespace().map(OsString::from))
+fn parsed(text: &str) -> Result<Arguments, String> {
+    let line = ["shader-lab"].into_iter().chain(text.split_whitespace()).map(OsString::from);
+    Arguments::read(line).map_err(|error| error.render().to_string())
 }
 
 fn options(text: &str) -> Options {
-    match parsed(&format!("{NEEDED} {text}")) {
-        Ok(Command::Render(options)) => options,
-        other => panic!("{other:?}"),
-    }
+    let arguments = parsed(&format!("{NEEDED} {text}")).unwrap_or_else(|message| panic!("{message}"));
+    arguments.options.expect("there are options")
 }
 
 #[test]
 fn a_missing_or_wrong_argument_is_named() {
-    assert!(parsed("--config c").is_err_and(|message| message.contains("--template writes one")));
-    assert_eq!(parsed("mine.wgsl --scene s --out o"), Err("--config is missing".to_owned()));
-    assert_eq!(parsed("mine.wgsl --config"), Err("--config needs a file after it".to_owned()));
-    assert_eq!(parsed("--frobnicate"), Err("there is no option [--frobnicate]".to_owned()));
-    assert_eq!(parsed("--secne s"), Err("there is no option [--secne]; did you mean [--scene]?".to_owned()));
-    assert!(parsed("mine.wgsl --config c --scene s --out o.jpg").is_err_and(|message| message.contains(".jpg")));
-    assert!(parsed("- --config - --scene s --out o.png").is_err_and(|message| message.contains("only one of")));
-    assert!(OPTIONS.iter().all(|option| USAGE.contains(option) || ["--help", "--f64"].contains(option)));
+    for (text, message) in [
+        ("", "<MODULES>"),
+        ("mine.wgsl --scene s --out o", "--config <FILE>"),
+        ("mine.wgsl --config", "a value is required for '--config <FILE>'"),
+        ("--secne s", "a similar argument exists: '--scene'"),
+        ("mine.wgsl --config c --scene s --out o.jpg", "a picture cannot be written as .jpg"),
+        ("- --config - --scene s --out o.png", "can be only one of"),
+        ("- --config c --scene s --out o.png --watch", "--watch needs files"),
+        ("mine.wgsl --template t", "cannot be used with"),
+    ] {
+        let fault = parsed(text).expect_err(text);
+        assert!(fault.starts_with("error: ") && fault.contains(message), "{text}: {fault}");
+    }
+    for text in ["--template t", "mine.wgsl --config c --scene s --out -"] {
+        assert!(parsed(text).is_ok(), "{text}");
+    }
+    assert_eq!(parsed("--template t").map(|arguments| arguments.template), Ok(Some("t".into())));
+}
+
+#[test]
+fn the_ending_of_a_name_must_be_that_of_a_picture() {
+    for name in ["a.png", "a.PPM", "-", "/dev/stdout"] {
+        assert_eq!(check_name(Path::new(name)), Ok(()), "{name}");
+    }
+    assert!(check_name(Path::new("a.jpg")).is_err_and(|message| message.contains("must end in .png or .ppm")));
 }
 
 #[cfg(unix)]
@@ -33,22 +49,31 @@ fn names_of_files_may_be_any_bytes() {
     use std::os::unix::ffi::OsStringExt;
 
     let name = OsString::from_vec(b"m\xff.wgsl".to_vec());
-    let options = [name.clone()].into_iter().chain("--config c --scene s --out o".split(' ').map(OsString::from));
-    assert!(matches!(parse(options), Ok(Command::Render(options)) if options.modules.as_os_str() == name));
+    let line = ["shader-lab".into(), name.clone()];
+    let line = line.into_iter().chain("--config c --scene s --out o".split(' ').map(OsString::from));
+    let options = Arguments::read(line).expect("they are names").options.expect("there are options");
+    assert!(options.modules.as_os_str() == name);
     let unknown = OsString::from_vec(b"--\xff".to_vec());
-    assert_eq!(parse([unknown]), Err("there is no option [--\u{fffd}]".to_owned()));
+    let fault = Arguments::read(["shader-lab".into(), unknown]).expect_err("there is no such option");
+    assert!(fault.render().to_string().contains("unexpected argument '--\u{fffd}'"), "{fault}");
 }
 
 #[test]
 fn options_are_read() {
     let read = options("--f32 --show normal --pixel 3 4 --watch --set own=2.5");
-    assert_eq!((read.precision, read.view, read.watch), (Precision::F32, Some(View::Normal), true));
-    assert_eq!((read.pixel, read.constants), (Some([3, 4]), vec![("own".to_owned(), 2.5)]));
-    assert!(options("").sync && !options("").first_difference);
-    assert!(options("--first-difference").first_difference);
-    let refused = parsed(&format!("{NEEDED} --first-difference --samples"));
-    assert!(refused.is_err_and(|message| message.contains("does not go with --samples")));
-    assert!(!options("--no-sync").sync);
+    assert_eq!((read.precision(), read.view, read.watch), (Precision::F32, Some(View::Normal), true));
+    assert_eq!((read.pixel(), read.constants), (Some([3, 4]), vec![("own".to_owned(), 2.5)]));
+    assert!(!options("").no_sync && !options("").first_difference);
+    assert!(options("--first-difference").first_difference && options("--no-sync").no_sync);
+    for (text, message) in [
+        ("--set own", "it is not NAME=VALUE"),
+        ("--set own=red", "[red] is not a number"),
+        ("--pixel 1", "2 values required"),
+        ("--show nothing", "[possible values: lambda, normal, object, side, steps, difference]"),
+    ] {
+        let fault = parsed(&format!("{NEEDED} {text}")).expect_err(text);
+        assert!(fault.contains(message), "{text}: {fault}");
+    }
 }
 
 #[test]
@@ -67,17 +92,18 @@ fn a_depth_that_is_no_count_is_refused() {
 
 #[test]
 fn random_numbers_need_one_option_and_their_convention_another() {
-    assert_eq!(options("").samples, None);
-    assert_eq!(options("--samples").samples, Some(Convention::Statement));
-    assert_eq!(options("--scatter published --samples").samples, Some(Convention::Published));
-    assert!(options("--samples --show difference").samples.is_some());
+    assert_eq!(options("").convention(), None);
+    assert_eq!(options("--samples").convention(), Some(Convention::Statement));
+    assert_eq!(options("--scatter published --samples").convention(), Some(Convention::Published));
+    assert!(options("--samples --show difference").samples);
     for (text, message) in [
-        ("--scatter statement", "--scatter needs --samples"),
-        ("--samples --scatter mine", "--scatter: [mine] is neither statement nor published"),
-        ("--samples --pixel 1 2", "--pixel follows one ray"),
+        ("--scatter statement", "--samples"),
+        ("--samples --scatter mine", "[possible values: statement, published]"),
+        ("--samples --pixel 1 2", "cannot be used with '--pixel"),
+        ("--samples --first-difference", "cannot be used with '--first-difference'"),
         ("--samples --show lambda", "with --samples, --show shows only the difference"),
     ] {
         let fault = parsed(&format!("{NEEDED} {text}")).expect_err("it is refused");
-        assert!(fault.starts_with(message), "{fault}");
+        assert!(fault.contains(message), "{text}: {fault}");
     }
 }

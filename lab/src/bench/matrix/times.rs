@@ -54,14 +54,12 @@ impl Plan {
 
 #[cfg(test)]
 mod tests {
-    use std::path::PathBuf;
-
     use super::super::board;
     use super::*;
 
     #[test]
     fn what_would_take_too_long_is_left_out_with_its_reason() {
-        let plan = Plan { quick: true, repeats: 1, idle: false, scenes: PathBuf::new(), reference: None };
+        let plan = Plan { quick: true, repeats: 1, idle: false, reference: None };
         let (config, scene) = board(300, 48);
         // The second value is a million times the first. So the reference is expected to take too long if its
         // first picture takes more than a millionth of the patience, 0.7 µs.

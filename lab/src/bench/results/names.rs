@@ -45,7 +45,7 @@ mod tests {
 
     use super::super::tests::{results, timing};
     use super::super::{Intersection, Trial};
-    use crate::bench::gain::Gain;
+    use crate::bench::results::Gain;
     use crate::bench::statistics::Median;
 
     #[test]

@@ -27,7 +27,6 @@ impl How {
             quick: self.quick,
             repeats: usize::from(self.repeats),
             idle: self.subtract_idle,
-            scenes: self.scenes.clone(),
             reference: self.reference.clone(),
         };
         let machine = Machine::here();

@@ -1,7 +1,7 @@
 //! Tests of the facts about a scene.
 
 use super::*;
-use test_support::generator::{Arrangement, Options, scene};
+use generator::{Arrangement, Options, scene};
 
 fn inspect(scene: &Scene) -> Inspection {
     Inspection::of(&Config::default(), scene).expect("the default picture is fine")

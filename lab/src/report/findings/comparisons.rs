@@ -1,6 +1,6 @@
 //! Sentences that compare implementations with each other.
 
-use crate::bench::gain::Gain;
+use crate::bench::results::Gain;
 use crate::bench::results::{Results, Timing};
 use crate::engine::MEASURED_SETS;
 use crate::report::style::{setting, short};

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use test_support::{digest, golden};
+use test_support::golden;
 
 use super::*;
 

@@ -196,7 +196,7 @@ mod tests {
             let bytes: Vec<u8> = (0..length).map(|_| random.byte()).collect();
             let mut choices = Choices::new(&bytes);
             let (config, scene) = (choices.config(), choices.scene());
-            let (config_text, scene_text) = (test_support::write::config(&config), test_support::write::scene(&scene));
+            let (config_text, scene_text) = (generator::write::config(&config), generator::write::scene(&scene));
             assert_eq!(Config::parse(config_text.as_bytes()).ok(), Some(config), "{config_text}");
             objects += scene.objects.len();
             assert_eq!(Scene::parse(scene_text.as_bytes()).ok(), Some(scene), "{scene_text}");

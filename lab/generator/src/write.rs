@@ -9,7 +9,7 @@ use cpu::{Config, Material, Scene, Vec3};
 ///
 /// ```
 /// let scene = cpu::internals::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1e-7 grey\n"[..])?;
-/// assert_eq!(test_support::write::scene(&scene), "matte: m0 0.5 0.5 0.5\nsphere: 0 0 0 1e-7 m0\n");
+/// assert_eq!(generator::write::scene(&scene), "matte: m0 0.5 0.5 0.5\nsphere: 0 0 0 1e-7 m0\n");
 /// # Ok::<(), cpu::Error>(())
 /// ```
 #[must_use]

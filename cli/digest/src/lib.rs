@@ -7,16 +7,22 @@ use sha2::{Digest, Sha256};
 /// Returns the SHA-256 digest of `bytes`, in lower-case hexadecimal digits.
 ///
 /// ```
-/// let digest = test_support::digest::sha256(b"");
+/// let digest = digest::sha256(b"");
 /// assert!(digest.starts_with("e3b0c44298fc1c14") && digest.len() == 64);
 /// ```
 #[must_use]
 pub fn sha256(bytes: &[u8]) -> String {
-    let mut text = String::with_capacity(64);
-    for byte in Sha256::digest(bytes) {
-        write!(text, "{byte:02x}").expect("a string takes all text");
-    }
-    text
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+/// Returns `bytes` in lower-case hexadecimal digits.
+#[must_use]
+pub fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::with_capacity(2 * bytes.len()), |mut text, byte| {
+        // Writing to a string never fails.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
 }
 
 /// Returns the pairs `(name, digest)` in the text of a `SHA256SUMS` file. Lines that start with `#` are comments.

@@ -3,11 +3,12 @@
 //! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]). All operations on
 //! them are defined exactly by IEEE 754, so the scenes do not depend on a library of elementary functions. All lengths
 //! are proportional to [`Options::extent`]. With a larger number of objects, the first shapes do not change, except on
-//! a [grid](Arrangement::Grid).
+//! a [grid](Arrangement::Grid). [`write`](mod@write) converts scenes and configurations to text.
 
 mod arrange;
 pub mod cameras;
 mod draws;
+pub mod write;
 
 use cpu::internals::input::scene::{MaterialId, Object};
 use cpu::{Config, Material, Scene, Vec3};
@@ -60,7 +61,7 @@ impl Default for Options {
 /// Returns the scene that `options` describe. A scene without objects has materials too.
 ///
 /// ```
-/// use test_support::generator::{Options, scene};
+/// use generator::{Options, scene};
 ///
 /// let options = Options { objects: 7, ..Options::default() };
 /// assert_eq!(scene(&options).objects.len(), 7);
@@ -193,7 +194,7 @@ mod tests {
                 let config = view(&options);
                 let size = config.image_size().expect("the picture is small");
                 assert!(cpu::internals::geometry::camera::Camera::new(&config, size).is_ok());
-                let text = crate::write::scene(&scene(&options));
+                let text = write::scene(&scene(&options));
                 assert_eq!(Scene::parse(text.as_bytes()).ok(), Some(scene(&options)), "{options:?}");
             }
         }
