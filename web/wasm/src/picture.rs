@@ -7,8 +7,9 @@ use cpu::internals::image::Image;
 use cpu::internals::{InstructionSet, Prepared, render_into};
 use cpu::{Error, Layout, Scatter};
 
+use crate::fault::Fault;
 use crate::page;
-use crate::state::{Fault, State};
+use crate::state::State;
 
 /// The words for the PPM file in the message about too little memory.
 const FILE: &str = "the file of the picture";
