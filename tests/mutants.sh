@@ -14,7 +14,7 @@ cd "$(dirname "$0")/.."
 
 [ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' tests/mutants.sh; exit; }
 files=(input/{text,config,scene,material,error,reader} geometry/{camera,sphere,cylinder,cap,tie,ray} materials/scatter image image/{quantize,ppm}
-    render/{background,surface} layout)
+    render/{background,surface_hit} layout)
 if [ $# -eq 0 ]; then
     for file in "${files[@]}"; do
         set -- "$@" "--file=cpu/src/$file.rs"

@@ -52,7 +52,7 @@ fn main() -> ExitCode {
     libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
 }
 
-/// Checks the verdicts on the browser's compiler and driver against the table in docs/gpu.md.
+/// Checks the verdicts on the browser's compiler and driver against docs/gpu/probes.csv.
 fn conformance(chromium: &Path) -> Result<(), Failed> {
     let probes = probes::all();
     let (driver, outcomes) = browser::run(chromium, &probes)?;

@@ -1,5 +1,5 @@
-//! Runs all probes on lavapipe, compares the verdicts with docs/gpu.md, and runs the program `conformance` as a user
-//! does.
+//! Runs all probes on lavapipe, compares the verdicts with docs/gpu/probes.csv, and runs the program `conformance` as
+//! a user does.
 
 mod common;
 #[path = "common/documented.rs"]

@@ -21,9 +21,6 @@ pub const OF_OLDER_COMMITS: [&str; 1] = ["docs/ablations.md"];
 /// Pages that may use the words of older commits, because they say so.
 const WITH_OLD_WORDS: [&str; 3] = ["CHANGELOG.md", "docs/ablations.md", "docs/experiments.md"];
 
-/// Title of the section of docs/design.md that translates the names of older commits.
-const OLD_NAMES: &str = "Old and new names of the modules";
-
 /// Largest number of lines of prose before the second heading of a page.
 const MOST_SUMMARY_LINES: usize = 10;
 
@@ -242,7 +239,7 @@ pub fn check_abbreviations(terms: &BTreeSet<&str>, path: &str, page: &Page) -> R
 /// Checks that every type that a page names is one of the names in the sources, `known`.
 pub fn check_type_names(known: &BTreeSet<String>, path: &str, page: &Page) -> Report {
     let mut report = Report::default();
-    for (line, code) in page.code.iter().filter(|(line, _)| !keeps_old_names(path, page, *line)) {
+    for (line, code) in page.code.iter().filter(|_| !WITH_OLD_WORDS.contains(&path)) {
         for name in words::type_names(code) {
             report.check(known.contains(name), || format!("{path}:{line}: no source has the name [{name}]"));
         }
@@ -254,16 +251,11 @@ pub fn check_type_names(known: &BTreeSet<String>, path: &str, page: &Page) -> Re
 pub fn check_words(path: &str, page: &Page) -> Report {
     let mut report = Report::default();
     for (line, text) in page.text.iter().chain(&page.sentences).chain(&page.code) {
-        if !keeps_old_names(path, page, *line) {
+        if !WITH_OLD_WORDS.contains(&path) {
             let lower = text.to_lowercase();
             let found = FORBIDDEN_WORDS.iter().find(|word| words::holds(&lower, word));
             report.check(found.is_none(), || format!("{path}:{line}: private word {found:?}: {text}"));
         }
     }
     report
-}
-
-/// Whether a line of a page may use names of older commits.
-fn keeps_old_names(path: &str, page: &Page, line: usize) -> bool {
-    WITH_OLD_WORDS.contains(&path) || path == "docs/design.md" && page.is_below(line, OLD_NAMES)
 }

@@ -134,12 +134,6 @@ impl Page {
         let lines = self.prose.iter().filter(move |(line, _)| *line > begin && *line < end);
         lines.map(|(_, text)| text.as_str())
     }
-
-    /// Whether line number `line` is between the heading `title` and the next heading.
-    pub fn is_below(&self, line: usize, title: &str) -> bool {
-        let last = self.title_lines.iter().rposition(|heading| *heading <= line);
-        last.is_some_and(|index| self.titles[index] == title)
-    }
 }
 
 /// The part of a paragraph that has been read, and the number of its first line.

@@ -17,7 +17,8 @@
 //! `accel/flat_filter.rs`, `accel/filter_ray.rs` and `accel/small_scene.rs`. [`FlatFilter`] and [`Bvh`] test a sphere
 //! much larger than all other objects separately (`accel/dominant_sphere.rs`).
 //!
-//! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
+//! Every structure gives the same closest hits. The reference has no structure: it intersects every object. WGSL has a
+//! hierarchy of its own (`gpu-check/src/hierarchy.rs`).
 
 use crate::accel::{
     bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes, bvh::stack::Stack,

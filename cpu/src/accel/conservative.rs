@@ -32,7 +32,7 @@ pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
 /// A ray for conservative tests, or one ray in each lane. The ray must start inside the scene's extent.
 ///
 /// Coordinates are at most 10^9 (see [`Extent::LARGEST`](crate::accel::extent::Extent::LARGEST)). A direction may have
-/// any length that is not [too short](is_too_short). With a direction longer than 10^13 a product may overflow, and a
+/// any length that is not [too short](is_too_short). With a direction longer than 10^144 a product may overflow, and a
 /// test may discard the object. This is right, because such a ray has passed all objects before the smallest lambda in
 /// range, 10^-3. NaN discards no object, because every comparison with NaN is false.
 #[derive(Clone, Copy, Debug)]

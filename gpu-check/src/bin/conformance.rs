@@ -55,12 +55,12 @@ fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let file = arguments.json.as_ref().map(|path| Output::open(path, Options { sync: true }));
     let file = file.transpose().map_err(|error| gpu_check::Error::from(error).to_string())?;
     let runs = runs(arguments, &probes)?;
-    let text = match (arguments.probe.is_empty(), arguments.markdown) {
+    let text = match (arguments.probe.is_empty(), arguments.csv) {
         (false, _) => {
             let text = |(index, probe)| report::details(probe, &runs, index);
             probes.iter().enumerate().map(text).collect::<Vec<_>>().join("\n")
         }
-        (true, true) => report::markdown(&probes, &runs),
+        (true, true) => report::csv(&probes, &runs),
         (true, false) => report::table(&probes, &runs),
     };
     terminal::print(&text).map_err(|error| error.to_string())?;

@@ -26,7 +26,7 @@ Exit status: 0 no driver fails a probe
 )]
 pub struct Arguments {
     /// Print the name, program and rule of each probe, and run nothing
-    #[arg(long, conflicts_with_all = ["probe", "json", "browser", "all", "markdown"])]
+    #[arg(long, conflicts_with_all = ["probe", "json", "browser", "all", "csv"])]
     pub list: bool,
     /// Run this probe alone, and print its program, inputs and results; may be repeated
     #[arg(long, value_name = "NAME")]
@@ -43,9 +43,9 @@ pub struct Arguments {
     /// Run in the browser alone, on no adapter
     #[arg(long, requires = "browser", conflicts_with = "all")]
     pub no_native: bool,
-    /// Print the table in Markdown
+    /// Print the table as CSV
     #[arg(long)]
-    pub markdown: bool,
+    pub csv: bool,
 }
 
 /// Returns the positions of the probes with these names among `names`, or all positions if `wanted` is empty.

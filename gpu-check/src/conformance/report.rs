@@ -1,4 +1,4 @@
-//! Writes verdicts: as a table, as JSON, and as a text for the authors of a driver.
+//! Writes verdicts: as a table, as CSV, as JSON, and as a text for the authors of a driver.
 
 mod details;
 
@@ -72,43 +72,23 @@ pub fn table(probes: &[Probe], runs: &[Run]) -> String {
     text
 }
 
-/// Returns the table in Markdown, as docs/gpu.md has it: a row for each probe that a driver does not calculate as
-/// written, and then the names of all other probes.
+/// Returns the table as CSV, as docs/gpu/probes.csv has it: a line with the columns' names, and then a line for each
+/// probe with its program and its verdict on each driver. Every cell is quoted.
 #[must_use]
-pub fn markdown(probes: &[Probe], runs: &[Run]) -> String {
-    let mut text = "| Probe | Program |".to_owned();
-    (1..=runs.len()).for_each(|number| text += &format!(" Driver {number} |"));
-    text += &format!("\n|{}\n", "---|".repeat(2 + runs.len()));
-    let mut others = Vec::new();
-    for (probe, row) in probes.iter().zip(rows(probes, runs)) {
-        if row[1..].iter().all(|cell| cell == "as written" || cell == NO_F64) {
-            others.push(probe.name.as_str());
-            continue;
-        }
-        // A vertical bar would end the cell.
-        let cells: Vec<_> = row[1..].iter().map(|cell| cell.replace(NO_F64, "no f64").replace('|', "\\|")).collect();
-        text += &format!("| `{}` | `{}` | {} |\n", probe.name, probe.result, cells.join(" | "));
-    }
-    text + "\nAs written on every driver that has the type:\n\n" + &wrapped(&others)
+pub fn csv(probes: &[Probe], runs: &[Run]) -> String {
+    let line = |cells: &[String]| {
+        let quoted: Vec<_> = cells.iter().map(|cell| format!("\"{}\"", cell.replace('"', "\"\""))).collect();
+        quoted.join(",") + "\n"
+    };
+    let drivers = runs.iter().map(|run| run.driver.to_string());
+    let head: Vec<_> = ["probe".to_owned(), "program".to_owned()].into_iter().chain(drivers).collect();
+    let of_probe = |(probe, row): (&Probe, Vec<String>)| {
+        let mut cells = row;
+        cells.insert(1, probe.result.to_owned());
+        line(&cells)
+    };
+    line(&head) + &probes.iter().zip(rows(probes, runs)).map(of_probe).collect::<String>()
 }
-
-/// Returns the words in lines of at most 116 columns, as a block of Markdown.
-fn wrapped(words: &[&str]) -> String {
-    const COLUMNS: usize = 116;
-    let mut lines = vec!["   ".to_owned()];
-    for word in words {
-        let last = lines.len() - 1;
-        if lines[last].len() + 1 + word.len() > COLUMNS {
-            lines.push(format!("    {word}"));
-        } else {
-            lines[last] += &format!(" {word}");
-        }
-    }
-    lines.join("\n") + "\n"
-}
-
-/// The verdict on a probe that needs f64, if the adapter lacks it.
-const NO_F64: &str = "not available (f64)";
 
 /// Returns the name of each probe with its verdicts.
 fn rows(probes: &[Probe], runs: &[Run]) -> Vec<Vec<String>> {
