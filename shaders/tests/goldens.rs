@@ -1,5 +1,5 @@
-//! Compares the translations of all kernels with the digests in `goldens/SHA256SUMS`, and those of one kernel with whole
-//! texts, which show a reader what a translation looks like.
+//! Compares the translations of all kernels with the digests in `goldens/SHA256SUMS`, and those of one kernel with
+//! whole texts, which show a reader what a translation looks like.
 //!
 //! Any change of a module, of naga or of its options changes the digests. `shaders/translations` prints a translation,
 //! or what has changed since a commit. If the change is intended, run the test with `BLESS=1` and commit the files that
