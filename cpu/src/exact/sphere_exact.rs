@@ -9,7 +9,7 @@ use crate::geometry::{ray::HALF_STEP, ray::LAMBDA_MIN, ray::Ray, sphere::SphereR
 use crate::math::dyadic::{Dyadic, power_of_two, sign_with_root};
 use crate::math::{double_double::DoubleDouble, real::Real, vec3::Vec3};
 
-/// The error that a number of the ray or of the object is infinite or NaN.
+/// The error of a conversion: a number of the ray or of the object is infinite or NaN, so it has no exact value.
 #[derive(Debug)]
 pub struct NotFinite;
 

@@ -1,4 +1,4 @@
-//! Precise intersections for those of several rays whose filter is uncertain.
+//! Intersects rays in lanes precisely with an object, in those lanes whose filter is uncertain.
 //!
 //! One call handles all uncertain lanes. It is a separate function that is not inlined. Otherwise LLVM splits the lanes
 //! into single rays before the loop over the objects. It does so for every group of rays, but few groups have an

@@ -1,5 +1,5 @@
-//! The short stages of a span, as kernels. The long stages have files of their own: `camera_rays.rs`,
-//! `specular_chains.rs` and `trace_paths.rs`.
+//! Kernels for the short stages of a span: they draw its samples, find bytes without rays, and colour its paths. The
+//! long stages have files of their own: `camera_rays.rs`, `specular_chains.rs` and `trace_paths.rs`.
 
 use crate::render::{path::PathTracer, span::Span, span_state::SpanState};
 use crate::{layout::Layout, simd::Kernel, simd::Simd};
