@@ -49,8 +49,8 @@ pub struct Arguments {
 /// The options for rendering a picture.
 #[derive(Args, Clone, Debug, PartialEq)]
 pub struct Options {
-    /// A WGSL file or a folder of them. Each stands in for the module of shaders/wgsl that has its name, or that its first
-    /// line names, as in: // module: kernels/image
+    /// A WGSL file or a folder of them. Each stands in for the module of shaders/wgsl that has its name, or that its
+    /// first line names, as in: // module: kernels/image
     #[arg(value_parser = PathBufValueParser::new().map(input))]
     pub modules: PathBuf,
     /// The configuration
@@ -71,8 +71,8 @@ pub struct Options {
     /// With --samples: the scatter vectors of the statement (default) or the published pictures
     #[arg(long, value_name = "CONVENTION", requires = "samples")]
     pub scatter: Option<Convention>,
-    /// A pipeline constant: has_spheres, has_cylinders, has_matte, has_metal, has_refraction, max_depth, or one that your
-    /// module declares with `override`
+    /// A pipeline constant: has_spheres, has_cylinders, has_matte, has_metal, has_refraction, max_depth, or one that
+    /// your module declares with `override`
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = constant)]
     pub constants: Vec<(String, f64)>,
     /// Show this in false colours instead of the picture
