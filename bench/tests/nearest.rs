@@ -1,11 +1,12 @@
 //! Compares the nearest hits of `bench/nearest` with those of every object and, if it is installed, with Embree's.
 //! Without Embree the tests that need it are shown as ignored.
 
+use bench::nearest::Start;
 use bench::nearest::agreement::Agreement;
 use bench::nearest::embree::{self, Embree, SingleRay};
 use bench::nearest::measure::{Options, Results};
 use bench::nearest::ours::Ours;
-use bench::nearest::scene::{Setting, Start, free_rays, surface_rays};
+use bench::nearest::scene::{Setting, free_rays, surface_rays};
 use bench::nearest::{NO_PLACE, table};
 use cpu::internals::InstructionSet;
 use libtest_mimic::{Arguments, Failed, Trial};

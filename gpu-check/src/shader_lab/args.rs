@@ -62,9 +62,12 @@ pub struct Options {
     /// The picture to write
     #[arg(long)]
     pub out: PathBuf,
-    /// Calculate in f32 (default: f64)
+    /// Calculate in f32
     #[arg(long)]
     pub f32: bool,
+    /// Calculate in f64, which is the default
+    #[arg(long, conflicts_with = "f32")]
+    pub f64: bool,
     /// Render as the programs do: with random numbers and samples_per_pixel samples
     #[arg(long, conflicts_with_all = ["pixel", "first_difference"])]
     pub samples: bool,
