@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::SystemTime;
 
+use object::{Object, ObjectSection};
 use serde_json::Value;
 use test_support::folder::Folder;
 
@@ -190,6 +191,37 @@ fn fault_of_refusal(output: &Output) -> Option<String> {
     } else {
         None
     }
+}
+
+/// Returns the part of a program's data that begins with `path`, if the program has it. The lines for debuggers are no
+/// data.
+fn data_with(program: &[u8], path: &str) -> Option<String> {
+    let file = object::File::parse(program).expect("it is a program");
+    let sections = file.sections().filter(|section| section.address() != 0);
+    let mut data = sections.filter_map(|section| section.data().ok());
+    data.find_map(|bytes| {
+        let place = bytes.windows(path.len()).position(|part| part == path.as_bytes())?;
+        Some(String::from_utf8_lossy(&bytes[place..bytes.len().min(place + 100)]).into_owned())
+    })
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn no_program_contains_the_path_of_its_checkout() {
+    let root = test_support::project_root().canonicalize().expect("it exists");
+    let root = root.to_str().expect("the tests are in a folder with a plain name");
+    let programs = programs();
+    let messages = build(&programs);
+    let mut faults = Vec::new();
+    for program in &programs {
+        let bytes = std::fs::read(path(program, &messages)).expect("it was built");
+        faults.extend(data_with(&bytes, root).map(|data| format!("{}: {data}", program.name)));
+    }
+    assert_eq!(faults, [""; 0]);
+    assert!(programs.len() >= 12, "only {} programs were found", programs.len());
+    // This test contains the path, because it looks for the programs there.
+    let own = std::fs::read(std::env::current_exe().expect("it runs")).expect("it is a file");
+    assert!(data_with(&own, root).is_some());
 }
 
 #[cfg(unix)]

@@ -11,6 +11,16 @@ pub type Need = (&'static str, &'static str);
 
 /// The compiler. Debian's package `rustc` is older than this project needs.
 pub const COMPILER: Need = ("/usr/bin/rustc", "rustc-web");
+/// Returns why the compiler cannot build this project, or `None` if it can. Debian 12 has an older one.
+pub fn compiler_is_too_old() -> Option<String> {
+    let needed = env!("CARGO_PKG_RUST_VERSION");
+    let output = Command::new(COMPILER.0).arg("--version").output().ok()?;
+    let said = String::from_utf8_lossy(&output.stdout);
+    let found = said.split(' ').nth(1).unwrap_or_default();
+    let numbers = |version: &str| -> Vec<u32> { version.split('.').filter_map(|part| part.parse().ok()).collect() };
+    (numbers(found) < numbers(needed)).then(|| format!("needs {} {needed}, and this is {found}", COMPILER.1))
+}
+
 /// The sources of the standard library.
 pub const SOURCES: Need = ("/usr/lib/rustlib/src/rust/library/std/Cargo.toml", "rust-web-src");
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::build::{Build, COMPILER, Need, SOURCES};
+use crate::build::{Build, COMPILER, Need, SOURCES, compiler_is_too_old};
 use crate::host::Host;
 
 /// The variable that asks for the slow trials. With the value `all` it also asks for those that take many minutes.
@@ -67,6 +67,6 @@ impl Platform {
     pub fn missing(&self) -> Option<String> {
         let files = self.build.needs.iter().filter(|(file, _)| !Path::new(file).exists());
         let missing: Vec<_> = files.map(|(_, package)| *package).chain(self.host.missing()).collect();
-        (!missing.is_empty()).then(|| format!("needs {}", missing.join(", ")))
+        if missing.is_empty() { compiler_is_too_old() } else { Some(format!("needs {}", missing.join(", "))) }
     }
 }
