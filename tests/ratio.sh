@@ -20,6 +20,10 @@ target=${CARGO_TARGET_DIR:-$top/target}
 program=${PROGRAM:-$target/release/render-aos}
 yardstick=${YARDSTICK:-$target/release/reference}
 runs=${RUNS:-1}
+# A program ignores the name of an instruction set that this machine lacks, so the names are checked here.
+for word in ${RENDER_INSTRUCTION_SET:+"RENDER_INSTRUCTION_SET=$RENDER_INSTRUCTION_SET"} $program $yardstick; do
+    case $word in RENDER_INSTRUCTION_SET=*) env "$word" "$target/release/instruction-set" >/dev/null || exit 2 ;; esac
+done
 [ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 
 user_seconds() {

@@ -6,6 +6,7 @@ use bench::kernels;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 fn all(criterion: &mut Criterion) {
+    let _ = bench::instruction_set();
     let mut group = criterion.benchmark_group("kernel");
     for kernel in kernels::all() {
         let mut work = (kernel.new)();

@@ -51,6 +51,7 @@ criterion_group! {
 }
 
 fn main() {
+    let _ = bench::instruction_set();
     pictures();
     Criterion::default().configure_from_args().final_summary();
     let folder = golden::reference_folder();

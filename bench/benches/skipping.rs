@@ -118,6 +118,7 @@ fn main() {
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }
+    let _ = bench::instruction_set();
     println!("{:<60} {:>9} {:>9} {:>7}", "milliseconds of user time, medians", "skipped", "done", "ratio");
     sky("rays of pixels that no object reaches, large objects", COLORS, &format!("{MATTE}{BALLS}"));
     sky("the same, a small object", COLORS, &format!("{MATTE}sphere: 2 1 0 .5 m\n"));

@@ -9,3 +9,13 @@ pub mod kernels;
 pub mod nearest;
 pub mod record;
 pub mod time;
+
+/// Returns the instruction set that the renderer uses. If `RENDER_INSTRUCTION_SET` names none of this machine, prints a
+/// message and ends the program with status 2, so that no other set is measured.
+#[must_use]
+pub fn instruction_set() -> cpu::internals::InstructionSet {
+    cpu::internals::InstructionSet::named().unwrap_or_else(|message| {
+        eprintln!("Error: {message}");
+        std::process::exit(2)
+    })
+}

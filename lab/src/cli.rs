@@ -1,6 +1,7 @@
 //! The command line: all commands with their options.
 
 use clap::{CommandFactory, Parser, Subcommand};
+use cpu::internals::InstructionSet;
 use output::Options;
 
 use crate::Failure;
@@ -80,6 +81,10 @@ impl Command {
     /// # Errors
     /// The reason why the command ended early.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
+        if let Self::Render(_) | Self::Bench(_) | Self::View(_) = self {
+            // The renderer would ignore a wrong name, and another set would be measured.
+            InstructionSet::named()?;
+        }
         match self {
             Self::Render(arguments) => arguments.run(options),
             Self::Compare(arguments) => arguments.run(options),

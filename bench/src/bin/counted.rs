@@ -6,9 +6,9 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::ExitCode;
 
+use cpu::internals::Prepared;
 use cpu::internals::counters;
 use cpu::internals::counters::Counter;
-use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
 
 const USAGE: &str = "\
@@ -38,7 +38,7 @@ fn run(names: &[OsString]) -> Result<(), Box<dyn Error>> {
     };
     let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
     let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?;
-    cpu::internals::render_with(&prepared, InstructionSet::chosen())?;
+    cpu::internals::render_with(&prepared, bench::instruction_set())?;
     let counts = counters::snapshot();
     for &counter in Counter::ALL {
         println!("{:14} {counter:?}", counts[counter as usize]);

@@ -61,6 +61,7 @@ fn main() -> ExitCode {
 
 /// Measures and prints. Returns whether enough hits agree in every row.
 fn run(command: &CommandLine) -> Result<bool, String> {
+    InstructionSet::named()?;
     // A file that cannot be written is found before the measurement.
     let open = |path: &PathBuf| Output::open(path, output::Options::default()).map_err(|error| error.to_string());
     let json = command.json.as_ref().map(open).transpose()?;

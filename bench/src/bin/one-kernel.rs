@@ -27,6 +27,7 @@ fn main() -> ExitCode {
         println!("{USAGE}");
         return ExitCode::SUCCESS;
     }
+    let _ = bench::instruction_set();
     let Some(kernel) = kernels::all().into_iter().find(|kernel| kernel.name == name) else {
         eprintln!("Error: there is no kernel [{name}]; without a name all names are printed");
         return ExitCode::from(2);

@@ -57,6 +57,7 @@ fn run(arguments: &[String]) -> io::Result<()> {
             _ => return Err(io::Error::other(format!("[{option}] is not an option with a value; see --help"))),
         }
     }
+    InstructionSet::named().map_err(io::Error::other)?;
     // Nothing is written into the project unless its folder is named.
     let folder = folder.ok_or(io::Error::other("--out FOLDER is missing; see --help"))?;
     let record = Record {

@@ -92,11 +92,26 @@ impl InstructionSet {
     /// Returns the instruction set that [`InstructionSet::VARIABLE`] names. If the variable is not set, or its value is
     /// not the name of a set that this machine has, the result is [`InstructionSet::best`].
     pub fn chosen() -> Self {
-        let named = std::env::var_os(Self::VARIABLE);
-        Self::ALL
-            .into_iter()
-            .find(|set| named.as_ref().is_some_and(|name| name == set.name()) && set.is_available())
-            .unwrap_or_else(Self::best)
+        Self::named().unwrap_or_else(|_| Self::best())
+    }
+
+    /// Returns the instruction set that [`InstructionSet::VARIABLE`] names, or [`InstructionSet::best`] if the variable
+    /// is not set or empty. For programs that measure, which must not measure another set than the one that is named.
+    ///
+    /// # Errors
+    /// A message, if the value is not the name of a set that this machine has.
+    pub fn named() -> Result<Self, String> {
+        std::env::var_os(Self::VARIABLE).filter(|name| !name.is_empty()).map_or_else(|| Ok(Self::best()), Self::of_name)
+    }
+
+    /// Returns the instruction set with this name, or a message if this machine has no such set.
+    fn of_name(name: impl AsRef<std::ffi::OsStr>) -> Result<Self, String> {
+        let name = name.as_ref();
+        Self::available().find(|set| name == set.name()).ok_or_else(|| {
+            let names: Vec<_> = Self::available().map(Self::name).collect();
+            // The debug format escapes control characters.
+            format!("{} is {name:?}, and this machine has {}", Self::VARIABLE, names.join(", "))
+        })
     }
 
     /// Runs `kernel`, compiled for this instruction set. If this machine lacks it, `kernel` is compiled for the
@@ -134,4 +149,24 @@ fn has_fast_masks() -> bool {
     }
     #[cfg(not(target_arch = "x86_64"))]
     false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_set_of_the_machine_has_its_name_and_other_names_are_errors() {
+        for set in InstructionSet::available() {
+            assert_eq!(InstructionSet::of_name(set.name()), Ok(set));
+        }
+        for name in ["avx3", "AVX2", "avx2 ", "avx2\u{7}"] {
+            let message = InstructionSet::of_name(name).expect_err("no set has this name");
+            assert!(
+                message.starts_with("RENDER_INSTRUCTION_SET is \"") && message.contains("has portable"),
+                "{message}"
+            );
+            assert!(!message.contains('\u{7}'), "control characters are escaped: {message:?}");
+        }
+    }
 }

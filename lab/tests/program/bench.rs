@@ -6,7 +6,7 @@ use std::fs;
 use lab::bench::results::Results;
 use test_support::folder::Folder;
 
-use crate::{complaint, printed};
+use crate::{complaint, lab, printed};
 
 /// Runs `render-lab bench` with `arguments`, `--quick` and two repeats. Returns the results that it wrote to the file
 /// `name`.
@@ -126,7 +126,7 @@ fn an_interrupted_measurement_is_kept_and_goes_on() {
     let folder = Folder::new();
     let out = folder.name("gain.json");
     let arguments = ["bench", "gain", "--quick", "--repeats", "1", "--out", &out];
-    let mut child = crate::lab(&arguments).stderr(Stdio::piped()).spawn().expect("the program runs");
+    let mut child = lab(&arguments).stderr(Stdio::piped()).spawn().expect("the program runs");
     let mut lines = BufReader::new(child.stderr.take().expect("it is piped")).lines().map_while(Result::ok);
     assert!(lines.any(|line| line.starts_with("task 2 of 4: gain grid")), "the first task ends");
     let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
@@ -159,4 +159,24 @@ fn what_cannot_be_measured_joined_or_shown_is_an_error() {
     assert!(complaint(&["bench", "merge", "--out", &out, "README.md"]).starts_with("Error: README.md: "));
     assert!(complaint(&["report", "README.md", "--out", &folder.name("r")]).starts_with("Error: README.md: "));
     assert!(folder.names().is_empty());
+}
+
+#[test]
+fn the_name_of_an_instruction_set_that_the_machine_lacks_is_an_error() {
+    let folder = Folder::new();
+    let (config, scene) = ("scenes/spheres/config.txt", "scenes/spheres/scene.txt");
+    for arguments in [
+        &["bench", "energy", "--quick", "--out", &folder.name("energy.json")][..],
+        &["render", config, scene, &folder.name("out.ppm")],
+    ] {
+        let output = lab(arguments).env("RENDER_INSTRUCTION_SET", "avx3").output().expect("the program runs");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+        let message = String::from_utf8(output.stderr).expect("it is text");
+        let start = "Error: RENDER_INSTRUCTION_SET is \"avx3\", and this machine has portable";
+        assert!(message.starts_with(start), "{message}");
+    }
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+    let rendered = ["render", config, scene, &folder.name("out.ppm"), "--set", "samples_per_pixel=1"];
+    let output = lab(&rendered).env("RENDER_INSTRUCTION_SET", "portable").output().expect("the program runs");
+    assert!(output.status.success(), "{output:?}");
 }
