@@ -33,29 +33,37 @@ fn help_has_examples_and_a_folder_is_asked_for() {
 #[test]
 fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
     let folder = Folder::new();
-    let document = folder.file("tables.md");
-    fs::copy(repository("docs/accuracy/tables.md"), &document).expect("it is committed");
+    let table = folder.file("pictures.csv");
+    fs::copy(repository("docs/accuracy/pictures.csv"), &table).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--case", "case-2", "c", "s"]);
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8(output.stderr).expect("it is text");
     assert!(
-        message.contains("tables.md: its rows for case-1, case-3, case-4 would go; give each as --case"),
+        message.contains("pictures.csv: its rows for case-1, case-3, case-4 would go; give each as --case"),
         "{message}"
     );
-    assert_eq!(fs::read(&document).ok(), fs::read(repository("docs/accuracy/tables.md")).ok());
+    assert_eq!(fs::read(&table).ok(), fs::read(repository("docs/accuracy/pictures.csv")).ok());
 }
 
 #[test]
 fn tables_and_plots_are_written_into_the_folder_alone() {
     common::gpu();
     let folder = Folder::new();
-    let before = fs::read(repository("docs/accuracy/tables.md")).expect("it is committed");
+    let before = fs::read(repository("docs/accuracy/errors.csv")).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--rays", "1000"]);
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
-    let text = fs::read_to_string(folder.file("tables.md")).expect("it was written");
-    assert!(text.contains("--rays 1000 --seed 1") && text.contains("| **ordinary** ("), "{text}");
+    let text = |name: &str| fs::read_to_string(folder.file(name)).expect("it was written");
+    assert!(text("run.txt").contains("--rays 1000 --seed 1\ndate: "), "{}", text("run.txt"));
+    for (table, row) in [
+        ("errors.csv", "sphere,\"ordinary\",exact f64,1000,"),
+        ("costs.csv", "cylinder,\"through the rim\",exact f64,"),
+        ("large-spheres.csv", "exact f64,1e9,0\n"),
+        ("pictures.csv", "\"tests/cases, all\","),
+    ] {
+        assert!(text(table).contains(row), "{table}: {}", text(table));
+    }
     let files = fs::read_dir(folder.path()).expect("it is there").count();
-    assert_eq!(files, 2 + 5, "the tables twice, and five plots");
-    assert_eq!(fs::read(repository("docs/accuracy/tables.md")).ok(), Some(before), "the project's own file stays");
+    assert_eq!(files, 4 + 5 + 1, "tables, plots and run.txt");
+    assert_eq!(fs::read(repository("docs/accuracy/errors.csv")).ok(), Some(before), "the project's own file stays");
 }

@@ -7,8 +7,8 @@ use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
 /// The constants of the error bound for cylinders. The error constant is 192: `docs/accuracy.md` derives that 132 is
 /// enough, and the rest is a margin. The condition limit, 65,536, decides the accuracy. With it, the relative error of
-/// lambda is proven to be at most 1.6e-10 on the side and 6.2e-10 on a cap. The largest error that was measured, among
-/// 12 million random rays, is 2.6e-11.
+/// lambda is proven to be at most 1.6e-10 on the side and 6.2e-10 on a cap. The largest error that `stress` finds is
+/// 2.0e-11 (docs/accuracy).
 pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 65536.0 };
 
 /// The quadratic of one ray and an infinite cylinder, with its error bound.

@@ -1,4 +1,4 @@
-//! Writes the measured figures as tables in Markdown and as CSV.
+//! Writes the measured figures as tables of comma-separated values (CSV).
 
 use std::fmt::Write;
 
@@ -25,52 +25,10 @@ pub struct Picture {
     pub same_bytes: bool,
 }
 
-/// Formats a share from 0 to 1 as a percentage with two decimals, or with an exponent if it is small.
-fn percent(share: f64) -> String {
-    match share {
-        0.0 => "0".into(),
-        share if share < 1e-4 => format!("{:.1e} %", share * 100.0),
-        share => format!("{:.2} %", share * 100.0),
-    }
-}
-
-fn short(value: f64) -> String {
-    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
-}
-
-/// Returns the Markdown table of one kind of object.
+/// Returns the errors of all kinds of objects as CSV, for every regime and implementation. They are the same in every
+/// run with the same seed. The times, which differ from run to run, are in [`costs`].
 #[must_use]
-pub fn markdown(sections: &[Section]) -> String {
-    let mut text = String::from(
-        "| regime | implementation | wrong | beyond 8uS | wrong side | lambda p50 | p99.9 | max | surface p50 | max \
-         | double-double | exact |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
-    );
-    for Section { rows, fallbacks } in sections {
-        for (index, row) in rows.iter().enumerate() {
-            let regime = if index == 0 {
-                format!("**{}** ({} of {} hit)", row.regime, row.hits, row.cases)
-            } else {
-                String::new()
-            };
-            let is_exact = row.method == crate::methods::EXACT;
-            let [double, exact] = fallbacks.map(|share| if is_exact { percent(share) } else { String::new() });
-            let beyond = row.wrong_beyond_noise.map_or(String::from("-"), |count| count.to_string());
-            let [median, high, most] = row.lambda_error.map(short);
-            let [near, far] = row.surface_error.map(short);
-            let (method, wrong, side) = (row.method, row.wrong, row.wrong_side);
-            // Writing to a `String` never fails, so errors are ignored.
-            let _ = writeln!(
-                text,
-                "| {regime} | {method} | {wrong} | {beyond} | {side} | {median} | {high} | {most} | {near} | {far} | {double} | {exact} |"
-            );
-        }
-    }
-    text
-}
-
-/// Returns the rows of all kinds of objects as CSV. Times are left out, because they differ from run to run.
-#[must_use]
-pub fn csv(kinds: &[(&str, &[Section])]) -> String {
+pub fn errors(kinds: &[(&str, &[Section])]) -> String {
     let mut text = String::from(
         "object,regime,implementation,cases,hits,wrong,wrong_beyond_8uS,wrong_side,lambda_p50,lambda_p999,lambda_max,\
          surface_p50,surface_max,double_double,exact\n",
@@ -81,6 +39,7 @@ pub fn csv(kinds: &[(&str, &[Section])]) -> String {
                 let [median, high, most] = row.lambda_error;
                 let [near, far] = row.surface_error;
                 let beyond = row.wrong_beyond_noise.map_or(String::new(), |count| count.to_string());
+                // Writing to a `String` never fails, so errors are ignored.
                 let _ = writeln!(
                     text,
                     "{kind},\"{}\",{},{},{},{},{beyond},{},{median:e},{high:e},{most:e},{near:e},{far:e},{double},{exact}",
@@ -92,52 +51,68 @@ pub fn csv(kinds: &[(&str, &[Section])]) -> String {
     text
 }
 
-/// Returns the Markdown table of the times of one intersection in nanoseconds. Each kind of object has two columns: its
-/// first regime and its slowest regime.
+/// Returns the time of one intersection in nanoseconds as CSV, for every regime and implementation.
 #[must_use]
 pub fn costs(kinds: &[(&str, &[Section])]) -> String {
-    let (mut head, mut rule) = (String::from("| implementation |"), String::from("|---|"));
+    let mut text = String::from("object,regime,implementation,nanoseconds\n");
     for (kind, sections) in kinds {
-        let first = sections.first().and_then(|section| section.rows.first()).map_or("", |row| row.regime);
-        head += &format!(" {kind}, {first} | {kind}, dearest regime |");
-        rule += "--:|--:|";
-    }
-    let mut text = format!("{head}\n{rule}\n");
-    let rows = kinds.first().and_then(|(_, sections)| sections.first()).map_or(0, |section| section.rows.len());
-    for index in 0..rows {
-        let mut cells = Vec::new();
-        for (_, sections) in kinds {
-            let nanoseconds = |section: &Section| section.rows[index].nanoseconds;
-            let dearest = sections.iter().map(nanoseconds).fold(0.0, f64::max);
-            cells.extend(sections.first().map(nanoseconds).into_iter().chain([dearest]));
+        for row in sections.iter().flat_map(|section| &section.rows) {
+            let _ = writeln!(text, "{kind},\"{}\",{},{:.1}", row.regime, row.method, row.nanoseconds);
         }
-        let cells: Vec<_> = cells.into_iter().map(digits).collect();
-        let _ = writeln!(text, "| {} | {} |", kinds[0].1[0].rows[index].method, cells.join(" | "));
     }
     text
 }
 
-/// Formats nanoseconds with one decimal if they are below 10, and otherwise without decimals.
-fn digits(nanoseconds: f64) -> String {
-    if nanoseconds < 10.0 { format!("{nanoseconds:.1}") } else { format!("{nanoseconds:.0}") }
+/// Returns shares of wrong decisions as CSV, for every implementation and radius. `wrong` has the name of each
+/// implementation, with its share for each of the `radii`.
+#[must_use]
+pub fn large_spheres(radii: &[f64], wrong: &[(&str, Vec<f64>)]) -> String {
+    let mut text = String::from("implementation,radius,wrong_share\n");
+    for (method, shares) in wrong {
+        for (radius, share) in radii.iter().zip(shares) {
+            let _ = writeln!(text, "{method},{radius:e},{share}");
+        }
+    }
+    text
 }
 
-/// Returns the Markdown table of pictures.
+/// Returns the counts of the pictures as CSV.
 #[must_use]
 pub fn pictures(pictures: &[Picture]) -> String {
-    let mut text = String::from(
-        "| picture | tests | uncertain | hits | lambdas with the plain formulas' bits | other decisions | same bytes |\n\
-         |---|--:|--:|--:|--:|--:|---|\n",
-    );
+    let mut text = String::from("picture,tests,uncertain,hits,same_bits,other_decisions,same_bytes\n");
     for Picture { name, counts, same_bytes } in pictures {
-        let uncertain = percent(counts.uncertain as f64 / counts.tests.max(1) as f64);
-        let kept = match counts.hits {
-            0 => String::from("-"),
-            hits => format!("{:.3} %", 100.0 * counts.same_bits as f64 / hits as f64),
-        };
-        let same = if *same_bytes { "yes" } else { "no" };
-        let Counts { tests, hits, other_decision, .. } = counts;
-        let _ = writeln!(text, "| {name} | {tests} | {uncertain} | {hits} | {kept} | {other_decision} | {same} |");
+        let Counts { tests, uncertain, hits, same_bits, other_decision } = counts;
+        let name = quoted(name);
+        let _ = writeln!(text, "{name},{tests},{uncertain},{hits},{same_bits},{other_decision},{same_bytes}");
     }
     text
+}
+
+/// Returns a text as a field of CSV, in quotation marks.
+#[must_use]
+pub fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_field_with_quotation_marks_doubles_them() {
+        assert_eq!(quoted("a \"b\", c"), "\"a \"\"b\"\", c\"");
+    }
+
+    #[test]
+    fn every_table_has_a_head_and_a_row_for_each_measurement() {
+        let row = |method| Row { regime: "ordinary", method, nanoseconds: 12.34, ..Row::default() };
+        let sections = [Section { rows: vec![row("plain f64"), row("exact f64")], fallbacks: [0.25, 0.0] }];
+        let kinds: [(&str, &[Section]); 1] = [("sphere", &sections)];
+        assert!(errors(&kinds).ends_with("sphere,\"ordinary\",exact f64,0,0,0,,0,0e0,0e0,0e0,0e0,0e0,0.25,0\n"));
+        assert!(costs(&kinds).ends_with("sphere,\"ordinary\",exact f64,12.3\n"));
+        let large = large_spheres(&[1.0, 10.0], &[("exact f64", vec![0.0, 0.5])]);
+        assert!(large.ends_with("\nexact f64,1e0,0\nexact f64,1e1,0.5\n"));
+        let picture = Picture { name: "a".into(), counts: Counts::default(), same_bytes: true };
+        assert!(pictures(&[picture]).ends_with("\n\"a\",0,0,0,0,0,true\n"));
+    }
 }

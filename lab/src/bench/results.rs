@@ -81,9 +81,10 @@ pub struct Intersection {
 pub struct Trial {
     /// The kind of object: `sphere` or `cylinder`.
     pub object: String,
-    /// `ordinary`, or `hard`. The hard rays come from all other regimes in `docs/accuracy/tables.md`, in equal numbers.
+    /// `ordinary`, or `hard`. The hard rays come from all other regimes of `docs/accuracy/errors.csv`, in equal
+    /// numbers.
     pub rays: String,
-    /// The name of the implementation, as in `docs/accuracy/tables.md`.
+    /// The name of the implementation, as in `docs/accuracy/errors.csv`.
     pub implementation: String,
     /// Seed of the random rays.
     pub seed: u64,

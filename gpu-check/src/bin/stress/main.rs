@@ -1,7 +1,7 @@
 //! `stress --out FOLDER`: runs the whole stress test of the intersections, in Rust and in WGSL, and writes its tables
 //! and plots into a folder. `stress --help` lists all options.
 
-mod document;
+mod tables;
 
 use std::error::Error;
 use std::fmt;
@@ -29,14 +29,14 @@ Examples:
   stress --out /tmp/accuracy                 minutes; nothing else is written
   stress --out /tmp/accuracy --rays 2000     seconds, to see what it writes
   stress --out docs/accuracy --case case-1 ../shared/reference/config1.txt ../shared/reference/scene1.txt ...
-                                             rewrites docs/accuracy/tables.md; name every case that it has
+                                             rewrites the tables there; name every case that pictures.csv has
 
 Exit status: 0 no decision of the exact intersection is wrong, and its errors are within the proven bounds
              1 a decision is wrong, or an error is beyond its bound; the tables are written all the same
              2 an error, such as a file that cannot be written"
 )]
 struct Arguments {
-    /// Folder for the results: tables.md, a CSV file and plots. In an existing tables.md only the tables are replaced
+    /// Folder for the results: tables (CSV), plots (SVG), and run.txt, which says how they were made
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
     /// Rays of each regime of spheres; a regime of cylinders gets three fifths of it
@@ -100,13 +100,13 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Arguments { out, rays, seed, case } = arguments;
     let (rays, seed) = (*rays, *seed);
-    let tables = out.join("tables.md");
-    let text = document::text(&tables)?;
-    // Checked before the run, which takes minutes and replaces the tables.
-    document::check_that_no_row_goes(&text, case).map_err(|message| format!("{}: {message}", tables.display()))?;
     let folder = out;
+    // Checked before the run, which takes minutes and replaces the tables.
+    let pictures_file = folder.join("pictures.csv");
+    tables::check_that_no_row_goes(&pictures_file, case)
+        .map_err(|message| format!("{}: {message}", pictures_file.display()))?;
     fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    Output::open(&tables, Options { sync: true })?;
+    Output::open(&pictures_file, Options { sync: true })?;
 
     let gpu = Gpu::open()?;
     let device = gpu.to_string();
@@ -122,13 +122,14 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     print_costs(&spheres)?;
     print_costs(&cylinders)?;
     let kinds: [(&str, &[Section]); 2] = [("sphere", &spheres), ("cylinder", &cylinders)];
-    document::put(&folder.join("table.csv"), &report::csv(&kinds))?;
+    tables::put(&folder.join("errors.csv"), &report::errors(&kinds))?;
+    tables::put(&folder.join("costs.csv"), &report::costs(&kinds))?;
     for (name, kind, sections) in [("sphere", "Spheres", &spheres), ("cylinder", "Cylinders", &cylinders)] {
         let wrong =
             run::plot(&format!("{kind}: wrong decisions (no mark: none)"), "share of rays", (-5, 0), sections, |row| {
                 row.wrong as f64 / row.cases as f64
             });
-        document::put(&folder.join(format!("{name}-wrong.svg")), &wrong.svg())?;
+        tables::put(&folder.join(format!("{name}-wrong.svg")), &wrong.svg())?;
         let errors = run::plot(
             &format!("{kind}: largest relative error of lambda where the decision is right"),
             "relative error",
@@ -136,47 +137,21 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             sections,
             |row| row.lambda_error[2],
         );
-        document::put(&folder.join(format!("{name}-lambda.svg")), &errors.svg())?;
+        tables::put(&folder.join(format!("{name}-lambda.svg")), &errors.svg())?;
     }
 
     let large = LargeSpheres::new(&methods, seed, rays)?;
-    document::put(&folder.join("large-spheres.svg"), &large.plot().svg())?;
-    let pictures = pictures(case)?;
-
-    let mut command =
-        format!("cargo run --release -p gpu-check --bin stress -- --out FOLDER --rays {rays} --seed {seed}");
-    for triple in case.chunks_exact(3) {
-        command += &format!(" --case {} CONFIG SCENE", triple[0]);
+    tables::put(&folder.join("large-spheres.svg"), &large.plot().svg())?;
+    tables::put(&folder.join("large-spheres.csv"), &report::large_spheres(&large.radii, &large.wrong))?;
+    for method in [PROJECTED, gpu_check::methods::PROJECTED, EXACT] {
+        let (never, seldom) = (large.limit(method, 0.0), large.limit(method, 1e-3));
+        terminal::print(&format!(
+            "{method}: no ray that leaves a sphere is wrong up to a radius of {never}, at most one in a thousand up \
+             to {seldom}\n"
+        ))?;
     }
-    let limits = format!(
-        "Of {rays} rays that leave a sphere, these radii are the largest with no wrong decision, and with at most one in a\n\
-         thousand. Projected f32: {:.0} and {:.0}. Projected f32 in WGSL: {:.0} and {:.0}. Exact f64: {:.0e}, the largest \
-         tried, and the same.\n",
-        large.limit(PROJECTED, 0.0),
-        large.limit(PROJECTED, 1e-3),
-        large.limit(gpu_check::methods::PROJECTED, 0.0),
-        large.limit(gpu_check::methods::PROJECTED, 1e-3),
-        large.limit(EXACT, 0.0),
-    );
-    let today = String::from_utf8(Command::new("date").args(["-u", "+%F"]).output()?.stdout)?;
-    let mut text = text;
-    for (mark, block) in [
-        (
-            "command",
-            format!(
-                "    {command}\n\nRun on {}, the seed is {seed}. WGSL ran on this device:\n\n    {device}\n",
-                today.trim()
-            ),
-        ),
-        ("spheres", report::markdown(&spheres)),
-        ("cylinders", report::markdown(&cylinders)),
-        ("costs", report::costs(&kinds)),
-        ("large", limits),
-        ("pictures", report::pictures(&pictures)),
-    ] {
-        text = document::replaced(&text, mark, &block)?;
-    }
-    document::put(&tables, &text)?;
+    tables::put(&pictures_file, &report::pictures(&pictures(case)?))?;
+    tables::put(&folder.join("run.txt"), &run_text(arguments, &device)?)?;
     terminal::print(&format!("wrote {}\n", folder.display()))?;
 
     for (kind, regimes, proven) in [
@@ -199,6 +174,28 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(terminal::print(&summary)?)
 }
 
+/// Returns the text that says how the tables were made: the command, the date, the commit and the machine.
+fn run_text(Arguments { rays, seed, case, .. }: &Arguments, device: &str) -> Result<String, Box<dyn Error>> {
+    let mut command =
+        format!("cargo run --release -p gpu-check --bin stress -- --out FOLDER --rays {rays} --seed {seed}");
+    for triple in case.chunks_exact(3) {
+        command += &format!(" --case {} CONFIG SCENE", triple[0]);
+    }
+    let date = said_by("date", &["-u", "+%F"])?;
+    let commit = said_by("git", &["describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"])?;
+    let about = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let processor = about.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
+    let processor = processor.map_or("unknown", |(_, name)| name);
+    Ok(format!("command: {command}\ndate: {date}\ncommit: {commit}\nprocessor: {processor}\nWGSL: {device}\n"))
+}
+
+/// Runs a program in the project's folder and returns its first line of output, or `unknown` if the program fails.
+fn said_by(program: &str, arguments: &[&str]) -> Result<String, Box<dyn Error>> {
+    let output = Command::new(program).args(arguments).current_dir(gpu_check::scenes::repository("")).output()?;
+    let text = String::from_utf8(output.stdout)?;
+    Ok(text.lines().next().filter(|_| output.status.success()).unwrap_or("unknown").to_owned())
+}
+
 fn print_costs(sections: &[Section]) -> Result<(), output::Error> {
     let rows = sections.iter().flat_map(|section| &section.rows);
     let lines = rows.map(|row| format!("{:36} {:18} {:8.1} ns a test\n", row.regime, row.method, row.nanoseconds));
@@ -209,7 +206,7 @@ fn print_costs(sections: &[Section]) -> Result<(), output::Error> {
 /// the pictures of `--case`.
 fn pictures(others: &[String]) -> Result<Vec<Picture>, Box<dyn Error>> {
     let mut pictures = Vec::new();
-    let mut all = Picture { name: document::CASES_OF_THE_TESTS.into(), counts: Counts::default(), same_bytes: true };
+    let mut all = Picture { name: tables::CASES_OF_THE_TESTS.into(), counts: Counts::default(), same_bytes: true };
     for entry in fs::read_dir(gpu_check::scenes::repository("tests/cases"))? {
         let path = entry?.path();
         if path.is_dir() {
