@@ -1,5 +1,5 @@
-//! Renders pictures of 15 pixels, one for each acceleration structure and stage. They must have the reference's pixels
-//! with every available instruction set and in both layouts.
+//! Renders pictures of 15 pixels, which reach every stage and the acceleration structures for up to some hundred
+//! objects. They must have the reference's pixels with every available instruction set and in both layouts.
 //!
 //! The properties in the package `tests` check the same for thousands of random scenes. These pictures are so small
 //! that miri, which interprets every instruction, renders them in minutes (`tests/memory.sh miri`).

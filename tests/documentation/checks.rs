@@ -15,11 +15,8 @@ const MOST_WORDS: usize = 35;
 /// Paths that texts may name although they are not in this project, or exist only after a command.
 const NOT_OURS: [&str; 4] = ["my.wgsl", "mia.wgsl", "my/background.wgsl", "bench/record"];
 
-/// Pages that may name files of older commits, because they say so.
-pub const OF_OLDER_COMMITS: [&str; 1] = ["docs/ablations.md"];
-
 /// Pages that may use the words of older commits, because they say so.
-const WITH_OLD_WORDS: [&str; 3] = ["CHANGELOG.md", "docs/ablations.md", "docs/experiments.md"];
+const WITH_OLD_WORDS: [&str; 1] = ["CHANGELOG.md"];
 
 /// Largest number of lines of prose before the second heading of a page.
 const MOST_SUMMARY_LINES: usize = 10;
