@@ -83,6 +83,7 @@ fn reorder(order: &mut [u32], mut swap: impl FnMut(usize, usize)) {
             if from == first {
                 break;
             }
+            debug_assert_ne!(from, at, "an index is twice in the list");
             swap(at, from);
             at = from;
         }

@@ -108,6 +108,7 @@ pub fn render_within<L: Layout>(
     image: &mut L::Image,
     mut after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
 ) -> Result<Option<Ended>, Error> {
+    debug_assert_eq!(image.size(), prepared.size);
     let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     state.set_limits(limits);
     set.run(Picture { state, accumulator, target: Target::Image(image, &mut after_row) })
@@ -208,6 +209,7 @@ impl<L: Layout> Picture<'_, L> {
     /// Traces the samples of the batch, and adds their colours to their pixels. Their offsets must have been drawn.
     fn trace<S: Simd>(&mut self, simd: S, span: &Span) {
         let Self { state, accumulator, target, .. } = self;
+        debug_assert_eq!(state.batch.count, span.count);
         simd.run(TraceCameraRays(state));
         if state.batch.specular.count > 0 {
             simd.run(TraceSpecularChains(state));

@@ -49,6 +49,13 @@ impl Extent {
     }
 }
 
+/// Whether no coordinate of the point exceeds `max_coordinate`, apart from the rounding of a hit point. NaN does not
+/// exceed it. Debug builds check with this that a ray starts inside the scene's extent.
+pub fn is_within(point: Vec3, max_coordinate: f64) -> bool {
+    let limit = max_coordinate * (1.0 + 1e-6);
+    point.to_array().iter().all(|coordinate| coordinate.is_nan() || coordinate.abs() <= limit)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

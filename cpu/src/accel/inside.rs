@@ -11,8 +11,8 @@
 //! overflows with coordinates of up to 10^9.
 
 use crate::accel::{
-    conservative::ConservativeRay, conservative::MARGIN, conservative::Quadratic, object::ObjectId, object::ObjectRef,
-    object::count, small_scene::SmallScene, target::SLACK, target::Target,
+    conservative::ConservativeRay, conservative::MARGIN, conservative::Quadratic, extent::is_within, object::ObjectId,
+    object::ObjectRef, object::count, small_scene::SmallScene, target::SLACK, target::Target,
 };
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
@@ -32,6 +32,7 @@ impl SmallScene {
     /// must start inside the scene's extent.
     #[inline(always)]
     pub fn starts_inside<O: Objects>(&self, objects: &O, ray: &Ray) -> bool {
+        debug_assert!(is_within(ray.origin, self.max_coordinate));
         let (conservative, mut inside) = (ConservativeRay::new(*ray), false);
         for id in 0..count(objects) as ObjectId {
             let target = Target::of(objects, id, self.max_coordinate);

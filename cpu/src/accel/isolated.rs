@@ -36,6 +36,7 @@ impl Isolated {
     /// Adds the object with the number `id`, for which the set must have room.
     #[inline(always)]
     pub fn insert(&mut self, id: ObjectId) {
+        debug_assert!((id as usize) < 64 * self.0.len());
         self.0[id as usize / 64] |= 1 << (id % 64);
     }
 

@@ -66,6 +66,7 @@ impl ObjectLanes {
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         let conservative = ConservativeRay::new(*ray);
+        debug_assert!(is_too_short(conservative.length_squared).bits() & !too_short == 0);
         let mut may_hit = MayHitLanes::NOTHING;
         for at in 0..self.count.min(CAPACITY) {
             may_hit.add(at, self.may_hit(at, &conservative).bits() | too_short);

@@ -6,7 +6,8 @@
 
 use crate::accel::{
     bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, conservative::is_too_short,
-    extent::Extent, find::Accelerator, find::Origin, object::ObjectId, object::in_order, object_lanes::ObjectLanes,
+    extent::Extent, extent::is_within, find::Accelerator, find::Origin, object::ObjectId, object::in_order,
+    object_lanes::ObjectLanes,
 };
 use crate::{geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd, simd::SimdF64};
 
@@ -45,6 +46,7 @@ impl SmallScene {
     /// must start inside the scene's extent.
     #[inline(always)]
     pub fn objects_may_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
+        debug_assert!(is_within(ray.origin, self.max_coordinate));
         if self.uses_object_lanes() {
             return self.object_lanes.objects_may_hit::<V>(ray);
         }

@@ -36,10 +36,19 @@ type Hit<T> = Option<(T, CylinderPart)>;
 #[inline(always)]
 #[must_use]
 pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+    debug_assert!(is_made_from(record, *axis));
     match filtered(record, ray) {
         Decision::Certain(hit) => hit,
         Decision::Uncertain => precise(record, axis, ray),
     }
+}
+
+/// Whether the record is that of a cylinder with this axis. A number that is NaN equals NaN.
+fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
+    let (unit, height) = axis.unit_and_length();
+    let made = [unit.x, unit.y, unit.z, height / 2.0];
+    let given = [record.axis.x, record.axis.y, record.axis.z, record.half_height];
+    made.iter().zip(given).all(|(&made, given)| made == given || made.is_nan() && given.is_nan())
 }
 
 /// Computes the plain formulas in the arithmetic `T`. Returns `Certain(Some((lambda, part)))` for a hit,

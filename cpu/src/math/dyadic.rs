@@ -29,7 +29,8 @@ impl Dyadic {
     }
 
     /// Returns `magnitude * 2^exponent`. The highest limb of `magnitude` must not be zero.
-    pub const fn of_limbs(magnitude: Vec<u64>, exponent: i64) -> Self {
+    pub fn of_limbs(magnitude: Vec<u64>, exponent: i64) -> Self {
+        debug_assert!(magnitude.last() != Some(&0));
         Self { negative: false, magnitude, exponent }
     }
 
@@ -103,6 +104,7 @@ impl Dyadic {
 /// Returns `(integer, exponent)` with `|value| = integer * 2^exponent`. `value` must be finite. The integer is below
 /// 2^53 and the exponent is at least -1074, because this is how an `f64` stores numbers (IEEE 754, binary64).
 pub const fn integer_and_exponent(value: f64) -> (u64, i64) {
+    debug_assert!(value.is_finite());
     let (fraction, biased) = (value.to_bits() & ((1 << 52) - 1), (value.to_bits() >> 52 & 0x7FF) as i64);
     if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) }
 }

@@ -26,6 +26,7 @@ fn multiplied(a: &[u64], b: &[u64], bits: usize) -> Vec<u64> {
 /// less. So the sum is wrong by less than `2 bits / 3` units, and the result by twice as much. This is less than
 /// [`UNITS_PER_BIT`] times `bits`, and the difference covers the terms that are left out.
 fn two_atanh(numerator: u64, denominator: u64, bits: usize) -> Vec<u64> {
+    debug_assert!(numerator <= denominator / 3);
     let mut power = quotient(&shifted(&[numerator], bits as u64), denominator);
     let square = multiplied(&power, &power, bits);
     let (mut total, mut divisor) = (Vec::new(), 1);
@@ -64,6 +65,7 @@ pub fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dyadic) {
 /// two truncations. For 128 bits and more there are at most `bits / 2` terms, because term 34 is below `2^-105` and
 /// each further term is at least 4 bits smaller.
 pub fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2], Dyadic) {
+    debug_assert!(exponent + bits as i64 >= 0 && integer as f64 * 2.0_f64.powi(exponent as i32) <= 1.58);
     let angle = shifted(&[integer], (exponent + bits as i64) as u64);
     let mut term = shifted(&[1], bits as u64);
     // The sums of the terms 0, 4, 8, ..., of the terms 1, 5, ..., and so on.

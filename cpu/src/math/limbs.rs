@@ -18,6 +18,7 @@ pub fn compare(a: &[u64], b: &[u64]) -> Ordering {
 
 /// Returns `a + b`. If `is_difference` is set, it returns `a - b`, and `b` must be at most `a`.
 pub fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
+    debug_assert!(!is_difference || compare(a, b) != Ordering::Less);
     let limb = |list: &[u64], index: usize| i128::from(list.get(index).copied().unwrap_or(0));
     let mut carry = 0;
     let limbs = (0..=a.len()).map(|index| {

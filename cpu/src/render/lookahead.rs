@@ -79,6 +79,7 @@ impl<L: Layout> Kernel for TraceWithLookahead<'_, L> {
 
     #[inline(always)]
     fn call<S: Simd>(mut self, _: S) {
+        debug_assert!(self.tracer.all_may_send_rays());
         self.tracer.scatter_samples.prepare();
         let mut lookahead = Lookahead::<S::F64>::new(self.small_scene, self.tracer, 0);
         let mut at = 0;

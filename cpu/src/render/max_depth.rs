@@ -24,6 +24,7 @@ impl RaysLeft {
 
     /// Returns the number of rays that may follow the camera ray. `max_depth` is at least 1.
     pub const fn after_camera_ray(max_depth: u64) -> Self {
+        debug_assert!(max_depth > 0);
         Self(max_depth - 1)
     }
 
@@ -50,6 +51,7 @@ impl RaysLeft {
     /// Returns the number after one more ray. At least one ray must be left.
     #[inline(always)]
     pub const fn minus_one(self) -> Self {
+        debug_assert!(!self.is_none());
         Self(self.0 - 1)
     }
 

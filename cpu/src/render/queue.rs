@@ -57,7 +57,9 @@ impl<const N: usize> Queue<N> {
     pub fn merge(&mut self, other: &mut Self, key: usize) {
         const NONE: u16 = u16::MAX;
         let mut entry_of = [NONE; CAPACITY];
+        debug_assert!(self.entries.0[key][..self.count].is_sorted_by_key(|number| number.to_bits()));
         for (entry, number) in other.entries.0[key][..other.count].iter().enumerate() {
+            debug_assert!(number.to_bits() < CAPACITY as u64 && entry_of[number.to_bits() as usize] == NONE);
             entry_of[number.to_bits() as usize % CAPACITY] = entry as u16;
         }
         // The loop goes from the last entry to the first, so that no entry is overwritten before it has moved.

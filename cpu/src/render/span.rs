@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::render::arrays::CAPACITY;
+
 /// Largest width of a span, in pixels. In a wider span each ray would be tested against more candidates. A span may be
 /// narrower. This constant is a multiple of every instruction set's number of lanes, because it is the length of arrays
 /// that are stored in whole lanes.
@@ -50,6 +52,7 @@ impl Span {
     /// pixel, and this span must have all samples of its pixels.
     #[inline(always)]
     pub const fn pixel(&self, at: usize, samples: u64) -> Self {
+        debug_assert!(self.is_whole(samples));
         let column = self.first + at;
         Self { first: column, first_sample: 0, count: samples as usize, last: column }
     }
@@ -58,6 +61,7 @@ impl Span {
 /// The spans of a row of `width` pixels with `samples` samples each, in order. Each has at most `most` samples
 /// in at most [`WIDEST`] pixels. `most` must not exceed the length of the arrays of a span (`render/arrays.rs`).
 pub fn spans_of_row(width: usize, samples: u64, most: usize) -> impl Iterator<Item = Span> {
+    debug_assert!(most <= CAPACITY);
     let (mut column, mut sample) = (0, 0);
     std::iter::from_fn(move || {
         if column == width {
@@ -82,7 +86,6 @@ pub fn spans_of_row(width: usize, samples: u64, most: usize) -> impl Iterator<It
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::arrays::CAPACITY;
 
     fn spans(width: usize, samples: u64, most: usize) -> Vec<Span> {
         spans_of_row(width, samples, most).collect()

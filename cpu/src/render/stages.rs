@@ -37,6 +37,7 @@ impl<L: Layout> Kernel for FindBytes<'_, '_, L> {
     fn call<S: Simd>(self, _: S) -> usize {
         let Self { state, span, done } = self;
         let SpanState { prepared, row, background_pixels, pixel_jitter, batch, .. } = state;
+        debug_assert!(span.is_whole(prepared.samples));
         if done == 0 {
             background_pixels.begin::<S::F64, L>(prepared, *row, span);
         }

@@ -21,6 +21,7 @@ impl SurfaceHit {
     /// Returns the hit point, the normal and the material of the closest hit, and counts the hit. `hit` must be a hit.
     #[inline(always)]
     pub fn new<O: Objects>(objects: &O, ray: &Ray, hit: &ClosestHit) -> Self {
+        debug_assert!(hit.is_hit());
         add(Counter::Hits, 1);
         let point = ray.at(hit.lambda);
         match ObjectRef::of(objects, hit.object) {

@@ -40,6 +40,7 @@ pub fn build<B: Boxes>(
 ) -> Result<Tree<B>, Error> {
     let mut items = with_room(most, HIERARCHY)?;
     items.extend(objects.map(|(bounds, id)| Item::new(&bounds, id)));
+    debug_assert!(items.len() <= most);
     let (spheres, cylinders) = (with_room(sphere_count, HIERARCHY)?, with_room(most - sphere_count, HIERARCHY)?);
     // A node has about eight objects, by measurement (`bench/nearest`). The list grows if there are more nodes.
     let nodes = with_room(most / 8 + 1, HIERARCHY)?;

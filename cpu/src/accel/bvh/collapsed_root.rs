@@ -125,6 +125,7 @@ impl CollapsedRoot {
     /// `backwards` is set, and else the first. `bits` must not be 0.
     #[inline(always)]
     pub fn take_nearest(&self, bits: &mut u64, backwards: bool) -> usize {
+        debug_assert!(*bits != 0);
         let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());
         let place = if backwards { last } else { first };
         *bits ^= 1 << place;

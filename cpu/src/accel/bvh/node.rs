@@ -71,6 +71,7 @@ impl<B: Boxes> Node<B> {
     }
 
     fn with_bounds(boxes: B, counts: [usize; 3], first: [u32; 3]) -> Self {
+        debug_assert!(counts.iter().sum::<usize>() <= WIDTH);
         let mut node = Self { boxes, ..Self::EMPTY };
         let mut end = 0;
         for kind in Kind::ALL.map(|kind| kind as usize) {

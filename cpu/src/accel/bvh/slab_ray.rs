@@ -87,6 +87,7 @@ impl<F: SimdF32> SlabRay<F> {
     /// signs, because it would be mispredicted half of the time.
     #[inline(always)]
     pub fn new(ray: &Ray, margins: &[f32; 3]) -> Self {
+        debug_assert!(is_in_scale(ray.direction.dot(ray.direction)));
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
         let zero = [F::splat(0.0); 3];
         let mut slab_ray = Self { reciprocal: zero, near_origin: zero, far_origin: zero, near: [0; 3], far: [0; 3] };

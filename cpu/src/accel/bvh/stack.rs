@@ -19,6 +19,8 @@ impl Stack {
     /// popped first. Increments `depth`.
     #[inline(always)]
     pub fn push_sorted(&mut self, depth: &mut usize, first: usize, entry: (u32, f32)) {
+        debug_assert!(*depth < CAPACITY, "a tree is deeper than `CAPACITY` assumes");
+        // The minimum tells the compiler that every index is valid.
         let mut place = (*depth).min(CAPACITY - 1);
         while place > first && self.0[place - 1].1 < entry.1 {
             self.0[place] = self.0[place - 1];
@@ -31,6 +33,7 @@ impl Stack {
     /// Removes and returns the last entry, and decrements `depth`, which must not be 0.
     #[inline(always)]
     pub fn pop(&self, depth: &mut usize) -> (u32, f32) {
+        debug_assert!(*depth > 0);
         *depth -= 1;
         self.0[*depth % CAPACITY]
     }
