@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 use crates::{crates, faults, sources};
 use design::{arrows_without_a_use, dotted_arrows, folders_of_page};
-use uses::{Sources, against_the_order, in_circles, read, uses, without_parents};
+use uses::{Sources, against_the_order, in_circles, read, uses, within, without_parents};
 
 /// Names of the folders and files at the top of `cpu/src`. Each uses only those before it.
 const ORDER: [&str; 14] = [
@@ -25,13 +25,32 @@ const ORDER: [&str; 14] = [
     "geometry",
     "exact",
     "intersect",
-    "sampling",
-    "materials",
     "image",
     "layout",
     "accel",
+    "sampling",
+    "materials",
     "render",
     "reference",
+];
+
+/// Names of the files and folders of `cpu/src/accel`. Each uses only those before it.
+const ORDER_OF_ACCEL: [&str; 15] = [
+    "object",
+    "extent",
+    "bounds",
+    "closest_hit",
+    "stack",
+    "accelerator",
+    "may_hit",
+    "isolated",
+    "dominant_sphere",
+    "every_object",
+    "small_scene",
+    "inside",
+    "flat_filter",
+    "bvh",
+    "choice",
 ];
 
 #[test]
@@ -42,6 +61,7 @@ fn folders_use_only_those_before_them_and_no_files_use_each_other_in_a_circle() 
     let links: usize = uses.values().map(BTreeSet::len).sum();
     assert!(uses.len() > 80 && links > 300, "only {links} uses by {} files were found", uses.len());
     assert_eq!(against_the_order(&uses, &ORDER), [""; 0]);
+    assert_eq!(against_the_order(&within(&uses, "accel"), &ORDER_OF_ACCEL), [""; 0]);
     assert_eq!(in_circles(&uses), [""; 0]);
 }
 
@@ -73,8 +93,14 @@ fn circles_and_uses_against_the_order_are_found() {
         source("b", "mod c; #[cfg(test)] mod tests { use crate::a::A; } fn f() { c::g(); }"),
         source("b::c", "fn g() { assert!(crate::a::is_so()); }"),
         source("d", "use crate::a::A; use std::fmt;"),
+        source("e::f", "use crate::e::g::G; use crate::d::D;"),
+        source("e::g", "use crate::d::D;"),
     ]);
-    let uses = uses(&sources);
+    let all = uses(&sources);
+    let inner = within(&all, "e");
+    assert_eq!(against_the_order(&inner, &["f", "g"]), ["f uses g"]);
+    assert_eq!(against_the_order(&inner, &["g", "f"]), [""; 0]);
+    let uses = all.into_iter().filter(|(module, _)| module[0] != "e").collect();
     assert_eq!(against_the_order(&uses, &["a", "b", "d"]), ["a uses b", "a uses b::c"]);
     assert_eq!(against_the_order(&uses, &["b", "a"]), ["b::c uses a", "d uses a"]);
     assert_eq!(in_circles(&uses), ["a", "b", "b::c"]);

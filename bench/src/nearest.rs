@@ -13,7 +13,7 @@ pub mod table;
 
 use cpu::Ray;
 
-/// The place that stands for no object: the origin object of a free ray, or the object of a ray without a hit.
+/// The place that stands for no object: the start object of a free ray, or the object of a ray without a hit.
 pub const NO_PLACE: u32 = u32::MAX;
 
 /// A ray, and the place of the object on which it starts.

@@ -5,27 +5,24 @@
 //! keep an object that the ray misses, but it never discards one that the ray hits. docs/margins.md derives the
 //! margins.
 //!
-//! Uses [`exact`](crate::exact), [`layout`](crate::layout), [`materials`](crate::materials) and what these use. Begin
-//! with [`choice`], the rule that chooses a structure, then [`every_object`], the simplest structure, and
-//! [`conservative`].
+//! Uses [`exact`](crate::exact), [`layout`](crate::layout) and what these use. Begin with [`choice`], the rule that
+//! chooses a structure, then [`every_object`], the simplest structure, and [`may_hit`], the conservative tests.
 
+pub mod accelerator;
 pub mod bounds;
 pub mod bvh;
 pub mod choice;
 pub mod closest_hit;
-pub mod conservative;
 pub(crate) mod dominant_sphere;
 pub mod every_object;
 pub mod extent;
-pub mod filter_ray;
-pub mod find;
 pub mod flat_filter;
 mod inside;
 pub(crate) mod isolated;
+pub mod may_hit;
 pub mod object;
-pub mod object_lanes;
 pub mod small_scene;
-pub mod target;
+pub mod stack;
 
 #[cfg(test)]
 mod tests;

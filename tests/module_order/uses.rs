@@ -68,6 +68,15 @@ pub fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
     found
 }
 
+/// Returns the uses of the modules in a folder among each other. The paths begin inside the folder.
+pub fn within(uses: &Uses, folder: &str) -> Uses {
+    let inner = |module: &Module| {
+        let (first, rest) = module.split_first()?;
+        (first == folder && !rest.is_empty()).then(|| rest.to_vec())
+    };
+    uses.iter().filter_map(|(module, used)| Some((inner(module)?, used.iter().filter_map(inner).collect()))).collect()
+}
+
 /// Returns the modules that use each other in a circle. A module is in no circle if it uses no module, or if no module
 /// uses it. Such modules are removed repeatedly, until only circles and modules between circles are left.
 pub fn in_circles(uses: &Uses) -> Vec<String> {

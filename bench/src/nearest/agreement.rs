@@ -12,7 +12,7 @@ pub const LEAST_AGREEMENT: f64 = 0.9999;
 pub struct Agreement {
     /// Number of rays that hit the same object, or none, on both sides.
     pub same: usize,
-    /// Number of rays for which Embree hits the origin object nearer than our hit. By rounding, Embree's ray then
+    /// Number of rays for which Embree hits the start object nearer than our hit. By rounding, Embree's ray then
     /// starts inside that object, or passes through its rim.
     pub self_hits: usize,
     /// Number of all rays.
@@ -60,7 +60,7 @@ mod tests {
         let starts = [1, 1, 1, 1, NO_PLACE].map(|from| Start { ray, from });
         let hit = |place, lambda| NearestHit { place, lambda };
         let ours = [hit(2, 1.0), hit(2, 1.0), hit(2, 1.0), NearestHit::NOTHING, NearestHit::NOTHING];
-        // The second ray misses what is nearer than the origin object, so it is no self-hit.
+        // The second ray misses what is nearer than the start object, so it is no self-hit.
         let embree = [hit(2, 1.1), hit(1, 1.1), hit(1, 0.9), hit(1, 5.0), NearestHit::NOTHING];
         let agreement = Agreement::new(&starts, &ours, &embree);
         assert_eq!(agreement, Agreement { same: 2, self_hits: 2, rays: 5 });

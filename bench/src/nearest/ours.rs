@@ -4,8 +4,8 @@
 use std::time::Instant;
 
 use cpu::internals::accel::{
-    bvh::stack::Stack, choice::Accel, closest_hit::ClosestHit, every_object::intersect_every_object, extent::Extent,
-    object::NO_OBJECT, object::ObjectId, object::in_order,
+    choice::Accel, closest_hit::ClosestHit, every_object::intersect_every_object, extent::Extent, object::NO_OBJECT,
+    object::ObjectId, object::in_order, stack::Stack,
 };
 use cpu::internals::input::scene::{Shape, Sphere};
 use cpu::internals::layout::{Objects, Placed, aos::AosObjects};
@@ -30,8 +30,8 @@ pub struct Ours {
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedRay {
     ray: Ray,
-    /// The number of the object on which the ray starts, or [`NO_OBJECT`].
-    from: ObjectId,
+    /// The number of the start object, or [`NO_OBJECT`].
+    start_object: ObjectId,
 }
 
 impl Ours {
@@ -70,7 +70,7 @@ impl Ours {
     #[must_use]
     pub fn prepare(&self, starts: &[Start]) -> Vec<PreparedRay> {
         let number = |place: u32| if place == NO_PLACE { NO_OBJECT } else { self.numbers[place as usize] };
-        starts.iter().map(|start| PreparedRay { ray: start.ray, from: number(start.from) }).collect()
+        starts.iter().map(|start| PreparedRay { ray: start.ray, start_object: number(start.from) }).collect()
     }
 
     /// Finds the nearest hit of each prepared ray with an instruction set.
@@ -113,13 +113,13 @@ impl Kernel for Find<'_> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let Ours { objects, accel, .. } = self.ours;
-        for (index, PreparedRay { ray, from }) in self.rays.iter().enumerate() {
+        for (index, PreparedRay { ray, start_object }) in self.rays.iter().enumerate() {
             // In a picture, a ray starts on the object that the ray before it has hit, whose record is in the nearest
             // cache. Here the rays are in no order, so the record is asked for while the ray before is traced.
             if let Some(next) = self.rays.get(index + 1) {
-                objects.prefetch_sphere(next.from as usize);
+                objects.prefetch_sphere(next.start_object as usize);
             }
-            let hit = accel.closest_hit::<S, _>(objects, ray, *from, self.stack);
+            let hit = accel.closest_hit::<S, _>(objects, ray, *start_object, self.stack);
             self.hits.push(nearest(&hit));
         }
     }

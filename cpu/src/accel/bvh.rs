@@ -10,16 +10,15 @@ mod planes;
 pub mod slab_ray;
 pub(crate) mod sphere_leaf;
 mod sphere_ray;
-pub mod stack;
 mod visit;
 
 use crate::accel::{
-    bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree, bvh::build::build, bvh::collapsed_root::CollapsedRoot,
-    bvh::find_isolated::FindIsolated, bvh::node::Kind, bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH,
-    bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::sphere_ray::SphereRay, bvh::stack::Stack,
-    closest_hit::ClosestHit, conservative::ConservativeRay, dominant_sphere::DominantSphere,
-    every_object::intersect_every_object, extent::Extent, find::Accelerator, find::Origin, isolated::Isolated,
-    object::NO_OBJECT, object::ObjectId, object::count,
+    accelerator::Accelerator, accelerator::Start, bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree,
+    bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::find_isolated::FindIsolated, bvh::node::Kind,
+    bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale,
+    bvh::sphere_ray::SphereRay, closest_hit::ClosestHit, dominant_sphere::DominantSphere,
+    every_object::intersect_every_object, extent::Extent, isolated::Isolated, may_hit::conservative::ConservativeRay,
+    object::NO_OBJECT, object::ObjectId, object::ObjectRef, object::count, object::cylinder_index, stack::Stack,
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
@@ -49,7 +48,7 @@ pub struct Bvh<B> {
     pub(super) isolated: Isolated,
     /// Whether there are sphere leaves: nodes with only spheres have bounding spheres instead of boxes.
     has_sphere_leaves: bool,
-    /// A bound of the scene's coordinates for the conservative test of the origin object: twice the largest coordinate.
+    /// A bound of the scene's coordinates for the conservative test of the start object: twice the largest coordinate.
     max_coordinate: f64,
 }
 
@@ -73,7 +72,7 @@ impl<B: Boxes> Bvh<B> {
             spheres.push(id);
             sphere_count as ObjectId - 1
         }));
-        cylinders.iter_mut().for_each(|id| *id -= sphere_count as ObjectId);
+        cylinders.iter_mut().for_each(|id| *id = cylinder_index(objects, *id) as u32);
         objects.reorder(&mut spheres, &mut cylinders);
         let root = nodes.first().into_iter().flat_map(Node::children);
         let margins = slab_ray::margins(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
@@ -98,7 +97,7 @@ impl<B: Boxes> Bvh<B> {
     }
 
     /// Intersects the objects below `node` whose boxes or bounding spheres the ray hits, and updates `closest`. It
-    /// leaves out the object on which the ray starts.
+    /// leaves out the start object.
     #[inline(always)]
     fn traverse<'tree, S: Simd, O: Objects>(
         &'tree self,
@@ -107,7 +106,8 @@ impl<B: Boxes> Bvh<B> {
         closest: &mut ClosestHit,
         stack: &mut Stack,
     ) {
-        let &Query { objects, ray, from, from_kind, ref slab_ray, sphere_ray } = query;
+        let &Query { objects, ray, start_object, ref slab_ray, sphere_ray } = query;
+        let start_kind = Kind::of(ObjectRef::of(objects, start_object));
         let mut depth = 0;
         loop {
             add(Counter::NodeVisits, 1);
@@ -119,7 +119,7 @@ impl<B: Boxes> Bvh<B> {
                 }
                 None => (node.boxes.intersect(slab_ray, farthest(closest), &mut distances), node.lanes()),
             };
-            let bits = bits & !node.lane_of(from_kind, from);
+            let bits = bits & !node.lane_of(start_kind, start_object);
             let [nodes, spheres, cylinders] = lanes.map(|lanes| lanes & bits);
             // All spheres are asked for before the first is tested, so that they arrive together.
             for lane in lanes_in(spheres) {
@@ -134,8 +134,8 @@ impl<B: Boxes> Bvh<B> {
             }
             for lane in lanes_in(cylinders) {
                 if distances[lane] <= farthest(closest) {
-                    let id = node.number(Kind::Cylinder, lane) as usize;
-                    closest.intersect_cylinder(objects, id - objects.sphere_count(), ray);
+                    let id = node.number(Kind::Cylinder, lane);
+                    closest.intersect_cylinder(objects, cylinder_index(objects, id), ray);
                 }
             }
             if nodes == 0 && depth == 0 {
@@ -170,10 +170,7 @@ impl<B: Boxes> Bvh<B> {
 struct Query<'a, O, F> {
     objects: &'a O,
     ray: &'a Ray,
-    /// The object on which the ray starts.
-    from: ObjectId,
-    /// Whether that object is a sphere or a cylinder.
-    from_kind: Kind,
+    start_object: ObjectId,
     slab_ray: SlabRay<F>,
     /// The sphere ray is unused if the tree has no sphere leaves.
     sphere_ray: &'a SphereRay,
@@ -185,10 +182,33 @@ fn farthest(closest: &ClosestHit) -> f32 {
     closest.lambda as f32 * (1.0 + f32::EPSILON)
 }
 
-impl<B: Boxes> Accelerator for Bvh<B> {
+/// A tree, with the stack for its traversal.
+#[derive(Debug)]
+pub struct Traversal<'a, B> {
+    /// The tree.
+    pub bvh: &'a Bvh<B>,
+    /// The stack, which is reused for every ray.
+    pub stack: &'a mut Stack,
+}
+
+impl<B: Boxes> Accelerator for Traversal<'_, B> {
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, stack: &mut Stack) -> ClosestHit {
-        let (from, mut closest) = (from.object, ClosestHit::NOTHING);
+    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, start: Start) -> ClosestHit {
+        self.bvh.closest_hit::<S, O>(objects, ray, start.object, self.stack)
+    }
+}
+
+impl<B: Boxes> Bvh<B> {
+    /// Returns the closest hit of a ray with this start object.
+    #[inline(always)]
+    fn closest_hit<S: Simd, O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        start_object: ObjectId,
+        stack: &mut Stack,
+    ) -> ClosestHit {
+        let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if !is_in_scale(conservative.length_squared) {
             return intersect_every_object(objects, *ray);
@@ -199,19 +219,18 @@ impl<B: Boxes> Accelerator for Bvh<B> {
         if self.nodes.is_empty() {
             return closest;
         }
-        if from != NO_OBJECT && !self.dominant.is(from) {
+        if start_object != NO_OBJECT && !self.dominant.is(start_object) {
             let mut again = ClosestHit::NOTHING;
-            if conservative.may_hit(objects, from, self.max_coordinate) {
-                again.intersect(objects, from, ray);
+            if conservative.may_hit(objects, start_object, self.max_coordinate) {
+                again.intersect(objects, start_object, ray);
             }
             if again.is_hit() {
                 closest.update_by(&again);
-                if self.isolated.is(from) {
+                if self.isolated.is(start_object) {
                     return closest;
                 }
             }
         }
-        let from_kind = if (from as usize) < objects.sphere_count() { Kind::Sphere } else { Kind::Cylinder };
         let slab_ray = SlabRay::<S::F32>::new(ray, &self.margins);
         let sphere_ray = if self.has_sphere_leaves {
             SphereRay::new(ray, &self.margins, conservative.length_squared)
@@ -221,7 +240,7 @@ impl<B: Boxes> Accelerator for Bvh<B> {
         // This keeps the sphere ray in memory. Otherwise the compiler copies its numbers to lanes for every ray, even
         // in a tree without sphere leaves, which takes another 2 % of the instructions.
         let sphere_ray = std::hint::black_box(&sphere_ray);
-        let query = Query { objects, ray, from, from_kind, slab_ray, sphere_ray };
+        let query = Query { objects, ray, start_object, slab_ray, sphere_ray };
         // The traversal begins at the root if there is no collapsed root. The root's address needs no test of boxes, so
         // its boxes can be loaded at once. `boxes` are those of the collapsed root that are still to be visited.
         let (mut node, mut boxes) = (&self.nodes[0], 0);

@@ -13,18 +13,17 @@
 //! With a [`SmallScene`] two more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
 //! Specular chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
-//! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`, `accel/object_lanes.rs`,
-//! `accel/flat_filter.rs`, `accel/filter_ray.rs` and `accel/small_scene.rs`. [`FlatFilter`] and [`Bvh`] test a sphere
+//! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`, `accel/may_hit/object_lanes.rs`,
+//! `accel/flat_filter.rs`, `accel/may_hit/filter_ray.rs` and `accel/small_scene.rs`. [`FlatFilter`] and [`Bvh`] test a sphere
 //! much larger than all other objects separately (`accel/dominant_sphere.rs`).
 //!
 //! Every structure gives the same closest hits. The reference has no structure: it intersects every object. WGSL has a
 //! hierarchy of its own (`gpu-check/src/hierarchy.rs`).
 
 use crate::accel::{
-    bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes, bvh::stack::Stack,
-    closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, find::Accelerator, flat_filter,
-    flat_filter::FlatFilter, isolated::Isolated, object::ObjectId, object::count, object_lanes,
-    small_scene::SmallScene,
+    accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
+    closest_hit::ClosestHit, extent::Extent, flat_filter, flat_filter::FlatFilter, isolated::Isolated, may_hit,
+    object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
@@ -54,7 +53,7 @@ impl Accel {
         let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         Ok(if !extent.moderate {
             Self::EveryObject
-        } else if count(objects) <= object_lanes::CAPACITY {
+        } else if count(objects) <= may_hit::object_lanes::CAPACITY {
             Self::SmallScene(SmallScene::new(objects, extent)?)
         } else if most_of_a_kind <= flat_filter::CAPACITY && extent.max_coordinate <= flat_filter::MAX_COORDINATE {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
@@ -107,29 +106,53 @@ impl Accel {
         }
     }
 
-    /// Returns the closest hit of a ray that starts on the surface of `from`, and counts the ray. `stack` is memory for
-    /// the traversal.
+    /// Returns the closest hit of a ray that starts on the surface of `start_object`, and counts the ray. `stack` is
+    /// memory for the traversal.
     #[inline(always)]
     pub fn closest_hit<S: Simd, O: Objects>(
         &self,
         objects: &O,
         ray: &Ray,
-        from: ObjectId,
+        start_object: ObjectId,
         stack: &mut Stack,
     ) -> ClosestHit {
-        // This is a macro, because a closure would be compiled without the instruction set.
-        macro_rules! closest_hit {
-            ($accel:expr) => {
-                $accel.closest_hit::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)
-            };
-        }
         add(Counter::PathRays, 1);
-        match self {
-            Self::EveryObject => closest_hit!(EveryObject),
-            Self::SmallScene(accel) => closest_hit!(accel),
-            Self::FlatFilter(accel) => closest_hit!(accel),
-            Self::Bvh(accel) => closest_hit!(accel),
-            Self::LargeBvh(accel) => closest_hit!(accel),
-        }
+        dispatch!(self, stack, |mut accel| {
+            let start = accel.start(objects, ray, start_object);
+            accel.closest_hit::<S, O>(objects, ray, start)
+        })
     }
 }
+
+/// Evaluates an expression in which a name stands for the [`Accelerator`] of a scene, as in
+/// `dispatch!(accel, stack, |structure| work(structure))`. The expression is compiled once for each structure. `accel`
+/// is an [`Accel`], and `stack` is memory for the traversal of a tree. This is a macro, because a closure would be
+/// compiled without the instruction set (see [`Kernel`](crate::simd::Kernel)).
+macro_rules! dispatch {
+    ($accel:expr, $stack:expr, |$structure:pat_param| $work:expr) => {{
+        use crate::accel::{bvh::Traversal, choice::Accel, every_object::EveryObject};
+        match $accel {
+            Accel::EveryObject => {
+                let $structure = EveryObject;
+                $work
+            }
+            Accel::SmallScene(small_scene) => {
+                let $structure = small_scene;
+                $work
+            }
+            Accel::FlatFilter(filter) => {
+                let $structure = filter;
+                $work
+            }
+            Accel::Bvh(bvh) => {
+                let $structure = Traversal { bvh, stack: $stack };
+                $work
+            }
+            Accel::LargeBvh(bvh) => {
+                let $structure = Traversal { bvh, stack: $stack };
+                $work
+            }
+        }
+    }};
+}
+pub(crate) use dispatch;

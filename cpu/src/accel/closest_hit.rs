@@ -85,7 +85,8 @@ impl ClosestHit {
             Decision::Uncertain => precise_sphere(objects, index, *ray),
         };
         if let Some(lambda) = lambda {
-            self.update(lambda, index as ObjectId, objects.sphere(index).order, CylinderPart::Side);
+            let id = ObjectRef::Sphere(index).number(objects.sphere_count());
+            self.update(lambda, id, objects.sphere(index).order, CylinderPart::Side);
         }
     }
 
@@ -99,7 +100,8 @@ impl ClosestHit {
             Decision::Uncertain => precise_cylinder(objects, index, *ray),
         };
         if let Some((lambda, part)) = hit {
-            self.update(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
+            let id = ObjectRef::Cylinder(index).number(objects.sphere_count());
+            self.update(lambda, id, cylinder.order, part);
         }
     }
 }

@@ -1,17 +1,16 @@
 //! The dominant sphere: a sphere that is much larger than all other objects, for example a ground. Nearly every ray
 //! must be tested against it. So it is not in the acceleration structures, and is tested separately.
 //!
-//! Only [`crate::accel::conservative`] decides which rays cannot hit the dominant sphere. This file also predicts
+//! Only [`crate::accel::may_hit::conservative`] decides which rays cannot hit the dominant sphere. This file also predicts
 //! whether a ray enters it. A wrong prediction costs time, but never changes the closest hit.
 
 use crate::accel::{
-    bounds::Bounds, conservative::ConservativeRay, extent::Extent, isolated::SEPARATION, object::ObjectId,
-    object::bounding_sphere, object::count, target::Target,
+    accelerator::ScatterTerms, bounds::Bounds, extent::Extent, isolated::SEPARATION,
+    may_hit::conservative::ConservativeRay, may_hit::target::Target, object::ObjectId, object::bounding_sphere,
+    object::count,
 };
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
-use crate::materials::prepared::{BsdfKind, PreparedMaterial};
-use crate::math::vec3::Vec3;
 
 /// A sphere is dominant if its radius is at least this many times each other object's bounding radius.
 const RATIO: f64 = 8.0;
@@ -68,8 +67,8 @@ impl DominantSphere {
     }
 
     /// Predicts whether the next ray of a path enters the dominant sphere. The path's last ray, `ray`, hits the
-    /// dominant sphere at `lambda`, and the surface scatters with the material `material_data` and the random vector
-    /// `vector`. Fewer than one prediction in 1,000 is wrong (`cpu/tests/counters.rs`).
+    /// dominant sphere at `lambda`, and the surface scatters by `terms`. Fewer than one prediction in 1,000 is wrong
+    /// (`cpu/tests/counters.rs`).
     ///
     /// The processor often mispredicts a branch on whether a ray enters. The prediction of this function is known
     /// earlier than the ray. Computing the ray takes a point, a normal, a mirrored direction and its length, one after
@@ -80,14 +79,7 @@ impl DominantSphere {
     /// both of length one. The dot product of the mirrored direction and `w` is `-d.w / |d|`, and that of the normal is
     /// `|w|` or `-|w|`. All these products follow from `w = (O - C) + lambda d`. So only lambda is needed of the hit.
     #[inline(always)]
-    pub fn predicts_entry<O: Objects>(
-        self,
-        objects: &O,
-        ray: &Ray,
-        lambda: f64,
-        material_data: &PreparedMaterial,
-        vector: Vec3,
-    ) -> bool {
+    pub fn predicts_entry<O: Objects>(self, objects: &O, ray: &Ray, lambda: f64, terms: &ScatterTerms) -> bool {
         let Some(id) = self.0 else {
             return false;
         };
@@ -95,11 +87,12 @@ impl DominantSphere {
         let (direction, from_center) = (ray.direction, ray.origin - record.center);
         let squared = direction.dot(direction);
         let of_direction = direction.dot(from_center) + lambda * squared;
-        let of_vector = vector.dot(from_center) + lambda * vector.dot(direction);
-        let of_base = match material_data.bsdf_kind {
-            BsdfKind::Matte => record.radius.copysign(-of_direction),
+        let of_vector = terms.vector.dot(from_center) + lambda * terms.vector.dot(direction);
+        let of_base = if terms.is_around_normal {
+            record.radius.copysign(-of_direction)
+        } else {
             // Single precision is enough for a prediction, and has a lower latency.
-            _ => -of_direction * f64::from(1.0 / (squared as f32).sqrt()),
+            -of_direction * f64::from(1.0 / (squared as f32).sqrt())
         };
         of_base + of_vector < 0.0
     }
@@ -119,6 +112,8 @@ mod tests {
     use crate::accel::closest_hit::ClosestHit;
     use crate::input::scene::Scene;
     use crate::layout::aos::AosObjects;
+    use crate::materials::prepared::{BsdfKind, PreparedMaterial};
+    use crate::math::vec3::Vec3;
     use crate::render::surface_hit::SurfaceHit;
     use crate::sampling::scatter_vectors::Scatter;
     use crate::sampling::uniform::Uniform;
@@ -164,13 +159,9 @@ mod tests {
             let unperturbed = material_data.unperturbed_direction(ray.direction, surface_hit.outward);
             let direction = material_data.scatter_params.scatter_around(unperturbed, scatter_sample);
             let next = Ray { origin: surface_hit.point, direction };
-            let predicted = dominant.predicts_entry(
-                &objects,
-                &ray,
-                hit.lambda,
-                &material_data,
-                material_data.scatter_params.vector(scatter_sample),
-            );
+            let is_around_normal = material_data.bsdf_kind == BsdfKind::Matte;
+            let terms = ScatterTerms { is_around_normal, vector: material_data.scatter_params.vector(scatter_sample) };
+            let predicted = dominant.predicts_entry(&objects, &ray, hit.lambda, &terms);
             // If the ray is nearly parallel to the surface, the prediction may be wrong.
             if next.direction.dot(surface_hit.outward).abs() > 1e-5 {
                 assert_eq!(predicted, dominant.is_entered_by(&objects, &next), "{ray:?}, {material_data:?}");

@@ -1,6 +1,6 @@
 //! The simplest acceleration structure, which intersects every object.
 
-use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, find::Accelerator, find::Origin, object::count};
+use crate::accel::{accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, object::count};
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Objects, simd::Simd};
 
 /// An acceleration structure without data, whose closest hit is found by intersecting every object of the scene.
@@ -10,8 +10,10 @@ use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Object
 pub struct EveryObject;
 
 impl Accelerator for EveryObject {
+    const IS_PROMPT: bool = true;
+
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, _: Start) -> ClosestHit {
         intersect_every_object(objects, *ray)
     }
 }

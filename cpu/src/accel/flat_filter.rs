@@ -1,17 +1,18 @@
 //! The structure for up to 64 spheres and 64 cylinders. Conservative tests in single precision, several at once, find
 //! the objects that a ray may hit.
 
-pub use crate::accel::filter_ray::MAX_COORDINATE;
+pub use crate::accel::may_hit::filter_ray::MAX_COORDINATE;
 use crate::accel::{
-    bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, conservative::is_too_short,
-    dominant_sphere::DominantSphere, every_object::intersect_every_object, extent::Extent, filter_ray::BLOCK,
-    filter_ray::BoundingSpheres, filter_ray::FilterRay, filter_ray::InfiniteCylinders, filter_ray::misses,
-    find::Accelerator, find::Origin, object::ObjectId, object::ObjectRef, object::bounding_sphere, object::count,
-    target::Target,
+    accelerator::Accelerator, accelerator::ScatterTerms, accelerator::Start, closest_hit::ClosestHit,
+    dominant_sphere::DominantSphere, every_object::intersect_every_object, extent::Extent,
+    may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::filter_ray::BLOCK,
+    may_hit::filter_ray::BoundingSpheres, may_hit::filter_ray::FilterRay, may_hit::filter_ray::InfiniteCylinders,
+    may_hit::filter_ray::misses, may_hit::target::Target, object::ObjectId, object::ObjectRef, object::bounding_sphere,
+    object::count,
 };
 use crate::{
     counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::OBJECTS, layout::Objects,
-    layout::with_room, materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd, simd::SimdF32,
+    layout::with_room, math::vec3::Vec3, simd::Simd, simd::SimdF32,
 };
 
 /// Maximum number of spheres, and maximum number of cylinders, in a [`FlatFilter`]. Each object of a kind has one bit
@@ -128,21 +129,21 @@ fn middle(objects: &impl Objects, dominant: DominantSphere) -> Vec3 {
     if low.x > high.x { Vec3::ZERO } else { (low + high) * 0.5 }
 }
 
-impl Accelerator for FlatFilter {
+impl Accelerator for &FlatFilter {
     const MAY_BE_SLOW: bool = false;
 
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, _: &mut Stack) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, start: Start) -> ClosestHit {
         let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if is_too_short(conservative.length_squared) {
             return without_filter(objects, *ray);
         }
-        let starts_on_dominant = self.dominant.is(from.object) && self.overlapping.is_some();
+        let starts_on_dominant = self.dominant.is(start.object) && self.overlapping.is_some();
         if starts_on_dominant && let Some(overlapping) = &self.overlapping {
             // The processor often mispredicts a branch on whether a ray enters. So this branch uses the expected entry,
             // which is known early. The later branch on the actual entry is predicted well.
-            if from.enters {
+            if start.enters {
                 if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
                     closest.intersect_sphere(objects, index, ray);
                 }
@@ -180,21 +181,14 @@ impl Accelerator for FlatFilter {
     }
 
     #[inline(always)]
-    fn origin<O: Objects>(&self, objects: &O, ray: &Ray, object: ObjectId) -> Origin {
-        Origin { object, enters: self.dominant.is(object) && self.dominant.is_entered_by(objects, ray) }
+    fn start<O: Objects>(&self, objects: &O, ray: &Ray, object: ObjectId) -> Start {
+        Start { object, enters: self.dominant.is(object) && self.dominant.is_entered_by(objects, ray) }
     }
 
     #[inline(always)]
-    fn next_origin<O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        &ClosestHit { object, lambda, .. }: &ClosestHit,
-        material_data: &PreparedMaterial,
-        vector: Vec3,
-    ) -> Origin {
+    fn next_start<O: Objects>(&self, objects: &O, ray: &Ray, hit: &ClosestHit, terms: &ScatterTerms) -> Start {
+        let &ClosestHit { object, lambda, .. } = hit;
         let is_dominant = self.dominant.is(object);
-        let enters = is_dominant && self.dominant.predicts_entry(objects, ray, lambda, material_data, vector);
-        Origin { object, enters }
+        Start { object, enters: is_dominant && self.dominant.predicts_entry(objects, ray, lambda, terms) }
     }
 }

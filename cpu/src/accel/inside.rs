@@ -5,14 +5,15 @@
 //! object, the path contributes black and takes one more scatter sample. So it does not matter which object is hit, and
 //! no object is intersected.
 //!
-//! The tests are those of [`conservative`](crate::accel::conservative), but with the margin on the opposite side
+//! The tests are those of [`conservative`](crate::accel::may_hit::conservative), but with the margin on the opposite side
 //! (docs/margins.md): they accept a ray only if it is certainly inside. NaN is inside no object, because every
 //! comparison with NaN is false. The direction must be [in scale](crate::exact::error_bound::in_scale), so that nothing
 //! overflows with coordinates of up to 10^9.
 
 use crate::accel::{
-    conservative::ConservativeRay, conservative::MARGIN, conservative::Quadratic, extent::is_within, object::ObjectId,
-    object::ObjectRef, object::count, small_scene::SmallScene, target::SLACK, target::Target,
+    extent::is_within, may_hit::conservative::ConservativeRay, may_hit::conservative::MARGIN,
+    may_hit::conservative::Quadratic, may_hit::target::SLACK, may_hit::target::Target, object::ObjectId,
+    object::ObjectRef, object::count, small_scene::SmallScene,
 };
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};

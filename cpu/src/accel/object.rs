@@ -6,7 +6,7 @@ use crate::{input::error::Error, layout::OBJECTS, layout::Objects, layout::with_
 /// the number of spheres plus the index among the cylinders. [`ObjectRef`] distinguishes the two kinds.
 pub type ObjectId = u32;
 
-/// The number that stands for no object. It is the origin object of a camera ray.
+/// The number that stands for no object. It is the start object of a camera ray.
 pub const NO_OBJECT: ObjectId = ObjectId::MAX;
 
 /// An object by its kind, with its index among the objects of that kind.
@@ -22,11 +22,33 @@ impl ObjectRef {
     /// Returns kind and index of the object with the number `id`.
     #[inline(always)]
     pub fn of(objects: &impl Objects, id: ObjectId) -> Self {
-        match (id as usize).checked_sub(objects.sphere_count()) {
+        Self::of_number(id, objects.sphere_count())
+    }
+
+    /// Returns kind and index of the object with the number `id`, in a scene of `sphere_count` spheres.
+    #[inline(always)]
+    pub fn of_number(id: ObjectId, sphere_count: usize) -> Self {
+        match (id as usize).checked_sub(sphere_count) {
             None => Self::Sphere(id as usize),
             Some(index) => Self::Cylinder(index),
         }
     }
+
+    /// Returns the object's number, in a scene of `sphere_count` spheres.
+    #[inline(always)]
+    pub const fn number(self, sphere_count: usize) -> ObjectId {
+        match self {
+            Self::Sphere(index) => index as ObjectId,
+            Self::Cylinder(index) => (sphere_count + index) as ObjectId,
+        }
+    }
+}
+
+/// Returns the index, among the cylinders, of the cylinder with the number `id`. It saves the branch of
+/// [`ObjectRef::of`] if the kind is known.
+#[inline(always)]
+pub fn cylinder_index(objects: &impl Objects, id: ObjectId) -> usize {
+    id as usize - objects.sphere_count()
 }
 
 /// Returns the number of objects.

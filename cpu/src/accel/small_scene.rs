@@ -1,13 +1,13 @@
 //! The structure for up to eight objects. All of them are tested in double precision: one object for several rays at
 //! once, or several objects for one ray at once.
 //!
-//! The [conservative tests](crate::accel::conservative) find the objects that a ray may hit, and the exact formulas
+//! The [conservative tests](crate::accel::may_hit::conservative) find the objects that a ray may hit, and the exact formulas
 //! intersect these. If a ray may hit no object, it certainly escapes.
 
 use crate::accel::{
-    bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, conservative::is_too_short,
-    extent::Extent, extent::is_within, find::Accelerator, find::Origin, object::ObjectId, object::in_order,
-    object_lanes::ObjectLanes,
+    accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, extent::Extent, extent::is_within,
+    may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::object_lanes::ObjectLanes,
+    object::ObjectId, object::count, object::in_order,
 };
 use crate::{geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd, simd::SimdF64};
 
@@ -55,7 +55,7 @@ impl SmallScene {
             return (1 << self.in_order.len()) - 1;
         }
         let mut may_hit = 0;
-        for id in 0..(objects.sphere_count() + objects.cylinder_count()) as ObjectId {
+        for id in 0..count(objects) as ObjectId {
             may_hit |= u32::from(conservative.may_hit(objects, id, self.max_coordinate)) << id;
         }
         may_hit
@@ -92,11 +92,12 @@ fn intersect_cylinders<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &
     }
 }
 
-impl Accelerator for SmallScene {
+impl Accelerator for &SmallScene {
     const MAY_BE_SLOW: bool = false;
+    const IS_PROMPT: bool = true;
 
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, _: Start) -> ClosestHit {
         let (may_hit, mut closest) = (self.objects_may_hit::<S::F64, O>(objects, ray), ClosestHit::NOTHING);
         // Most rays can hit no object of a kind, so one branch for each kind skips the loop over its objects.
         if may_hit & ((1 << objects.sphere_count()) - 1) != 0 {
@@ -145,8 +146,8 @@ mod tests {
             assert_eq!(each.any, if may_hit == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.of_lane(lane) == may_hit), "{each:?}");
             assert_eq!(self.small_scene.objects_may_hit::<S::F64, _>(self.objects, &self.ray), may_hit);
-            let (from, mut stack) = (Origin { object: NO_OBJECT, enters: false }, Stack::EMPTY);
-            (may_hit, self.small_scene.closest_hit::<S, _>(self.objects, &self.ray, from, &mut stack))
+            let (mut small_scene, start) = (self.small_scene, Start { object: NO_OBJECT, enters: false });
+            (may_hit, small_scene.closest_hit::<S, _>(self.objects, &self.ray, start))
         }
     }
 

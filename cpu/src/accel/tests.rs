@@ -1,12 +1,13 @@
 //! Compares each acceleration structure with the one that intersects every object.
 
-use crate::accel::bvh::{Bvh, MOST_WIDE, sphere_leaf::LEAST_OBJECTS, stack::Stack};
+use crate::accel::bvh::{Bvh, MOST_WIDE, sphere_leaf::LEAST_OBJECTS};
 use crate::accel::choice::Accel;
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
 use crate::accel::object::{NO_OBJECT, ObjectId, in_order};
+use crate::accel::stack::Stack;
 use crate::geometry::ray::Ray;
 use crate::input::scene::Scene;
 use crate::layout::Objects;
@@ -56,7 +57,7 @@ struct Intersect<'a> {
     accel: &'a Accel,
     objects: &'a AosObjects,
     ray: Ray,
-    from: ObjectId,
+    start_object: ObjectId,
     stack: &'a mut Stack,
 }
 
@@ -65,8 +66,8 @@ impl Kernel for Intersect<'_> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> ClosestHit {
-        let Self { accel, objects, ray, from, stack } = self;
-        accel.closest_hit::<S, _>(objects, &ray, from, stack)
+        let Self { accel, objects, ray, start_object, stack } = self;
+        accel.closest_hit::<S, _>(objects, &ray, start_object, stack)
     }
 }
 
@@ -91,17 +92,17 @@ fn agrees_with_plain(accel: &Accel, objects: &AosObjects, rays: usize) {
                 let share = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-15.0, -3.0));
                 ray.direction = to_center + aside * share;
             }
-            let mut from = NO_OBJECT;
+            let mut start_object = NO_OBJECT;
             for _ in 0..3 {
                 let closest = intersect_every_object(objects, ray);
-                let intersect = Intersect { accel, objects, ray, from, stack: &mut stack };
+                let intersect = Intersect { accel, objects, ray, start_object, stack: &mut stack };
                 assert_eq!(set.run(intersect), closest, "{}, {ray:?}", set.name());
                 if !closest.is_hit() {
                     misses += 1;
                     break;
                 }
                 hits += 1;
-                from = closest.object;
+                start_object = closest.object;
                 let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
                 ray = Ray { origin: ray.at(closest.lambda), direction };
             }
@@ -292,12 +293,12 @@ fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far:
         let ray = Ray { origin: start, direction };
         let expected = intersect_every_object(objects, ray);
         *(if expected.is_hit() { &mut hits } else { &mut misses }) += 1;
-        for from in [NO_OBJECT, if is_on_surface { from as ObjectId } else { NO_OBJECT }] {
+        for start_object in [NO_OBJECT, if is_on_surface { from as ObjectId } else { NO_OBJECT }] {
             for set in InstructionSet::available() {
-                let closest = set.run(Intersect { accel, objects, ray, from, stack: &mut stack });
+                let closest = set.run(Intersect { accel, objects, ray, start_object, stack: &mut stack });
                 assert_eq!(closest, expected, "{}, {ray:?}", set.name());
             }
-            let closest = accel.closest_hit::<PositiveNan, _>(objects, &ray, from, &mut stack);
+            let closest = accel.closest_hit::<PositiveNan, _>(objects, &ray, start_object, &mut stack);
             assert_eq!(closest, expected, "with positive NaNs, {ray:?}");
         }
     }
@@ -343,7 +344,7 @@ fn scenes_of_every_size_give_the_closest_hits() {
             let is_filter = matches!(accel, Accel::FlatFilter(_));
             assert_eq!(
                 is_filter,
-                (9..100).contains(&count) && 6.0 * scale <= crate::accel::filter_ray::MAX_COORDINATE,
+                (9..100).contains(&count) && 6.0 * scale <= crate::accel::may_hit::filter_ray::MAX_COORDINATE,
                 "{count}, {scale}"
             );
             agrees_for_directions_of_any_length(&accel, &objects, 5.0 * scale);

@@ -16,9 +16,9 @@
 
 use crate::render::{max_depth::RaysLeft, path::PathTracer, path_vertex::PathVertex, prepared::Prepared};
 use crate::{
-    accel::conservative::is_too_short, accel::object_lanes::MayHitLanes, accel::small_scene::SmallScene,
-    accel::small_scene::closest_hit_among, counters::Counter, counters::add, geometry::ray::Ray, layout::Layout,
-    math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
+    accel::may_hit::conservative::is_too_short, accel::may_hit::object_lanes::MayHitLanes,
+    accel::small_scene::SmallScene, accel::small_scene::closest_hit_among, counters::Counter, counters::add,
+    geometry::ray::Ray, layout::Layout, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
 };
 
 /// The first scattered rays of consecutive paths of the queue, one in each lane, with the objects that they may hit.

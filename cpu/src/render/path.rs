@@ -6,17 +6,17 @@ use crate::render::{
     prepared::Prepared, queue::PathQueue, surface_hit::SurfaceHit,
 };
 use crate::{
-    accel::bvh::stack::Stack, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error, layout::Layout,
-    materials::prepared::PreparedMaterial, math::vec3::Vec3, sampling::scatter_stream::ScatterSamples,
+    accel::accelerator::ScatterTerms, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error,
+    layout::Layout, materials::prepared::BsdfKind, sampling::scatter_stream::ScatterSamples,
     simd::instruction_set::InstructionSet,
 };
 
 /// The next ray of a path: scattered by a matte or metal surface, or refracted.
-pub struct Scattered<'a> {
+pub struct Scattered {
     /// The next ray.
     pub ray: Ray,
-    /// The material and the random vector that gave the ray, or `None` if the ray was refracted.
-    pub cause: Option<(&'a PreparedMaterial, Vec3)>,
+    /// The terms of the ray's direction, or `None` if the ray was refracted.
+    pub terms: Option<ScatterTerms>,
 }
 
 /// The data for tracing the paths of a span: the stream of scatter samples, the queue of paths, and the ends of the
@@ -29,8 +29,6 @@ pub struct PathTracer {
     pub queue: PathQueue,
     /// The ends of the paths of the queue.
     pub ends: PathEnds,
-    /// The traversal stack of the acceleration structure.
-    pub stack: Stack,
     /// The limits of the picture.
     pub limits: Limits,
 }
@@ -46,7 +44,6 @@ impl PathTracer {
             scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed, set),
             queue: PathQueue::EMPTY,
             ends: PathEnds::new(),
-            stack: Stack::EMPTY,
             limits: Limits::default(),
         })
     }
@@ -77,13 +74,13 @@ impl PathTracer {
     /// that the path may still send. If there are none, or if the picture ends, the path ends in black, and the result
     /// is `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
     #[inline(always)]
-    pub fn scatter<'a, L: Layout>(
+    pub fn scatter<L: Layout>(
         &mut self,
-        prepared: &'a Prepared<L>,
+        prepared: &Prepared<L>,
         (at, rays): (usize, RaysLeft),
         ray: &Ray,
         hit: &ClosestHit,
-    ) -> Option<Scattered<'a>> {
+    ) -> Option<Scattered> {
         let Self { scatter_samples, queue, ends, .. } = self;
         if rays.pauses() && !rays.is_none() && self.limits.is_stopped() {
             ends.terminate(at, queue);
@@ -105,7 +102,7 @@ impl PathTracer {
         let (origin, direction) =
             (surface_hit.point, material.unperturbed_direction(ray.direction, surface_hit.outward));
         if !material.takes_scatter_sample() {
-            return Some(Scattered { ray: Ray { origin, direction }, cause: None });
+            return Some(Scattered { ray: Ray { origin, direction }, terms: None });
         }
         if !ends.push_attenuation(at, surface_hit.material) {
             ends.terminate(at, queue);
@@ -114,6 +111,8 @@ impl PathTracer {
         scatter_samples.prepare();
         let scatter_sample = scatter_samples.next();
         let ray = Ray { origin, direction: material.scatter_params.scatter_around(direction, scatter_sample) };
-        Some(Scattered { ray, cause: Some((material, material.scatter_params.vector(scatter_sample))) })
+        let is_around_normal = material.bsdf_kind == BsdfKind::Matte;
+        let terms = ScatterTerms { is_around_normal, vector: material.scatter_params.vector(scatter_sample) };
+        Some(Scattered { ray, terms: Some(terms) })
     }
 }

@@ -5,8 +5,8 @@ use crate::render::{
     queue::SpecularQueue, span::Span,
 };
 use crate::{
-    accel::bvh::stack::Stack, input::error::Error, layout::Layout, sampling::draw_order::DRAWS_OF_OFFSET,
-    sampling::draw_order::PixelJitter, sampling::scatter_vectors::Scatter, simd::SimdF64, simd::columns::Columns,
+    input::error::Error, layout::Layout, sampling::draw_order::DRAWS_OF_OFFSET, sampling::draw_order::PixelJitter,
+    sampling::scatter_vectors::Scatter, simd::SimdF64, simd::columns::Columns,
 };
 
 /// The samples of a span, with an array for each of their numbers.
@@ -24,8 +24,6 @@ pub struct Batch {
     pub chained: PathQueue,
     /// The linear colour of each sample. The colours of samples that are in a queue are not known yet.
     pub color: Columns<3, ROOM>,
-    /// The traversal stack of the acceleration structure, for specular chains.
-    pub stack: Stack,
     draws: [f64; DRAWS_OF_OFFSET * CAPACITY],
 }
 
@@ -42,7 +40,6 @@ impl Batch {
             specular: Queue::EMPTY,
             chained: Queue::EMPTY,
             color: Columns::ZERO,
-            stack: Stack::EMPTY,
             draws: [0.0; DRAWS_OF_OFFSET * CAPACITY],
         })
     }

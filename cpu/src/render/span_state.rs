@@ -5,7 +5,8 @@ use crate::render::{
     prepared::Prepared, samples::Batch,
 };
 use crate::{
-    input::error::Error, layout::Layout, sampling::draw_order::PixelJitter, simd::instruction_set::InstructionSet,
+    accel::stack::Stack, input::error::Error, layout::Layout, sampling::draw_order::PixelJitter,
+    simd::instruction_set::InstructionSet,
 };
 
 /// The prepared scene, and all that the stages of a span read and write. It is reused for every span.
@@ -24,6 +25,8 @@ pub struct SpanState<'a, L: Layout> {
     pub batch: Boxed<Batch>,
     /// The paths of the span.
     pub tracer: Boxed<PathTracer>,
+    /// The traversal stack of the acceleration structure.
+    pub stack: Boxed<Stack>,
 }
 
 impl<'a, L: Layout> SpanState<'a, L> {
@@ -41,6 +44,7 @@ impl<'a, L: Layout> SpanState<'a, L> {
             background_pixels: BackgroundPixels::new(prepared),
             batch: Batch::new()?,
             tracer: PathTracer::new(prepared, set)?,
+            stack: Boxed::new(|| Stack::EMPTY)?,
         })
     }
 

@@ -7,10 +7,10 @@ use crate::render::{
     span_state::SpanState, surface_hit::SurfaceHit,
 };
 use crate::{
-    accel::conservative::ConservativeRay, accel::conservative::is_too_short, accel::object::ObjectId,
-    accel::object::ObjectRef, accel::small_scene::SmallScene, counters::Counter, counters::add, geometry::ray::Ray,
-    layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
-    simd::columns::Columns, simd::valid_lanes,
+    accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short, accel::object::ObjectId,
+    accel::object::ObjectRef, accel::small_scene::SmallScene, accel::stack::Stack, counters::Counter, counters::add,
+    geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd,
+    simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
 };
 
 /// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
@@ -23,7 +23,7 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        let SpanState { prepared, batch, tracer, .. } = self.0;
+        let SpanState { prepared, batch, tracer, stack, .. } = self.0;
         if let Some(small_scene) = prepared.accel.in_lanes() {
             let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
             while !rays.is_none() && batch.specular.count > 0 {
@@ -40,7 +40,7 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
         } else {
             // This is a loop, because a closure would be compiled without the instruction set.
             for at in 0..batch.specular.count {
-                trace::<S, L>(prepared, &tracer.limits, batch, at);
+                trace::<S, L>(prepared, &tracer.limits, (batch, at), stack);
             }
         }
         // All paths share one stream of scatter samples, from which they take in the order of their samples.
@@ -108,14 +108,19 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ra
 
 /// Traces the chain at index `at` of the specular queue to its end. This serves structures that take one ray at a time.
 #[inline(always)]
-fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, limits: &Limits, batch: &mut Batch, at: usize) {
+fn trace<S: Simd, L: Layout>(
+    prepared: &Prepared<L>,
+    limits: &Limits,
+    (batch, at): (&mut Batch, usize),
+    stack: &mut Stack,
+) {
     let [x, y, z, dx, dy, dz, object, sample] = batch.specular.entries.get(at);
     let mut ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    let mut origin = object as ObjectId;
+    let mut start_object = object as ObjectId;
     let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
     while !(rays.pauses() && (rays.is_none() || limits.is_stopped())) && !limits.stops_every_ray() {
         rays = rays.minus_one();
-        let hit = prepared.accel.closest_hit::<S, L::Objects>(&prepared.objects, &ray, origin, &mut batch.stack);
+        let hit = prepared.accel.closest_hit::<S, L::Objects>(&prepared.objects, &ray, start_object, stack);
         if !hit.is_hit() {
             let color = prepared.background.color(ray.direction).to_array();
             return batch.color.set(sample.to_bits() as usize, color);
@@ -127,7 +132,7 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, limits: &Limits, batch: &mu
             let vertex = PathVertex::new(surface_hit.point, direction, f64::from(hit.object), material);
             return batch.chained.push_one(PathVertex { sample, rays: rays.to_bits_of(), ..vertex }.numbers());
         }
-        origin = hit.object;
+        start_object = hit.object;
         ray = Ray { origin: surface_hit.point, direction };
     }
     batch.terminate(sample);

@@ -4,8 +4,7 @@
 //! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop, unless a path of the queue
 //! is already at the maximum depth.
 
-use crate::accel::object::ObjectId;
-use crate::accel::{choice::Accel, every_object::EveryObject, find::Accelerator};
+use crate::accel::{accelerator::Accelerator, choice::dispatch, object::ObjectId};
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
@@ -21,20 +20,15 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
-        let SpanState { prepared, tracer, .. } = self.0;
+        let SpanState { prepared, tracer, stack, .. } = self.0;
         let prepared = *prepared;
-        // The loop is compiled once for each structure. With many objects, the width of the lanes matters more than the
-        // latency of comparisons.
-        match &prepared.accel {
-            Accel::EveryObject => simd.run_promptly(OneByOne { prepared, tracer, accel: &EveryObject }),
-            Accel::SmallScene(accel) if !accel.uses_object_lanes() && tracer.all_may_send_rays() => {
-                simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene: accel });
-            }
-            Accel::SmallScene(accel) => simd.run_promptly(OneByOne { prepared, tracer, accel }),
-            Accel::FlatFilter(accel) => simd.run(OneByOne { prepared, tracer, accel }),
-            Accel::Bvh(accel) => simd.run(OneByOne { prepared, tracer, accel }),
-            Accel::LargeBvh(accel) => simd.run(OneByOne { prepared, tracer, accel }),
+        if let Some(small_scene) = prepared.accel.in_lanes()
+            && !small_scene.uses_object_lanes()
+            && tracer.all_may_send_rays()
+        {
+            return simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene });
         }
+        dispatch!(&prepared.accel, stack, |accel| OneByOne { prepared, tracer, accel }.run(simd));
     }
 }
 
@@ -42,7 +36,7 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
 struct OneByOne<'a, L: Layout, A> {
     prepared: &'a Prepared<L>,
     tracer: &'a mut PathTracer,
-    accel: &'a A,
+    accel: A,
 }
 
 impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
@@ -72,6 +66,12 @@ impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
 }
 
 impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
+    /// Runs the kernel, which is compiled for the structure `A`.
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        if A::IS_PROMPT { simd.run_promptly(self) } else { simd.run(self) }
+    }
+
     /// Traces the path at index `at` of the queue to its end. The path begins at `vertex`, and `scatter_sample` gives
     /// its first ray.
     #[inline(always)]
@@ -80,13 +80,13 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
         let objects = &prepared.objects;
         let mut ray = vertex.scattered_ray(scatter_sample);
         let mut rays = RaysLeft::of_bits(vertex.rays);
-        let mut origin = accel.origin(objects, &ray, vertex.object as ObjectId);
+        let mut start = accel.start(objects, &ray, vertex.object as ObjectId);
         loop {
             if A::MAY_BE_SLOW && tracer.limits.stops_every_ray() {
                 return tracer.ends.terminate(at, &mut tracer.queue);
             }
             add(Counter::PathRays, 1);
-            let hit = accel.closest_hit::<S, _>(objects, &ray, origin, &mut tracer.stack);
+            let hit = accel.closest_hit::<S, _>(objects, &ray, start);
             if !hit.is_hit() {
                 return tracer.ends.escape(at, ray.direction);
             }
@@ -94,9 +94,9 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
             let Some(scattered) = tracer.scatter(prepared, (at, rays), &ray, &hit) else {
                 return;
             };
-            origin = match scattered.cause {
-                Some((material, vector)) => accel.next_origin(objects, &ray, &hit, material, vector),
-                None => accel.origin(objects, &scattered.ray, hit.object),
+            start = match &scattered.terms {
+                Some(terms) => accel.next_start(objects, &ray, &hit, terms),
+                None => accel.start(objects, &scattered.ray, hit.object),
             };
             ray = scattered.ray;
         }

@@ -9,7 +9,7 @@ use crate::accel::bvh::build::split::{dissolve_small_children, split_into_childr
 use crate::accel::bvh::{
     boxes::Boxes, collapsed_root, node::HIERARCHY, node::Kind, node::Node, planes::WIDTH, sphere_leaf,
 };
-use crate::accel::{bounds::Bounds, object::ObjectId};
+use crate::accel::{bounds::Bounds, object::ObjectId, object::ObjectRef};
 use crate::{input::error::Error, input::error::push, layout::with_room};
 
 /// The tree over the objects of a scene.
@@ -80,8 +80,7 @@ pub fn build<B: Boxes>(
         };
         let kind_of = |child: &Range| match child.only_item(&items) {
             None => Kind::Node,
-            Some(item) if (item.id() as usize) < sphere_count => Kind::Sphere,
-            Some(_) => Kind::Cylinder,
+            Some(item) => Kind::of(ObjectRef::of_number(item.id(), sphere_count)),
         };
         let first = [tree.nodes.len(), tree.spheres.len(), sphere_count + tree.cylinders.len()];
         let (mut boxes, mut end, mut counts) = ([Bounds::EMPTY; WIDTH], 0, [0; 3]);

@@ -6,6 +6,7 @@
 
 use crate::accel::{
     bounds::Bounds, bvh::boxes::Boxes, bvh::planes::WIDTH, bvh::sphere_leaf::SphereLeaf, object::ObjectId,
+    object::ObjectRef,
 };
 use crate::simd::SimdF32;
 
@@ -26,6 +27,15 @@ pub enum Kind {
 impl Kind {
     /// All kinds, in the order of the lanes.
     pub const ALL: [Self; 3] = [Self::Node, Self::Sphere, Self::Cylinder];
+
+    /// Returns the kind of an object.
+    #[inline(always)]
+    pub const fn of(object: ObjectRef) -> Self {
+        match object {
+            ObjectRef::Sphere(_) => Self::Sphere,
+            ObjectRef::Cylinder(_) => Self::Cylinder,
+        }
+    }
 }
 
 /// A child of a node.

@@ -33,7 +33,7 @@
 //! 2^-150`. Each plane is moved by at least [`LEAST_MARGIN`] times `r`, which is more than 10 times as much.
 
 use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
-use crate::accel::{bounds::Bounds, conservative::is_too_short};
+use crate::accel::{bounds::Bounds, may_hit::conservative::is_too_short};
 use crate::{geometry::ray::Ray, simd::SimdF32};
 
 /// A slab test moves each plane of a box outward to cover rounding. Along the x axis it moves a plane by at least

@@ -1,8 +1,8 @@
 //! Visits the objects of a tree whose boxes pass a test. A sphere leaf has the boxes around its bounding spheres.
 //! Frustum culling uses this.
 
-use crate::accel::bvh::{Bvh, boxes::Boxes, node::Kind, stack};
-use crate::accel::{bounds::Bounds, object::ObjectId};
+use crate::accel::bvh::{Bvh, boxes::Boxes, node::Kind};
+use crate::accel::{bounds::Bounds, object::ObjectId, stack};
 
 impl<B: Boxes> Bvh<B> {
     /// Calls `visit` with the dominant sphere, and with every object for which `may_reach` accepts the object's box and

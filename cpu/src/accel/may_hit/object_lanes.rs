@@ -1,8 +1,9 @@
-//! Up to eight objects for the [conservative tests](crate::accel::conservative). Either each lane holds a ray and the
+//! Up to eight objects for the [conservative tests](crate::accel::may_hit::conservative). Either each lane holds a ray and the
 //! objects are tested in turn, or each lane holds an object and one ray is tested.
 
 use crate::accel::{
-    conservative::ConservativeRay, conservative::is_too_short, object::ObjectId, object::count, target::Target,
+    may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::target::Target,
+    object::ObjectId, object::count,
 };
 use crate::{geometry::ray::Ray, layout::Objects, simd::LaneMask, simd::SimdF64, simd::columns::Columns};
 

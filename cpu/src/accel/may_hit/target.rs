@@ -1,4 +1,4 @@
-//! Spheres and cylinders in the form that the [conservative tests](crate::accel::conservative) use.
+//! Spheres and cylinders in the form that the [conservative tests](crate::accel::may_hit::conservative) use.
 
 use crate::accel::object::{ObjectId, ObjectRef};
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
@@ -30,7 +30,7 @@ pub struct Target<T = f64> {
 broadcast!(Target: center, axis; radius_squared, bounding_radius_squared, half_height);
 
 impl<T: Copy> Target<T> {
-    /// Returns the target's numbers, in the order in which [`ObjectLanes`](crate::accel::object_lanes::ObjectLanes)
+    /// Returns the target's numbers, in the order in which [`ObjectLanes`](crate::accel::may_hit::object_lanes::ObjectLanes)
     /// stores them.
     pub fn numbers(&self) -> [T; Target::NUMBERS] {
         let Self { center: c, axis: a, radius_squared, bounding_radius_squared, half_height } = *self;
