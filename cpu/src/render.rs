@@ -20,6 +20,7 @@ pub mod camera_rays;
 pub(crate) mod fallback;
 pub mod frustum;
 pub(crate) mod hit_lanes;
+pub(crate) mod lane_numbers;
 pub mod limits;
 pub(crate) mod lookahead;
 pub mod max_depth;
@@ -118,6 +119,7 @@ pub fn render_within<L: Layout>(
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
+#[cfg_attr(not(feature = "internals"), expect(dead_code, reason = "for tests and tools"))]
 pub fn render_linear<L: Layout>(
     prepared: &Prepared<L>,
     set: InstructionSet,

@@ -7,7 +7,7 @@
 //! (see [`filtered`]).
 
 use crate::counters::{Counter, add};
-pub use crate::exact::cylinder_lanes::{CylinderHits, SideLanes};
+pub use crate::exact::cylinder_lanes::SideLanes;
 use crate::exact::{
     cap, cylinder_exact, cylinder_side::Side, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite,
 };

@@ -46,7 +46,7 @@ impl<T: Rounding> SideLanes<T> {
     /// Returns the hits by the side alone. Lanes that are [open](Self::open) are not `certain`.
     #[inline(always)]
     pub fn without_caps(&self) -> CylinderHits<T> {
-        let none = T::of(1.0).less(T::of(0.0));
+        let none = T::empty_mask();
         let lambda = T::select(self.through, self.exit.lambda, self.entry.lambda);
         CylinderHits {
             lambda: T::select(self.nothing, T::of(f64::INFINITY), lambda),

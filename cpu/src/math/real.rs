@@ -24,6 +24,11 @@ pub trait Real:
     fn less_equal(self, other: Self) -> Self::Mask;
     /// Returns `yes` where `mask` holds, and `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Returns the result of a comparison that holds nowhere.
+    #[inline(always)]
+    fn empty_mask() -> Self::Mask {
+        Self::of(1.0).less(Self::of(0.0))
+    }
     /// Returns the number, negated where `other` is negative. Where `other` is a zero, implementations may negate or
     /// not.
     #[inline(always)]

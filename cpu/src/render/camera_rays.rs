@@ -2,7 +2,7 @@
 
 use crate::render::{
     arrays::SAMPLES, frustum::Candidate, frustum::Candidates, hit_lanes::HitLanes, hit_lanes::Rays,
-    max_depth::RaysLeft, path_vertex::PathVertex, shade::shade, span_state::SpanState,
+    lane_numbers::SampleIndex, max_depth::RaysLeft, path_vertex::PathVertex, shade::shade, span_state::SpanState,
 };
 use crate::{
     counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, math::real::Real, simd::Kernel, simd::Simd,
@@ -24,7 +24,7 @@ impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {
         let camera = prepared.camera.lanes::<S::F64>();
         let background = prepared.background.lanes::<S::F64>();
         let row = S::F64::of(*row as f64);
-        let rays = RaysLeft::after_camera_ray(prepared.max_depth).to_bits_of();
+        let rays = RaysLeft::after_camera_ray(prepared.max_depth).in_lanes();
         batch.specular.count = 0;
         queue.count = 0;
         add(Counter::CameraRays, batch.count as u64);
@@ -38,7 +38,7 @@ impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {
             }
             if hits.bits != 0 {
                 let (vertex, refractive) = shade(prepared, &ray, &hits);
-                let vertex = PathVertex { sample: S::F64::load(&SAMPLES[at..]), rays, ..vertex };
+                let vertex = PathVertex { sample: SampleIndex(S::F64::load(&SAMPLES[at..])), rays, ..vertex };
                 if refractive != 0 {
                     batch.specular.push(vertex.specular_numbers(), refractive);
                 }

@@ -1,6 +1,6 @@
 //! The closest hits of several rays, which are found at once.
 
-use crate::render::fallback::precise;
+use crate::render::{fallback::precise, lane_numbers::ObjectNumber};
 use crate::{
     accel::object::ObjectId, counters::Counter, counters::add, exact, exact::error_bound::in_scale,
     geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
@@ -17,14 +17,14 @@ const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
 /// A cylinder and its axis in the scene file.
 type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
 
-/// The closest hit of each of several rays, one ray in each lane. The numbers of object and part are stored as whole
-/// numbers in `f64` lanes.
+/// The closest hit of each of several rays, one ray in each lane. The number of the part is stored as a
+/// whole number in `f64` lanes.
 #[derive(Clone, Copy)]
 pub struct HitLanes<V: SimdF64> {
     /// The lambda of each hit. It is infinite in lanes without a hit.
     pub lambda: V,
-    /// The number of the object that is hit. It is negative in lanes without a hit.
-    pub object: V,
+    /// The object that is hit.
+    pub object: ObjectNumber<V>,
     /// The part of a cylinder that is hit, as its [number](CylinderPart::number). It is the side for a sphere.
     pub part: V,
     /// A bit for each lane, which is 1 if the ray hits an object.
@@ -70,7 +70,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Returns the value before any hit.
     #[inline(always)]
     pub fn none() -> Self {
-        Self { lambda: V::of(f64::INFINITY), object: V::of(-1.0), part: V::of(0.0), bits: 0 }
+        Self { lambda: V::of(f64::INFINITY), object: ObjectNumber(V::of(-1.0)), part: V::of(0.0), bits: 0 }
     }
 
     /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. The caller must pass the
@@ -82,7 +82,7 @@ impl<V: SimdF64> HitLanes<V> {
     fn update(&mut self, object: ObjectId, (lambda, part): (V, V), closer: V::Mask, certain: V::Mask, valid: u32) {
         let closer = closer & (lambda.less(V::of(f64::INFINITY)) | !certain);
         self.lambda = V::select(closer, lambda, self.lambda);
-        self.object = V::select(closer, V::of(f64::from(object)), self.object);
+        self.object.0 = V::select(closer, ObjectNumber::of(object).0, self.object.0);
         self.part = V::select(closer, part, self.part);
         self.bits |= closer.bits() & valid;
     }
@@ -151,7 +151,7 @@ impl<V: SimdF64> HitLanes<V> {
         let (lambda, part) = hits;
         let is_side = part.less(CylinderPart::Top.number());
         // The first hit counts even if its lambda is infinite.
-        let is_first = self.object.less(V::of(0.0));
+        let is_first = self.object.0.less(V::of(0.0));
         let closer =
             later_is_closer(lambda, self.lambda) & (is_side | is_first | later_cap_is_closer(lambda, self.lambda));
         self.update(id, hits, closer, certain, valid);

@@ -50,6 +50,7 @@ pub enum Ended {
 impl Limits {
     /// Returns limits with which a picture of so many objects stops within some ten milliseconds, also if every ray is
     /// tested against each object. Large scenes take a little longer with them.
+    #[cfg(feature = "internals")]
     #[must_use]
     pub fn prompt(objects: usize) -> Self {
         // So many tests of camera rays, several at once, take some ten milliseconds.

@@ -14,7 +14,7 @@
 //! A path escapes only if the conservative test discards every object. The test discards no object if a number is NaN
 //! or if the direction is too short.
 
-use crate::render::{max_depth::RaysLeft, path::PathTracer, path_vertex::PathVertex, prepared::Prepared};
+use crate::render::{path::PathTracer, path_vertex::PathVertex, prepared::Prepared};
 use crate::{
     accel::may_hit::conservative::is_too_short, accel::may_hit::object_lanes::MayHitLanes,
     accel::small_scene::SmallScene, accel::small_scene::closest_hit_among, counters::Counter, counters::add,
@@ -113,7 +113,7 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
         let Self { prepared, tracer, small_scene } = self;
         let vertex = PathVertex::of(tracer.queue.entries.get(at));
         let mut ray = Ray { origin: vertex.point, direction: tracer.ends.direction.get(at).into() };
-        let mut rays = RaysLeft::of_bits(vertex.rays);
+        let mut rays = vertex.rays.get();
         loop {
             let hit = closest_hit_among(&prepared.objects, &ray, may_hit);
             if !hit.is_hit() {

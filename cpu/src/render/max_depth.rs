@@ -55,16 +55,22 @@ impl RaysLeft {
         Self(self.0 - 1)
     }
 
-    /// Returns the number as the bits of an `f64`, the same in every lane. Queues can store only `f64`.
+    /// Returns the number, the same in every lane.
     #[inline(always)]
-    pub fn to_bits_of<T: Real>(self) -> T {
-        T::of(f64::from_bits(self.0))
+    pub fn in_lanes<T: Real>(self) -> RaysLane<T> {
+        RaysLane(T::of(f64::from_bits(self.0)))
     }
+}
 
-    /// Returns the number that a lane of [`RaysLeft::to_bits_of`] holds.
+/// A [`RaysLeft`] as the bits of an `f64`, because lanes and queues hold only `f64`.
+#[derive(Clone, Copy, Debug)]
+pub struct RaysLane<T = f64>(pub T);
+
+impl RaysLane {
+    /// Returns the number.
     #[inline(always)]
-    pub const fn of_bits(lane: f64) -> Self {
-        Self(lane.to_bits())
+    pub const fn get(self) -> RaysLeft {
+        RaysLeft(self.0.to_bits())
     }
 }
 
@@ -76,7 +82,7 @@ mod tests {
     fn the_camera_ray_is_the_first_of_as_many_rays_as_the_depth_says() {
         let mut rays = RaysLeft::after_camera_ray(3);
         assert!(!rays.is_none() && !rays.is_one());
-        rays = RaysLeft::of_bits(rays.minus_one().to_bits_of());
+        rays = rays.minus_one().in_lanes().get();
         assert!(rays.is_one() && rays.minus_one().is_none());
         assert!(RaysLeft::after_camera_ray(1).is_none());
     }

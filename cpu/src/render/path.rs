@@ -2,8 +2,8 @@
 //! ([`PathTracer::scatter`]).
 
 use crate::render::{
-    boxed::Boxed, limits::Ended, limits::Limits, max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex,
-    prepared::Prepared, queue::PathQueue, surface_hit::SurfaceHit,
+    boxed::Boxed, limits::Ended, limits::Limits, max_depth::RaysLane, max_depth::RaysLeft, path_ends::PathEnds,
+    path_vertex::PathVertex, prepared::Prepared, queue::PathQueue, surface_hit::SurfaceHit,
 };
 use crate::{
     accel::accelerator::ScatterTerms, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error,
@@ -59,7 +59,7 @@ impl PathTracer {
     /// Whether every path of the queue may send at least one ray.
     pub fn all_may_send_rays(&self) -> bool {
         let rays = &self.queue.entries.0[PathVertex::RAYS][..self.queue.count];
-        !rays.iter().any(|&rays| RaysLeft::of_bits(rays).is_none())
+        !rays.iter().any(|&rays| RaysLane(rays).get().is_none())
     }
 
     /// Ends the path at index `at` of the queue at the maximum depth, on a matte or metal surface. The path is black,

@@ -7,7 +7,7 @@ use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::arrays::{CAPACITY, ROOM};
 use crate::render::{fallback::MOST_LANES, path_vertex::PathVertex, prepared::Prepared};
-use crate::render::{limits::Ended, queue::PathQueue, samples::Batch};
+use crate::render::{lane_numbers::SampleIndex, limits::Ended, queue::PathQueue, samples::Batch};
 use crate::simd::{SimdF64, columns::Columns};
 
 /// For each path of the queue, by its index in the queue: the direction of its last ray and the materials that
@@ -145,7 +145,7 @@ impl PathEnds {
         for at in (0..queue.count).step_by(V::LANES) {
             let PathVertex { reflectance, .. } = PathVertex::of(queue.entries.load::<V>(at));
             let color = Vec3::from(colors.load::<V>(at)).attenuate(reflectance).to_array();
-            let sample = |index: usize| queue.entries.0[PathVertex::SAMPLE][index].to_bits() as usize;
+            let sample = |index: usize| SampleIndex(queue.entries.0[PathVertex::SAMPLE][index]).get();
             let last = at + V::LANES - 1;
             // Mostly all samples of the span are in the queue. They are in order, so the samples of the lanes are
             // consecutive.
@@ -168,6 +168,7 @@ mod tests {
     use crate::input::scene::Scene;
     use crate::layout::aos::Aos;
     use crate::materials::prepared::PreparedMaterial;
+    use crate::render::lane_numbers::ObjectNumber;
     use crate::render::{path::PathTracer, span_state::SpanState, stages::ColorPaths};
     use crate::sampling::scatter_vectors::Scatter;
     use crate::simd::instruction_set::InstructionSet;
@@ -188,8 +189,8 @@ mod tests {
                 batch.color.set(sample, [sample as f64; 3]);
             }
             for (sample, material) in [(2, 0), (3, 0), (9, 1)] {
-                let black = PathVertex::new(Vec3::ZERO, Vec3::ZERO, 0.0, &PreparedMaterial::BLACK);
-                let (sample, reflectance) = (f64::from_bits(sample), reflectance(material));
+                let black = PathVertex::new(Vec3::ZERO, Vec3::ZERO, ObjectNumber(0.0), &PreparedMaterial::BLACK);
+                let (sample, reflectance) = (SampleIndex::new(sample), reflectance(material));
                 queue.push_one(PathVertex { sample, reflectance, ..black }.numbers());
             }
             ends.begin();

@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::geometry::ray::Ray;
 use crate::materials::{prepared::PreparedMaterial, scatter::ScatterParams};
 use crate::math::{real::Real, vec3::Vec3};
+use crate::render::{lane_numbers::ObjectNumber, lane_numbers::SampleIndex, max_depth::RaysLane};
 
 /// The last hit of a sample, with all numbers from which its path continues. These are the hit point, the scattered
 /// direction before the random vector is added, the [`ScatterParams`] of that vector, the reflectance of the surface,
@@ -20,13 +21,12 @@ pub struct PathVertex<T = f64> {
     pub scatter_params: ScatterParams<T>,
     /// The factor that the surface applies to the colour of the next ray.
     pub reflectance: Vec3<T>,
-    /// The number of the [object](crate::accel::object::ObjectId) that is hit, as a whole number.
-    pub object: T,
-    /// The index of the sample in its span, as the bits of an `f64`.
-    pub sample: T,
-    /// The number of rays that the path may still send: [`RaysLeft`](crate::render::max_depth::RaysLeft) as the bits of
-    /// an `f64`.
-    pub rays: T,
+    /// The object that is hit.
+    pub object: ObjectNumber<T>,
+    /// The index of the sample in its span.
+    pub sample: SampleIndex<T>,
+    /// The number of rays that the path may still send.
+    pub rays: RaysLane<T>,
 }
 
 impl PathVertex {
@@ -52,9 +52,9 @@ impl<T: Real> PathVertex<T> {
     /// Returns a vertex on a surface of this prepared material. `sample` and `rays` are 0, and the caller replaces
     /// them.
     #[inline(always)]
-    pub fn new(point: Vec3<T>, unperturbed: Vec3<T>, object: T, material: &PreparedMaterial) -> Self {
+    pub fn new(point: Vec3<T>, unperturbed: Vec3<T>, object: ObjectNumber<T>, material: &PreparedMaterial) -> Self {
         let (scatter_params, reflectance) = (material.scatter_params.lanes(), material.reflectance.map(T::of));
-        let (sample, rays) = (T::of(0.0), T::of(0.0));
+        let (sample, rays) = (SampleIndex(T::of(0.0)), RaysLane(T::of(0.0)));
         Self { point, unperturbed, scatter_params, reflectance, object, sample, rays }
     }
 
@@ -74,7 +74,7 @@ impl<T: Real> PathVertex<T> {
     #[inline(always)]
     pub fn numbers(&self) -> [T; PathVertex::NUMBERS] {
         let Self { point: p, unperturbed: u, scatter_params: s, reflectance: r, object, sample, rays } = *self;
-        [p.x, p.y, p.z, u.x, u.y, u.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object, sample, rays]
+        [p.x, p.y, p.z, u.x, u.y, u.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object.0, sample.0, rays.0]
     }
 
     /// Returns the numbers of a vertex on a refractive surface, in the order of the
@@ -82,7 +82,7 @@ impl<T: Real> PathVertex<T> {
     #[inline(always)]
     pub fn specular_numbers(&self) -> [T; 8] {
         let Self { point: p, unperturbed: u, object, sample, .. } = *self;
-        [p.x, p.y, p.z, u.x, u.y, u.z, object, sample]
+        [p.x, p.y, p.z, u.x, u.y, u.z, object.0, sample.0]
     }
 
     /// Returns the vertex with these [numbers](PathVertex::numbers).
@@ -94,9 +94,9 @@ impl<T: Real> PathVertex<T> {
             unperturbed: Vec3::new(ux, uy, uz),
             scatter_params: ScatterParams { scale, shift, negligible },
             reflectance: Vec3::new(rx, ry, rz),
-            object,
-            sample,
-            rays,
+            object: ObjectNumber(object),
+            sample: SampleIndex(sample),
+            rays: RaysLane(rays),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The samples of a span. There is an array for each of their numbers, so that lanes handle several samples at once.
 
 use crate::render::{
-    arrays::CAPACITY, arrays::ROOM, arrays::Values, boxed::Boxed, prepared::Prepared, queue::PathQueue, queue::Queue,
-    queue::SpecularQueue, span::Span,
+    arrays::CAPACITY, arrays::ROOM, arrays::Values, boxed::Boxed, lane_numbers::SampleIndex, prepared::Prepared,
+    queue::PathQueue, queue::Queue, queue::SpecularQueue, span::Span,
 };
 use crate::{
     input::error::Error, layout::Layout, sampling::draw_order::DRAWS_OF_OFFSET, sampling::draw_order::PixelJitter,
@@ -44,11 +44,10 @@ impl Batch {
         })
     }
 
-    /// Makes a sample black, because its path is at the maximum depth. The bits of `sample` are the sample's index in
-    /// the span.
+    /// Makes a sample black, because its path is at the maximum depth.
     #[inline(always)]
-    pub fn terminate(&mut self, sample: f64) {
-        self.color.set(sample.to_bits() as usize, [0.0; 3]);
+    pub fn terminate(&mut self, sample: SampleIndex) {
+        self.color.set(sample.get(), [0.0; 3]);
     }
 
     /// Replaces the samples by those of `span`, and draws their offsets. In deterministic mode all offsets stay 0.

@@ -1,9 +1,11 @@
 //! Shades several rays that have hit a surface: computes the vertices at their hits.
 
-use crate::render::{fallback::MOST_LANES, hit_lanes::HitLanes, path_vertex::PathVertex, prepared::Prepared};
+use crate::render::{
+    fallback::MOST_LANES, hit_lanes::HitLanes, lane_numbers::ObjectNumber, path_vertex::PathVertex, prepared::Prepared,
+};
 use crate::{
-    accel::object::ObjectId, accel::object::ObjectRef, counters::Counter, counters::add, geometry::ray::Ray,
-    layout::Layout, layout::Objects, materials::prepared::PreparedMaterial, simd::LaneMask, simd::SimdF64,
+    accel::object::ObjectRef, counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, layout::Objects,
+    materials::prepared::PreparedMaterial, simd::LaneMask, simd::SimdF64,
 };
 
 /// Returns the vertex at the hit of each lane, and a bit for each lane, which is 1 if the lane has a hit on a
@@ -13,7 +15,8 @@ use crate::{
 pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &HitLanes<V>) -> (PathVertex<V>, u32) {
     let objects = &prepared.objects;
     let mut objects_hit = [0.0; MOST_LANES];
-    hits.object.store(&mut objects_hit);
+    let ObjectNumber(object) = hits.object;
+    object.store(&mut objects_hit);
     let point = ray.at(hits.lambda);
     let (mut vertex, mut refractive) = (PathVertex::new(point, point, hits.object, &PreparedMaterial::BLACK), 0);
     add(Counter::Hits, u64::from(hits.bits.count_ones()));
@@ -22,10 +25,10 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
         // Neighbouring rays mostly hit the same object. So all lanes that hit the object of the first lane are shaded
         // together.
         let number = objects_hit[left.trailing_zeros() as usize % MOST_LANES];
-        let same = V::of(number).less_equal(hits.object) & hits.object.less_equal(V::of(number));
+        let same = V::of(number).less_equal(object) & object.less_equal(V::of(number));
         let same_bits = same.bits() & left;
         left &= !same_bits;
-        let (outward, material) = match ObjectRef::of(objects, number as ObjectId) {
+        let (outward, material) = match ObjectRef::of(objects, ObjectNumber(number).id()) {
             ObjectRef::Sphere(index) => {
                 let sphere = objects.sphere(index);
                 (sphere.record.lanes::<V>().outward(point), sphere.material)

@@ -2,12 +2,12 @@
 //! up to the first matte or metal surface.
 
 use crate::render::{
-    fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, limits::Limits,
-    max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade,
-    span_state::SpanState, surface_hit::SurfaceHit,
+    fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, lane_numbers::ObjectNumber,
+    lane_numbers::SampleIndex, limits::Limits, max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prepared,
+    samples::Batch, shade::shade, span_state::SpanState, surface_hit::SurfaceHit,
 };
 use crate::{
-    accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short, accel::object::ObjectId,
+    accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short,
     accel::object::ObjectRef, accel::small_scene::SmallScene, accel::stack::Stack, counters::Counter, counters::add,
     geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd,
     simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
@@ -35,10 +35,9 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
             }
             for at in 0..batch.specular.count {
                 let [.., sample] = batch.specular.entries.get(at);
-                batch.terminate(sample);
+                batch.terminate(SampleIndex(sample));
             }
         } else {
-            // This is a loop, because a closure would be compiled without the instruction set.
             for at in 0..batch.specular.count {
                 trace::<S, L>(prepared, &tracer.limits, (batch, at), stack);
             }
@@ -53,7 +52,7 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
 #[inline(always)]
 fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene, batch: &mut Batch, rays: RaysLeft) {
     let background = prepared.background.lanes::<S::F64>();
-    let rays = rays.to_bits_of();
+    let rays = rays.in_lanes();
     let count = std::mem::take(&mut batch.specular.count);
     add(Counter::SpecularRays, count as u64);
     for from in (0..count).step_by(S::F64::LANES) {
@@ -67,12 +66,12 @@ fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene
             let colors = Columns::<4, MOST_LANES>::of_lanes([x, y, z, sample]);
             for_each_lane(missed, |lane| {
                 let [x, y, z, sample] = colors.get(lane);
-                batch.color.set(sample.to_bits() as usize, [x, y, z]);
+                batch.color.set(SampleIndex(sample).get(), [x, y, z]);
             });
         }
         if hits.bits != 0 {
             let (vertex, refractive) = shade(prepared, &ray, &hits);
-            let vertex = PathVertex { sample, rays, ..vertex };
+            let vertex = PathVertex { sample: SampleIndex(sample), rays, ..vertex };
             // This overwrites only entries that have been loaded.
             batch.specular.push(vertex.specular_numbers(), refractive);
             batch.chained.push(vertex.numbers(), hits.bits & !refractive);
@@ -116,21 +115,21 @@ fn trace<S: Simd, L: Layout>(
 ) {
     let [x, y, z, dx, dy, dz, object, sample] = batch.specular.entries.get(at);
     let mut ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    let mut start_object = object as ObjectId;
+    let (mut start_object, sample) = (ObjectNumber(object).id(), SampleIndex(sample));
     let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
     while !(rays.pauses() && (rays.is_none() || limits.is_stopped())) && !limits.stops_every_ray() {
         rays = rays.minus_one();
         let hit = prepared.accel.closest_hit::<S, L::Objects>(&prepared.objects, &ray, start_object, stack);
         if !hit.is_hit() {
             let color = prepared.background.color(ray.direction).to_array();
-            return batch.color.set(sample.to_bits() as usize, color);
+            return batch.color.set(sample.get(), color);
         }
         let surface_hit = SurfaceHit::new(&prepared.objects, &ray, &hit);
         let material = &prepared.materials[surface_hit.material as usize];
         let direction = material.unperturbed_direction(ray.direction, surface_hit.outward);
         if material.takes_scatter_sample() {
-            let vertex = PathVertex::new(surface_hit.point, direction, f64::from(hit.object), material);
-            return batch.chained.push_one(PathVertex { sample, rays: rays.to_bits_of(), ..vertex }.numbers());
+            let vertex = PathVertex::new(surface_hit.point, direction, ObjectNumber::of(hit.object), material);
+            return batch.chained.push_one(PathVertex { sample, rays: rays.in_lanes(), ..vertex }.numbers());
         }
         start_object = hit.object;
         ray = Ray { origin: surface_hit.point, direction };

@@ -4,11 +4,11 @@
 //! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop, unless a path of the queue
 //! is already at the maximum depth.
 
-use crate::accel::{accelerator::Accelerator, choice::dispatch, object::ObjectId};
+use crate::accel::{accelerator::Accelerator, choice::dispatch};
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
-use crate::render::{limits::PIECE, lookahead::TraceWithLookahead, max_depth::RaysLeft, path::PathTracer};
+use crate::render::{limits::PIECE, lookahead::TraceWithLookahead, path::PathTracer};
 use crate::render::{path_vertex::PathVertex, prepared::Prepared, span_state::SpanState};
 use crate::simd::{Kernel, Simd};
 
@@ -54,7 +54,7 @@ impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
                 self.tracer.scatter_samples.prepare();
                 self.tracer.ends.begin();
                 let vertex = PathVertex::of(self.tracer.queue.entries.get(at));
-                if RaysLeft::of_bits(vertex.rays).is_none() {
+                if vertex.rays.get().is_none() {
                     self.tracer.end_at_max_depth(at);
                 } else {
                     let scatter_sample = self.tracer.scatter_samples.next();
@@ -79,8 +79,8 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
         let Self { prepared, tracer, accel } = self;
         let objects = &prepared.objects;
         let mut ray = vertex.scattered_ray(scatter_sample);
-        let mut rays = RaysLeft::of_bits(vertex.rays);
-        let mut start = accel.start(objects, &ray, vertex.object as ObjectId);
+        let mut rays = vertex.rays.get();
+        let mut start = accel.start(objects, &ray, vertex.object.id());
         loop {
             if A::MAY_BE_SLOW && tracer.limits.stops_every_ray() {
                 return tracer.ends.terminate(at, &mut tracer.queue);
