@@ -14,6 +14,7 @@ macro_rules! counters {
 
         impl Counter {
             /// All counters.
+            #[cfg(feature = "internals")]
             pub const ALL: &[Self] = &[$(Self::$name,)+];
         }
     };

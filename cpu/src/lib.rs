@@ -25,10 +25,6 @@
 //! modules may change at any time.
 
 #![allow(rustdoc::private_intra_doc_links, reason = "the modules are read with --document-private-items")]
-#![cfg_attr(
-    not(feature = "internals"),
-    expect(dead_code, unused_imports, reason = "the feature `internals` shows it to tests and tools")
-)]
 
 mod accel;
 mod counters;

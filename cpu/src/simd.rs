@@ -61,7 +61,8 @@ pub trait Kernel {
     type Output;
 
     /// Does the work. This function, and every function that it calls with lanes, must be `#[inline(always)]`. A
-    /// function that is not inlined is compiled without the instruction set.
+    /// function that is not inlined is compiled without the instruction set. The same is true of a closure, so a kernel
+    /// has loops and macros in place of closures.
     fn call<S: Simd>(self, simd: S) -> Self::Output;
 }
 

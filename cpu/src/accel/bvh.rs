@@ -86,6 +86,7 @@ impl<B: Boxes> Bvh<B> {
     }
 
     /// Returns the size of the tree's lists in bytes.
+    #[cfg(feature = "internals")]
     pub fn list_bytes(&self) -> usize {
         self.nodes.capacity() * size_of::<Node<B>>() + self.collapsed_root.list_bytes() + self.isolated.list_bytes()
     }

@@ -8,8 +8,14 @@
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
-//! From 20,000 objects on, unless they are sparse, a [`Bvh`] has bounding spheres instead of boxes where it can
-//! (`accel/bvh/sphere_leaf.rs`).
+//! How is a scene of 200 objects searched? A [`Bvh`] has nodes of up to 16 children. So a scene of 65 to 256 objects
+//! mostly gets a tree of two levels: a root whose children are nodes of objects. A ray is tested against the boxes of
+//! the root, then against those of each child that it hits, the nearest child first. From 257 objects on, a ray is
+//! tested against the collapsed root instead of the root and its children (`accel/bvh/collapsed_root.rs`). This is one
+//! list of up to 64 boxes, most of which are those of the second level. It is used by instruction sets with at least
+//! eight lanes of `f32`. From 20,000 objects on, unless they are sparse, a [`Bvh`] has bounding spheres instead of boxes
+//! where it can (`accel/bvh/sphere_leaf.rs`).
+//!
 //! With a [`SmallScene`] two more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
 //! Specular chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
@@ -22,8 +28,8 @@
 
 use crate::accel::{
     accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
-    closest_hit::ClosestHit, extent::Extent, flat_filter, flat_filter::FlatFilter, isolated::Isolated, may_hit,
-    object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
+    closest_hit::ClosestHit, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit, object::ObjectId,
+    object::count, small_scene::SmallScene, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
@@ -85,6 +91,7 @@ impl Accel {
     }
 
     /// Returns the size of the structure in bytes, without the objects.
+    #[cfg(feature = "internals")]
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + match self {
@@ -97,12 +104,13 @@ impl Accel {
     }
 
     /// Disables the shortcut for isolated objects, to measure what it gains.
+    #[cfg(feature = "internals")]
     pub fn without_isolation(&mut self) {
         match self {
             Self::EveryObject | Self::SmallScene(_) => {}
             Self::FlatFilter(filter) => filter.overlapping = None,
-            Self::Bvh(bvh) => bvh.isolated = Isolated::default(),
-            Self::LargeBvh(bvh) => bvh.isolated = Isolated::default(),
+            Self::Bvh(bvh) => bvh.isolated = Default::default(),
+            Self::LargeBvh(bvh) => bvh.isolated = Default::default(),
         }
     }
 
@@ -126,8 +134,8 @@ impl Accel {
 
 /// Evaluates an expression in which a name stands for the [`Accelerator`] of a scene, as in
 /// `dispatch!(accel, stack, |structure| work(structure))`. The expression is compiled once for each structure. `accel`
-/// is an [`Accel`], and `stack` is memory for the traversal of a tree. This is a macro, because a closure would be
-/// compiled without the instruction set (see [`Kernel`](crate::simd::Kernel)).
+/// is an [`Accel`], and `stack` is memory for the traversal of a tree. This is a macro and no closure;
+/// see [`Kernel::call`](crate::simd::Kernel::call).
 macro_rules! dispatch {
     ($accel:expr, $stack:expr, |$structure:pat_param| $work:expr) => {{
         use crate::accel::{bvh::Traversal, choice::Accel, every_object::EveryObject};

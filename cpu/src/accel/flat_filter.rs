@@ -95,6 +95,7 @@ impl FlatFilter {
     }
 
     /// Returns the size of the filter's lists in bytes.
+    #[cfg(feature = "internals")]
     pub fn list_bytes(&self) -> usize {
         let overlapping = self.overlapping.as_deref().unwrap_or_default();
         size_of_val(overlapping) + size_of_val(&self.spheres[..]) + size_of_val(&self.cylinders[..])

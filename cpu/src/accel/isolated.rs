@@ -41,6 +41,7 @@ impl Isolated {
     }
 
     /// Returns the size of the set in bytes.
+    #[cfg(feature = "internals")]
     pub fn list_bytes(&self) -> usize {
         size_of_val(&self.0[..])
     }

@@ -45,6 +45,7 @@ pub fn in_range<T: Real>(lambda: T) -> T::Mask {
 }
 
 /// A point where a ray hits a surface.
+#[cfg(feature = "internals")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<T = f64> {
     /// The point of the hit, in scene units.
@@ -64,6 +65,7 @@ pub fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T
     (front, Vec3::select(front, outward, -outward))
 }
 
+#[cfg(feature = "internals")]
 impl<T: Real<Mask = bool>> Hit<T> {
     /// Returns the hit at `point` of a ray along `direction` (specification, section 8.3). `outward` is the normal that
     /// points out of the object.

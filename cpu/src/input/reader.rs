@@ -60,6 +60,7 @@ pub(super) fn parse<T>(path: &Path, parse: impl FnOnce(BufReader<Input>) -> Resu
 ///
 /// # Errors
 /// If the file cannot be opened or read, if it has more than `limit` bytes, or if memory is short.
+#[cfg(feature = "internals")]
 pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     // If memory is short, `read_to_end` returns an error.
@@ -71,6 +72,7 @@ pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// Those of [`read`]. [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
+#[cfg(feature = "internals")]
 pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
     String::from_utf8(read(path, limit)?).map_err(|error| {
         let place = error.utf8_error().valid_up_to();

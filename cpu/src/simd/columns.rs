@@ -26,7 +26,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
     /// Returns the entry at index `at`.
     #[inline(always)]
     pub fn get(&self, at: usize) -> [f64; N] {
-        // This is a loop, because a closure would be compiled without the instruction set.
+        // This is a loop and no closure; see `Kernel::call`.
         let mut numbers = [0.0; N];
         for (number, column) in numbers.iter_mut().zip(&self.0) {
             *number = column[at];

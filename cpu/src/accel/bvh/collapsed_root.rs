@@ -133,6 +133,7 @@ impl CollapsedRoot {
     }
 
     /// Returns the size of the list of boxes in bytes.
+    #[cfg(feature = "internals")]
     pub fn list_bytes(&self) -> usize {
         size_of_val(&self.rows[..])
     }

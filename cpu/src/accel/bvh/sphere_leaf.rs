@@ -93,7 +93,7 @@ impl<P: Plane> SphereLeaf<'_, P> {
     pub fn load<F: SimdF32>(&self, at: usize, origin: &[f32; 3]) -> ([F; 3], F) {
         let Self { rows, frame } = self;
         let mut center = [F::splat(0.0); 3];
-        // This is no closure, because a closure would be compiled without the instruction set.
+        // This is a loop and no closure; see `Kernel::call`.
         for (axis, center) in center.iter_mut().enumerate() {
             let (step, start) = (F::splat(frame.steps[axis]), F::splat(frame.origin[axis] - origin[axis]));
             *center = P::load::<F>(&rows[axis][at..]).mul_add(step, start);
