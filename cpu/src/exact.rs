@@ -24,11 +24,9 @@
 //! If a number of the ray or of the object is not finite, the plain formula gives the result. A ray with a null
 //! direction hits nothing. A ray that is parallel to a cylinder's axis does not hit the side.
 
-pub(crate) mod cap;
 pub mod cylinder;
 pub(crate) mod cylinder_exact;
-pub(crate) mod cylinder_lanes;
-pub(crate) mod cylinder_side;
+pub(crate) mod cylinder_parts;
 pub mod error_bound;
 pub mod sphere;
 pub mod sphere_compensated;

@@ -1,8 +1,8 @@
 //! The rule that chooses the acceleration structure of a scene: [`Accel::new`].
 //!
 //! The first structure of this list that fits the scene is taken:
-//! 1. [`EveryObject`] for extreme magnitudes: coordinates, diffusion or window distance beyond 1e9, radii or half
-//!    heights below 1e-6, pixels below 1e-12 ([`Extent`]);
+//! 1. [`Accel::EveryObject`] for extreme magnitudes: coordinates, diffusion or window distance beyond 1e9, radii or
+//!    half heights below 1e-6, pixels below 1e-12 ([`Extent`]);
 //! 2. [`SmallScene`] for up to 8 objects;
 //! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7;
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
@@ -13,15 +13,15 @@
 //! the root, then against those of each child that it hits, the nearest child first. From 257 objects on, a ray is
 //! tested against the collapsed root instead of the root and its children (`accel/bvh/collapsed_root.rs`). This is one
 //! list of up to 64 boxes, most of which are those of the second level. It is used by instruction sets with at least
-//! eight lanes of `f32`. From 20,000 objects on, unless they are sparse, a [`Bvh`] has bounding spheres instead of boxes
-//! where it can (`accel/bvh/sphere_leaf.rs`).
+//! eight lanes of `f32`. From 20,000 objects on, unless they are sparse, a [`Bvh`] has bounding spheres instead of
+//! boxes where it can (`accel/bvh/sphere_leaf.rs`).
 //!
 //! With a [`SmallScene`] two more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
 //! Specular chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
-//! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`, `accel/may_hit/object_lanes.rs`,
-//! `accel/flat_filter.rs`, `accel/may_hit/filter_ray.rs` and `accel/small_scene.rs`. [`FlatFilter`] and [`Bvh`] test a sphere
-//! much larger than all other objects separately (`accel/dominant_sphere.rs`).
+//! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`,
+//! `accel/may_hit/object_lanes.rs`, `accel/flat_filter.rs`, `accel/may_hit/filter_ray.rs` and `accel/small_scene.rs`.
+//! [`FlatFilter`] and [`Bvh`] test a sphere much larger than all other objects separately (`accel/dominant_sphere.rs`).
 //!
 //! Every structure gives the same closest hits. The reference has no structure: it intersects every object. WGSL has a
 //! hierarchy of its own (`gpu-check/src/hierarchy.rs`).

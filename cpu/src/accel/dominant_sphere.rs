@@ -1,8 +1,8 @@
 //! The dominant sphere: a sphere that is much larger than all other objects, for example a ground. Nearly every ray
 //! must be tested against it. So it is not in the acceleration structures, and is tested separately.
 //!
-//! Only [`crate::accel::may_hit::conservative`] decides which rays cannot hit the dominant sphere. This file also predicts
-//! whether a ray enters it. A wrong prediction costs time, but never changes the closest hit.
+//! Only [`crate::accel::may_hit::conservative`] decides which rays cannot hit the dominant sphere. This file also
+//! predicts whether a ray enters it. A wrong prediction costs time, but never changes the closest hit.
 
 use crate::accel::{
     accelerator::ScatterTerms, bounds::Bounds, extent::Extent, isolated::SEPARATION,

@@ -5,8 +5,8 @@
 //! object, the path contributes black and takes one more scatter sample. So it does not matter which object is hit, and
 //! no object is intersected.
 //!
-//! The tests are those of [`conservative`](crate::accel::may_hit::conservative), but with the margin on the opposite side
-//! (docs/margins.md): they accept a ray only if it is certainly inside. NaN is inside no object, because every
+//! The tests are those of [`conservative`](crate::accel::may_hit::conservative), but with the margin on the opposite
+//! side (docs/margins.md): they accept a ray only if it is certainly inside. NaN is inside no object, because every
 //! comparison with NaN is false. The direction must be [in scale](crate::exact::error_bound::in_scale), so that nothing
 //! overflows with coordinates of up to 10^9.
 

@@ -1,8 +1,8 @@
 //! The structure for up to eight objects. All of them are tested in double precision: one object for several rays at
 //! once, or several objects for one ray at once.
 //!
-//! The [conservative tests](crate::accel::may_hit::conservative) find the objects that a ray may hit, and the exact formulas
-//! intersect these. If a ray may hit no object, it certainly escapes.
+//! The [conservative tests](crate::accel::may_hit::conservative) find the objects that a ray may hit, and the exact
+//! formulas intersect these. If a ray may hit no object, it certainly escapes.
 
 use crate::accel::{
     accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, extent::Extent, extent::is_within,

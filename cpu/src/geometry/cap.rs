@@ -2,9 +2,9 @@
 //!
 //! Lambda is `(center - origin) . axis / (direction . axis)`. The ray hits the cap if three conditions hold: the
 //! magnitude of that divisor is at least 1e-8, lambda is at least 1e-3, and the point is at most the radius from
-//! `center`. The programs use the exact counterpart of this rule, `exact/cap.rs`. They call [`intersect`] only for
-//! numbers that are not finite. The reference has a literal copy in `cap` of `reference/nearest.rs`, and WGSL has one
-//! in `cylinder_cap` of `cylinder.wgsl`.
+//! `center`. The programs use the exact counterpart of this rule, `exact/cylinder_parts.rs`. They call [`intersect`]
+//! only for numbers that are not finite. The reference has a literal copy in `cap` of `reference/nearest.rs`, and WGSL
+//! has one in `cylinder_cap` of `cylinder.wgsl`.
 //!
 //! `geometry/cylinder.rs` has the centres of both caps and their normals, and the order in which the caps follow the
 //! side. A ray that starts inside a cylinder and certainly leaves it is told in `accel/inside.rs`.

@@ -9,8 +9,8 @@
 //! in the order of the scene file (`object::in_order` and `render/frustum.rs` sort them by the places that `layout.rs`
 //! gives). Searches in any order compare the [ranks](Place::rank) of two hits. Two parts of a cylinder have the same
 //! lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie,
-//! so `exact/cylinder.rs` and `exact/cylinder_lanes.rs` find the part without this rule. The reference has a literal
-//! copy of this rule in `update` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
+//! so `exact/cylinder.rs` finds the part without this rule. The reference has a literal copy of this rule in `update`
+//! of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
 
 use crate::math::real::Real;
 

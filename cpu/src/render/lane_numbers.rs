@@ -1,5 +1,5 @@
-//! Whole numbers in lanes. Lanes and queues hold only `f64`, so a type for each of these numbers converts it. Lanes move
-//! a sample's index and never calculate with it, so it is stored as bits. An object's number is compared, so it is
+//! Whole numbers in lanes. Lanes and queues hold only `f64`, so a type for each of these numbers converts it. Lanes
+//! move a sample's index and never calculate with it, so it is stored as bits. An object's number is compared, so it is
 //! stored as a value.
 
 use crate::{accel::object::ObjectId, math::real::Real};

@@ -5,7 +5,7 @@
 //! place of a test that each ray needs anyway.
 //!
 //! In a large scene one ray may take milliseconds, for instance if all objects are at one place. For such a scene,
-//! [`Limits::prompt`] chooses shorter spans, and a look before each ray.
+//! `Limits::prompt` chooses shorter spans, and a look before each ray.
 //!
 //! [pause]: crate::render::max_depth::RaysLeft::pauses
 

@@ -5,8 +5,8 @@
 /// like a closure: `run_fused!(|a: &f64, b: &f64| -> f64 { a.mul_add(*b, 1.0) })`. Here `a` and `b` must be variables
 /// of the caller, both of type `&f64`. The block can use no other variables of the caller.
 ///
-/// This is a macro and no closure (see [`Kernel::call`](crate::simd::Kernel::call)). In a closure `mul_add` would call a
-/// slow library function.
+/// This is a macro and no closure (see [`Kernel::call`](crate::simd::Kernel::call)). In a closure `mul_add` would call
+/// a slow library function.
 macro_rules! run_fused {
     (|$($name:ident: &$type:ty),+| -> $output:ty { $($body:tt)* }) => {{
         struct Work<'a>($(&'a $type),+);

@@ -1,4 +1,4 @@
-// A cap of a cylinder with its error bound; twin of cpu/src/exact/cap.rs.
+// A cap of a cylinder with its error bound; twin of the cap in cpu/src/exact/cylinder_parts.rs.
 
 // cap::filtered: returns the hit with the cap around `center`, which has the name `part`, if rounding certainly has not
 // changed it. The factors are 8 and 16 times 2^-53, and 4 and 8 times the condition limit 65,536.

@@ -108,7 +108,7 @@ fn dd3_dot(a: DoubleDouble3, b: DoubleDouble3) -> DoubleDouble {
     return dd_add(dd_add(dd_mul(a.x, b.x), dd_mul(a.y, b.y)), dd_mul(a.z, b.z));
 }
 
-// magnitude of cylinder_side.rs: returns the sum of the components' magnitudes, which is at least the length.
+// magnitude of cylinder_parts.rs: returns the sum of the components' magnitudes, which is at least the length.
 fn dd3_magnitude(v: DoubleDouble3) -> DoubleDouble {
     return dd_add(dd_add(dd_abs(v.x), dd_abs(v.y)), dd_abs(v.z));
 }

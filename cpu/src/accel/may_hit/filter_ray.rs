@@ -12,14 +12,15 @@
 //! Each test returns a number that is positive if the ray certainly misses the object. The maximum of two tests is
 //! positive if one of them is, and saves a comparison. A NaN is not positive, so [`misses`] keeps its object.
 //!
-//! A direction may have any length that is not [too short](crate::accel::may_hit::conservative::is_too_short). For example, the
-//! normal of a cylinder's side is as long as the radius. Refraction there gives a direction about as long as the index
-//! times the square of the radius. With a long direction a product may overflow, and the test may report a miss. The
-//! miss is right, for this reason. Let `L` be the [largest coordinate](crate::accel::extent::Extent::max_coordinate) of
-//! the scene. The ray's origin and the points of objects are at most `3.5 L` apart. So a ray with `|d| > 3500 L` is
-//! past all objects at the smallest lambda in range, 10^-3. For a shorter direction `4 a <= 4.9 10^7 L^2` and
-//! `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene that is filtered
-//! ([`MAX_COORDINATE`]). Single precision holds numbers up to `3.4 10^38`.
+//! A direction may have any length that is not [too short](crate::accel::may_hit::conservative::is_too_short). For
+//! example, the normal of a cylinder's side is as long as the radius. Refraction there gives a direction about as long
+//! as the index times the square of the radius. With a long direction a product may overflow, and the test may report a
+//! miss. The miss is right, for this reason. Let `L` be the [largest
+//! coordinate](crate::accel::extent::Extent::max_coordinate) of the scene. The ray's origin and the points of objects
+//! are at most `3.5 L` apart. So a ray with `|d| > 3500 L` is past all objects at the smallest lambda in range, 10^-3.
+//! For a shorter direction `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is
+//! `2.2 10^38` for the largest scene that is filtered ([`MAX_COORDINATE`]). Single precision holds numbers up to `3.4
+//! 10^38`.
 
 use crate::accel::may_hit::target::Target;
 use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::Ray, math::vec3::Vec3, simd::SimdF32};

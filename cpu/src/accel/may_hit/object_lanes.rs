@@ -1,5 +1,5 @@
-//! Up to eight objects for the [conservative tests](crate::accel::may_hit::conservative). Either each lane holds a ray and the
-//! objects are tested in turn, or each lane holds an object and one ray is tested.
+//! Up to eight objects for the [conservative tests](crate::accel::may_hit::conservative). Either each lane holds a ray
+//! and the objects are tested in turn, or each lane holds an object and one ray is tested.
 
 use crate::accel::{
     may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::target::Target,

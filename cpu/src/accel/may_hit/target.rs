@@ -30,8 +30,8 @@ pub struct Target<T = f64> {
 broadcast!(Target: center, axis; radius_squared, bounding_radius_squared, half_height);
 
 impl<T: Copy> Target<T> {
-    /// Returns the target's numbers, in the order in which [`ObjectLanes`](crate::accel::may_hit::object_lanes::ObjectLanes)
-    /// stores them.
+    /// Returns the target's numbers, in the order in which
+    /// [`ObjectLanes`](crate::accel::may_hit::object_lanes::ObjectLanes) stores them.
     pub fn numbers(&self) -> [T; Target::NUMBERS] {
         let Self { center: c, axis: a, radius_squared, bounding_radius_squared, half_height } = *self;
         [c.x, c.y, c.z, a.x, a.y, a.z, radius_squared, bounding_radius_squared, half_height]

@@ -1,8 +1,17 @@
-//! Intersects a ray with the side of a cylinder, with an error bound. This module also has the margins that side and
-//! [caps](crate::exact::cap) use. [`crate::exact::cylinder`] combines side and caps.
+//! The two parts of a cylinder, side and cap, each intersected with an error bound. [`crate::exact::cylinder`] combines
+//! them, and decides when a cap is tested and which of the two first.
+//!
+//! A hit on a cap follows the rule of [`crate::geometry::cap`], and the programs decide by this file. There are three
+//! results: a ray certainly hits a cap, certainly misses it, or the decision is uncertain. [`Plane`] serves one ray and
+//! lanes, in `f64` and in double-double. [`filtered_cap`] calls it for one ray. If double-double is uncertain too,
+//! `Inputs::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference has a literal copy of the rule in
+//! `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
 
-use crate::exact::error_bound::{ErrorBound, Limits};
-use crate::geometry::{cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
+use crate::exact::error_bound::{Decision, ErrorBound, Limits, Outcome};
+use crate::geometry::{
+    cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray,
+    ray::least_lambda,
+};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
 /// The constants of the error bound for cylinders. The error constant is 192: `docs/accuracy.md` derives that 132 is
@@ -111,7 +120,7 @@ impl<T: Rounding> Side<T> {
 /// Returns `|center|_1 + radius + half_height`, an upper bound of the cylinder's coordinates, in scene units. Here
 /// `|v|_1` is the sum of the magnitudes of a vector's components. The result is constant for all rays.
 #[inline(always)]
-pub(super) fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
+fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
     // Underflow changes a length by far less than 2^-300.
     const UNDERFLOW: f64 = f64::from_bits((1023 - 300) << 52);
     magnitude(record.center) + record.radius + record.half_height + T::of(UNDERFLOW)
@@ -119,7 +128,7 @@ pub(super) fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
 
 /// Returns a bound of the distance, in scene units, by which rounding moves the ray's point at an accepted lambda.
 #[inline(always)]
-pub(super) fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
+fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
     let along = lambda * magnitude(ray.direction) * T::of(2.0 * LIMITS.lambda_error::<T>());
     along + extent(record) * T::of(64.0 * T::UNIT_ROUNDOFF)
 }
@@ -127,6 +136,78 @@ pub(super) fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lamb
 /// Returns an upper bound of the vector's length: the sum of its components' magnitudes, which is at most 1.74 times
 /// the length.
 #[inline(always)]
-pub(super) fn magnitude<T: Real>(vector: Vec3<T>) -> T {
+fn magnitude<T: Real>(vector: Vec3<T>) -> T {
     vector.x.abs() + vector.y.abs() + vector.z.abs()
+}
+
+/// Intersects the ray with the cap around `center`. Returns `Certain(Some((lambda, part)))` if the ray certainly hits
+/// the cap, and `Certain(None)` if it certainly misses the cap. The result is `Uncertain` if rounding may have changed
+/// this decision, or if lambda may be inaccurate. `part` is the name of this cap, top or bottom.
+#[inline(always)]
+pub(super) fn filtered_cap<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    center: Vec3<T>,
+    part: CylinderPart,
+) -> Decision<Option<(T, CylinderPart)>> {
+    let plane = Plane::new(record, ray, center);
+    if plane.fails {
+        return Decision::Certain(None);
+    }
+    let disc = plane.disc(record, ray);
+    match (disc.hits, disc.fails) {
+        (true, _) => Decision::Certain(Some((disc.lambda, part))),
+        (_, true) => Decision::Certain(None),
+        _ => Decision::Uncertain,
+    }
+}
+
+/// The plane of a cap and one ray, with what is certain before lambda is computed.
+pub(super) struct Plane<T: Rounding> {
+    center: Vec3<T>,
+    /// The distance from the ray's origin to the plane, measured along the axis. It is positive if the plane lies in
+    /// the direction of the axis.
+    to_plane: T,
+    /// The dot product of the ray's direction and the axis.
+    slope: T,
+    /// The plane is certainly not hit. It is parallel to the ray, it is behind the ray's origin, or lambda is below
+    /// [`least_lambda`].
+    pub fails: T::Mask,
+    /// The ray is certainly not parallel to the plane.
+    steep: T::Mask,
+    /// The plain formula gives a lambda that is accurate enough to be accepted.
+    accurate: T::Mask,
+}
+
+impl<T: Rounding> Plane<T> {
+    /// Returns the plane of the cap around `center`.
+    #[inline(always)]
+    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Self {
+        let condition = LIMITS.condition_limit::<T>();
+        let to_center = center - ray.origin;
+        let (to_plane, slope) = (to_center.dot(record.axis), ray.direction.dot(record.axis));
+        let (steepness, size_of_direction) = (slope.abs(), magnitude(ray.direction));
+        let slope_error = size_of_direction * T::of(8.0 * T::UNIT_ROUNDOFF);
+        let parallel = (steepness + slope_error).less(T::of(PARALLEL));
+        let steep = (T::of(PARALLEL) + slope_error).less(steepness);
+        // The distance is positive if the plane is in front of the ray.
+        let distance = to_plane.flipped_by(slope);
+        let size = extent(record) + magnitude(to_center);
+        let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
+        let too_near = (distance + distance_error).less((steepness - slope_error) * least_lambda());
+        let accurate =
+            size.less(distance * T::of(4.0 * condition)) & size_of_direction.less(steepness * T::of(8.0 * condition));
+        Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate }
+    }
+
+    /// Returns lambda, and whether the ray certainly hits the cap or certainly misses it.
+    #[inline(always)]
+    pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
+        let lambda = self.to_plane / self.slope;
+        let in_range = self.accurate & LIMITS.in_range(lambda);
+        let from_center = (ray.at(lambda) - self.center).length();
+        let margin = margin(record, ray, lambda);
+        let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
+        Outcome { lambda, hits: self.steep & in_range & within, fails: self.fails | (self.steep & in_range & beyond) }
+    }
 }
