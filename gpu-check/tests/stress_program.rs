@@ -10,7 +10,11 @@ use gpu_check::scenes::repository;
 use test_support::folder::Folder;
 
 fn stress(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stress")).args(arguments).output().expect("the program starts")
+    Command::new(env!("CARGO_BIN_EXE_stress"))
+        .args(arguments)
+        .current_dir(repository(""))
+        .output()
+        .expect("the program starts")
 }
 
 fn in_text(path: &Path) -> &str {

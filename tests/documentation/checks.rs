@@ -9,17 +9,11 @@ use crate::words;
 /// Largest number of columns of a line of prose or of a comment.
 const MOST_COLUMNS: usize = 120;
 
-/// Largest number of words of a sentence.
-const MOST_WORDS: usize = 35;
-
 /// Paths that texts may name although they are not in this project, or exist only after a command.
 const NOT_OURS: [&str; 4] = ["my.wgsl", "mia.wgsl", "my/background.wgsl", "bench/record"];
 
 /// Pages that may use the words of older commits, because they say so.
 const WITH_OLD_WORDS: [&str; 1] = ["CHANGELOG.md"];
-
-/// Largest number of lines of prose before the second heading of a page.
-const MOST_SUMMARY_LINES: usize = 10;
 
 /// Abbreviations that every programmer knows, and names of pages. All other abbreviations must be in the glossary.
 const COMMON_ABBREVIATIONS: [&str; 32] = [
@@ -55,31 +49,6 @@ const COMMON_ABBREVIATIONS: [&str; 32] = [
     "SIGSEGV",
     "SIGTERM",
     "UTF",
-];
-
-/// Private words of older versions of this project, which no page may use. The terms of docs/glossary.md have replaced
-/// them.
-const FORBIDDEN_WORDS: [&str; 20] = [
-    "textbook",
-    "textbook's",
-    "certified",
-    "certify",
-    "certifies",
-    "certification",
-    "certificate",
-    "certificates",
-    "doubtful",
-    "in doubt",
-    "leap",
-    "leaps",
-    "sunk",
-    "box ray",
-    "judge",
-    "judged",
-    "judges",
-    "sky",
-    "way on",
-    "reconsider",
 ];
 
 /// The result of a check: the number of places that it compared, and a message for each fault.
@@ -160,16 +129,6 @@ pub fn check_sections<'a>(specification: &Page, texts: impl Iterator<Item = (&'a
     report
 }
 
-/// Checks that no sentence of a page has more than [`MOST_WORDS`] words.
-pub fn check_sentences(path: &str, page: &Page) -> Report {
-    let mut report = Report::default();
-    for (line, sentence) in &page.sentences {
-        let count = words::count(sentence);
-        report.check(count <= MOST_WORDS, || format!("{path}:{line}: {count} words: {sentence}"));
-    }
-    report
-}
-
 /// Checks that no line has more than [`MOST_COLUMNS`] columns. An entry of `lines` has the file, the line number and
 /// the text.
 pub fn check_columns<'a>(lines: impl Iterator<Item = (&'a str, usize, String)>) -> Report {
@@ -193,14 +152,6 @@ pub fn check_named_items(project: &Project, pages: &BTreeMap<&str, Page>) -> Rep
             }
         }
     }
-    report
-}
-
-/// Checks that a page has a summary of at most [`MOST_SUMMARY_LINES`] lines.
-pub fn check_summary(path: &str, page: &Page) -> Report {
-    let mut report = Report::default();
-    let lines = page.summary().count();
-    report.check((1..=MOST_SUMMARY_LINES).contains(&lines), || format!("{path}: the summary has {lines} lines"));
     report
 }
 
@@ -239,19 +190,6 @@ pub fn check_type_names(known: &BTreeSet<String>, path: &str, page: &Page) -> Re
     for (line, code) in page.code.iter().filter(|_| !WITH_OLD_WORDS.contains(&path)) {
         for name in words::type_names(code) {
             report.check(known.contains(name), || format!("{path}:{line}: no source has the name [{name}]"));
-        }
-    }
-    report
-}
-
-/// Checks that a page uses none of the [`FORBIDDEN_WORDS`].
-pub fn check_words(path: &str, page: &Page) -> Report {
-    let mut report = Report::default();
-    for (line, text) in page.text.iter().chain(&page.sentences).chain(&page.code) {
-        if !WITH_OLD_WORDS.contains(&path) {
-            let lower = text.to_lowercase();
-            let found = FORBIDDEN_WORDS.iter().find(|word| words::holds(&lower, word));
-            report.check(found.is_none(), || format!("{path}:{line}: private word {found:?}: {text}"));
         }
     }
     report

@@ -5,8 +5,6 @@ use std::ops::Range;
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-use crate::words;
-
 /// A link or an image in a page, with its line and its target.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Link {
@@ -21,8 +19,6 @@ pub struct Link {
 pub struct Page {
     /// The headings as they are written.
     pub titles: Vec<String>,
-    /// The line numbers of the headings.
-    pub title_lines: Vec<usize>,
     /// The headings in the form that links use, such as `some-heading`.
     pub headings: Vec<String>,
     pub links: Vec<Link>,
@@ -32,8 +28,6 @@ pub struct Page {
     pub text: Vec<(usize, String)>,
     /// The cells of all tables: a list for each row.
     pub rows: Vec<Vec<String>>,
-    /// The sentences outside of tables, code and quotations. The word `code` stands for each code span.
-    pub sentences: Vec<(usize, String)>,
     /// The lines outside of tables, code blocks and HTML, except empty lines and lines with only a link.
     pub prose: Vec<(usize, String)>,
 }
@@ -44,12 +38,9 @@ impl Page {
         let mut page = Self::default();
         let line = |offset: usize| text[..offset].matches('\n').count() + 1;
         let mut not_prose = BTreeSet::new();
-        let mut paragraph = Paragraph::default();
         let mut heading = None::<String>;
-        let (mut in_code, mut in_table, mut in_link, mut in_image, mut in_quotation) =
-            (false, false, false, false, false);
+        let (mut in_code, mut in_table, mut in_link) = (false, false, false);
         for (event, Range { start, end }) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
-            let is_prose = !in_table && !in_image && !in_quotation;
             match event {
                 Event::Start(Tag::Table(_)) => {
                     in_table = true;
@@ -64,30 +55,20 @@ impl Page {
                 }
                 Event::End(TagEnd::CodeBlock) => in_code = false,
                 Event::Start(Tag::HtmlBlock) => not_prose.extend(line(start)..=line(end.saturating_sub(1))),
-                Event::Start(Tag::BlockQuote(_)) => in_quotation = true,
-                Event::End(TagEnd::BlockQuote(_)) => in_quotation = false,
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     in_link = true;
                     page.links.push(Link { line: line(start), to: dest_url.to_string(), code: String::new() });
                 }
                 Event::End(TagEnd::Link) => in_link = false,
                 Event::Start(Tag::Image { dest_url, .. }) => {
-                    in_image = true;
                     page.links.push(Link { line: line(start), to: dest_url.to_string(), code: String::new() });
                 }
-                Event::End(TagEnd::Image) => in_image = false,
-                Event::Start(Tag::Heading { .. }) => {
-                    heading = Some(String::new());
-                    page.title_lines.push(line(start));
-                }
+                Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
                 Event::End(TagEnd::Heading(_)) => {
                     let title = heading.take().expect("a heading ends where one has begun");
                     page.headings.push(anchor(&title, &page.titles));
                     page.titles.push(title);
-                    paragraph.end(&mut page.sentences);
                 }
-                Event::Start(Tag::Paragraph | Tag::Item | Tag::List(_))
-                | Event::End(TagEnd::Paragraph | TagEnd::Item | TagEnd::List(_)) => paragraph.end(&mut page.sentences),
                 Event::Text(words) if in_code => {
                     page.code.extend(words.lines().enumerate().map(|(index, it)| (line(start) + index, it.to_owned())));
                 }
@@ -95,9 +76,6 @@ impl Page {
                     heading.iter_mut().for_each(|title| title.push_str(&words));
                     page.text.push((line(start), words.to_string()));
                     page.add_to_cell(in_table, &words);
-                    if is_prose {
-                        paragraph.add(line(start), &words);
-                    }
                 }
                 Event::Code(words) => {
                     heading.iter_mut().for_each(|title| title.push_str(&words));
@@ -106,15 +84,10 @@ impl Page {
                     if let Some(link) = page.links.last_mut().filter(|_| in_link) {
                         link.code.push_str(&words);
                     }
-                    if is_prose {
-                        paragraph.add(line(start), "code");
-                    }
                 }
-                Event::SoftBreak | Event::HardBreak if is_prose => paragraph.add(line(start), " "),
                 _ => {}
             }
         }
-        paragraph.end(&mut page.sentences);
         let lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.to_owned()));
         let lines = lines.filter(|(_, line)| !line.is_empty() && !is_link_alone(line));
         page.prose = lines.filter(|(number, _)| !not_prose.contains(number)).collect();
@@ -125,35 +98,6 @@ impl Page {
         if let Some(cell) = self.rows.last_mut().and_then(|row| row.last_mut()).filter(|_| in_table) {
             cell.push_str(text);
         }
-    }
-
-    /// Returns the summary: the lines of prose between the title and the next heading.
-    pub fn summary(&self) -> impl Iterator<Item = &str> {
-        let begin = self.title_lines.first().copied().unwrap_or(0);
-        let end = self.title_lines.get(1).copied().unwrap_or(usize::MAX);
-        let lines = self.prose.iter().filter(move |(line, _)| *line > begin && *line < end);
-        lines.map(|(_, text)| text.as_str())
-    }
-}
-
-/// The part of a paragraph that has been read, and the number of its first line.
-#[derive(Debug, Default)]
-struct Paragraph {
-    line: usize,
-    text: String,
-}
-
-impl Paragraph {
-    fn add(&mut self, line: usize, text: &str) {
-        if self.text.is_empty() {
-            self.line = line;
-        }
-        self.text.push_str(text);
-    }
-
-    fn end(&mut self, sentences: &mut Vec<(usize, String)>) {
-        let text = std::mem::take(&mut self.text);
-        sentences.extend(words::sentences(&text).into_iter().map(|sentence| (self.line, sentence)));
     }
 }
 

@@ -1,12 +1,9 @@
-//! Finds names and sentences in a text, and counts words.
+//! Finds names in a text.
 
 use std::collections::BTreeSet;
 
 /// Endings of the names of files that must exist wherever a text names them.
 const ENDINGS: [&str; 3] = ["rs", "md", "wgsl"];
-
-/// Words that end with a full stop but do not end a sentence.
-const ABBREVIATIONS: [&str; 4] = ["e.g.", "i.e.", "etc.", "vs."];
 
 /// Returns the lines of a source that are comments, with their line numbers and without slashes.
 pub fn comments(source: &str) -> Vec<(usize, String)> {
@@ -56,30 +53,6 @@ pub fn sections(text: &str) -> Vec<String> {
         }
     }
     found
-}
-
-/// Returns the sentences of a paragraph. A sentence ends with a full stop, a question mark or an exclamation mark, or
-/// at the end of the paragraph.
-pub fn sentences(paragraph: &str) -> Vec<String> {
-    let mut sentences = vec![String::new()];
-    for word in paragraph.split_whitespace() {
-        let sentence = sentences.last_mut().expect("there is always one");
-        if !sentence.is_empty() {
-            sentence.push(' ');
-        }
-        sentence.push_str(word);
-        let bare = word.trim_end_matches([')', '"', '\'', '*', ']']);
-        if bare.ends_with(['.', '!', '?']) && !ABBREVIATIONS.contains(&bare) {
-            sentences.push(String::new());
-        }
-    }
-    sentences.retain(|sentence| !sentence.is_empty());
-    sentences
-}
-
-/// Returns the number of words of a sentence. A word is text between blanks that has a letter or a digit.
-pub fn count(sentence: &str) -> usize {
-    sentence.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric)).count()
 }
 
 /// Returns the abbreviations in a text: words with two or more capital letters that consist only of capital letters and

@@ -189,9 +189,9 @@ fn run_text(Arguments { rays, seed, case, .. }: &Arguments, device: &str) -> Res
     Ok(format!("command: {command}\ndate: {date}\ncommit: {commit}\nprocessor: {processor}\nWGSL: {device}\n"))
 }
 
-/// Runs a program in the project's folder and returns its first line of output, or `unknown` if the program fails.
+/// Runs a program and returns its first line of output, or `unknown` if the program fails.
 fn said_by(program: &str, arguments: &[&str]) -> Result<String, Box<dyn Error>> {
-    let output = Command::new(program).args(arguments).current_dir(gpu_check::scenes::repository("")).output()?;
+    let output = Command::new(program).args(arguments).output()?;
     let text = String::from_utf8(output.stdout)?;
     Ok(text.lines().next().filter(|_| output.status.success()).unwrap_or("unknown").to_owned())
 }
@@ -207,7 +207,10 @@ fn print_costs(sections: &[Section]) -> Result<(), output::Error> {
 fn pictures(others: &[String]) -> Result<Vec<Picture>, Box<dyn Error>> {
     let mut pictures = Vec::new();
     let mut all = Picture { name: tables::CASES_OF_THE_TESTS.into(), counts: Counts::default(), same_bytes: true };
-    for entry in fs::read_dir(gpu_check::scenes::repository("tests/cases"))? {
+    let folder = Path::new("tests/cases");
+    let cases = fs::read_dir(folder)
+        .map_err(|error| format!("{}: {error}; run this program in the folder of the project", folder.display()))?;
+    for entry in cases {
         let path = entry?.path();
         if path.is_dir() {
             let picture = render("", &path.join("config.txt"), &path.join("scene.txt"))?;
