@@ -8,10 +8,10 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use bench::time::user_seconds;
 use cpu::{Aos, Config, Scatter, Scene};
 use criterion::{Criterion, criterion_group};
 use digest::sha256;
+use measure::clock::own_seconds;
 use test_support::golden::{self, Golden};
 
 /// Returns the bytes of the picture's file, rendered from the bytes of the configuration and of the scene.
@@ -61,9 +61,9 @@ fn main() {
     }
     for golden in golden::reference(&folder).iter().filter(|golden| golden.scatter == Scatter::Statement) {
         let [config, scene] = files(golden);
-        let before = user_seconds();
+        let before = own_seconds();
         let picture = picture(&config, &scene, golden.scatter);
-        let seconds = user_seconds() - before;
+        let seconds = own_seconds() - before;
         check(golden, &picture);
         println!("reference {}: {seconds:.3} s of user time, its digest is right", golden.name);
     }

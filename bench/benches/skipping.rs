@@ -3,7 +3,6 @@
 
 use std::hint::black_box;
 
-use bench::time::compare;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::image::quantize;
 use cpu::internals::image::quantize::Quantizer;
@@ -11,6 +10,7 @@ use cpu::internals::sampling::uniform::Uniform;
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 use generator::{self, Arrangement, Options};
+use measure::turns::compare;
 
 type Picture = <Aos as Layout>::Image;
 

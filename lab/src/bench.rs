@@ -16,5 +16,4 @@ pub mod matrix;
 pub mod progress;
 pub mod results;
 pub mod scenes;
-pub mod statistics;
 pub mod timing;

@@ -1,5 +1,7 @@
 //! Measures both sides in turn.
 
+use ::measure::statistics::Median;
+use ::measure::turns::{compare, seconds_of};
 use cpu::internals::InstructionSet;
 use serde::Serialize;
 
@@ -8,7 +10,6 @@ use super::agreement::Agreement;
 use super::embree::{Embree, SingleRay};
 use super::ours::Ours;
 use super::scene::{Setting, free_rays, surface_rays};
-use crate::time::{compare, median, seconds_of};
 
 /// What is measured, beside the scenes.
 #[derive(Clone, Debug)]
@@ -105,9 +106,11 @@ impl Results {
         let an_object = |amount: f64| amount / scene.objects.len() as f64;
         self.builds.push(Build {
             setting,
-            ours: an_object(median(our_builds) * 1e9),
+            ours: an_object(Median::of(&our_builds).median * 1e9),
             ours_bytes: [ours.bytes(), ours.record_bytes()].map(|bytes| an_object(bytes as f64)),
-            embree: options.embree.then(|| [median(embree_builds) * 1e9, embree_bytes as f64].map(an_object)),
+            embree: options
+                .embree
+                .then(|| [Median::of(&embree_builds).median * 1e9, embree_bytes as f64].map(an_object)),
         });
         Ok(())
     }
@@ -131,7 +134,7 @@ fn rays(
     let mut find = || ours.find(set, &prepared, std::hint::black_box(&mut our_hits));
     let ns = |seconds: f64| seconds * 1e9 / starts.len() as f64;
     let Some(embree) = embree else {
-        return (ns(median((0..rounds).map(|_| seconds_of(&mut find)).collect())), None);
+        return (ns(Median::of(&(0..rounds).map(|_| seconds_of(&mut find)).collect::<Vec<_>>()).median), None);
     };
     let single: Vec<_> = starts.iter().map(SingleRay::new).collect();
     let mut hits = Vec::with_capacity(starts.len());

@@ -8,11 +8,11 @@ use cpu::internals::image::quantize::quantize;
 use cpu::{Config, Error, Scene, Vec3};
 use serde::{Deserialize, Serialize};
 
-use super::statistics::Median;
 use crate::Failure;
 use crate::difference::of_pixels;
 use crate::engine::means;
 use crate::interrupt::Interrupt;
+use measure::statistics::Median;
 
 /// The errors of pictures of one scene that all have the same number of samples per pixel, but different seeds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

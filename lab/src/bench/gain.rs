@@ -50,8 +50,8 @@ pub fn of(timings: &[Timing], best: &str) -> Vec<Gain> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::statistics::Median;
     use crate::engine::Engine;
+    use measure::statistics::Median;
 
     fn timing(engine: &str, seconds: [f64; 3]) -> Timing {
         let [suite, scene, parameter, engine] = ["gain", "grid", "samples", engine].map(str::to_owned);

@@ -5,16 +5,17 @@
 //! for intersections one after the other, each of one ray with one object. Ray and object are in the form that the
 //! renderer uses.
 
+use measure::clock::own_seconds;
+use measure::turns::{in_turn, turns_of};
 use stability::case::Case;
 use stability::measure::Judged;
 use stability::methods::{self, Method};
 use stability::regimes::{CYLINDERS, Regime, SPHERES};
 
 use super::results::{Intersection, Trial};
-use super::statistics::Median;
-use super::timing;
 use crate::Failure;
 use crate::interrupt::Interrupt;
+use measure::statistics::Median;
 
 /// Names of the implementations of the intersection, in the order of the chart's legend.
 pub const METHODS: [&str; 5] =
@@ -78,12 +79,13 @@ fn times(
     for method in methods {
         let mut stopwatch = method.stopwatch(cases).map_err(explain)?;
         // The first pass warms the caches. From its time follows the number of passes in one repeat.
-        turns.push(timing::turns_of(stopwatch().map_err(explain)?.as_secs_f64()));
+        turns.push(turns_of(stopwatch().map_err(explain)?.as_secs_f64()));
         stopwatches.push(stopwatch);
     }
-    let seconds = timing::interleaved(repeats, &turns, interrupt, |index| {
+    let seconds = in_turn(repeats, &turns, own_seconds, |index| {
+        interrupt.check()?;
         stopwatches[index]().map_err(explain)?;
-        Ok(())
+        Ok::<(), Failure>(())
     })?;
     let a_test = |seconds: f64| seconds * 1e9 / cases.len() as f64;
     Ok(seconds.into_iter().map(|times| times.into_iter().map(a_test).collect()).collect())

@@ -43,7 +43,7 @@ impl Machine {
             processors: std::thread::available_parallelism().map_or(1, usize::from),
             instruction_set: InstructionSet::best().name().to_owned(),
             system: unknown(format!("{} {}", std::env::consts::OS, file("/proc/sys/kernel/osrelease").trim())),
-            load: file("/proc/loadavg").split(' ').next().and_then(|load| load.parse().ok()),
+            load: measure::busy::load(),
             compiler: env!("LAB_COMPILER").to_owned(),
             profile: env!("LAB_PROFILE").to_owned(),
             commit: unknown(commit()),

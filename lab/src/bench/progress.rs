@@ -8,7 +8,6 @@ use std::time::{Duration, Instant};
 use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 
-use super::machine::Machine;
 use super::results::Results;
 use super::results::check::{self, MAX_BYTES};
 use crate::{Failure, terminal};
@@ -86,20 +85,6 @@ fn rough(time: Duration) -> String {
     }
 }
 
-/// Returns a warning if other programs use the processors of this machine, and otherwise `None`.
-#[must_use]
-pub fn load_warning(machine: &Machine) -> Option<String> {
-    /// The smallest load with a warning. The load is the average number of runnable processes in the last minute. A
-    /// measurement uses one core, so this is one process for that core.
-    const BUSY_LOAD: f64 = 1.0;
-    let load = machine.load.filter(|&load| load >= BUSY_LOAD)?;
-    Some(format!(
-        "warning: this machine is busy: {load:.1} processes wanted to run on {} processors in the last minute. Times will \
-         spread; stop other programs and start again for figures to keep.",
-        machine.processors
-    ))
-}
-
 /// Returns a warning if the repeats of some settings differ much from each other, and otherwise `None`.
 #[must_use]
 pub fn spread_warning(results: &Results) -> Option<String> {
@@ -130,16 +115,6 @@ mod tests {
         let text = announcement(3, 4, &"x", 2, earlier);
         assert!(text.starts_with("task 3 of 4: x, about 20 s left"), "{text}");
         assert_eq!([5, 100, 6000].map(|seconds| rough(Duration::from_secs(seconds))), ["5 s", "2 min", "1.7 h"]);
-    }
-
-    #[test]
-    fn a_busy_machine_is_warned_about() {
-        let quiet = Machine { load: Some(0.99), ..Machine::here() };
-        assert_eq!(load_warning(&quiet), None);
-        assert!(load_warning(&Machine { load: Some(1.0), ..quiet.clone() }).is_some());
-        assert_eq!(load_warning(&Machine { load: None, ..quiet.clone() }), None);
-        let warning = load_warning(&Machine { load: Some(3.0), ..quiet }).expect("it is busy");
-        assert!(warning.starts_with("warning: this machine is busy: 3.0 processes"), "{warning}");
     }
 
     #[test]

@@ -12,8 +12,8 @@ use super::energy::Energy;
 use super::error::ErrorCurve;
 use super::fit::PowerLaw;
 use super::machine::Machine;
-use super::statistics::Median;
 use crate::usage::Seconds;
+use measure::statistics::Median;
 
 /// Errors in linear light for which a [`TimeToError`] is computed.
 pub const TARGETS: [f64; 3] = [0.05, 0.02, 0.01];

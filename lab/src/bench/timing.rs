@@ -1,19 +1,17 @@
-//! Measures the user time of engines on one picture, with interleaved repeats, and checks that the pictures are equal.
+//! Measures the user time of engines on one picture, in turn, and checks that the pictures are equal.
 //!
-//! Each round measures every engine once, and each round starts with a different engine, so that a slow phase of the
-//! machine affects all engines. A picture that takes less than [`SHORTEST`] is rendered several times in a repeat. All
+//! A picture that takes less than [`SHORTEST`](measure::turns::SHORTEST) is rendered several times in a repeat. All
 //! engines must write the same bytes, because the time of a wrong picture means nothing.
 
 use cpu::{Config, Scene};
 use digest::sha256;
+use measure::clock::own_seconds;
+use measure::turns::{in_turn, turns_of};
 
 use crate::Failure;
 use crate::engine::Engine;
 use crate::interrupt::Interrupt;
-use crate::usage::{Seconds, Usage};
-
-/// The smallest user time of one measurement, in seconds. The system's clock of user time may be coarse.
-pub const SHORTEST: Seconds = 0.05;
+use crate::usage::Seconds;
 
 /// The times of several engines for one picture.
 #[derive(Clone, Debug)]
@@ -41,9 +39,9 @@ pub fn measure(
         interrupt.check()?;
         // The first picture warms the caches and is compared. From its time follows the number of pictures in one
         // repeat.
-        let before = Usage::now().user;
+        let before = own_seconds();
         let picture = engine.ppm(config, scene)?;
-        let seconds = Usage::now().user - before;
+        let seconds = own_seconds() - before;
         let own = sha256(&picture);
         match &digest {
             Some(expected) if *expected != own => {
@@ -53,44 +51,12 @@ pub fn measure(
         }
         turns.push(turns_of(seconds));
     }
-    let times = interleaved(repeats, &turns, interrupt, |index| {
+    let times = in_turn(repeats, &turns, own_seconds, |index| {
+        interrupt.check()?;
         std::hint::black_box(engines[index].ppm(config, scene)?);
-        Ok(())
+        Ok::<(), Failure>(())
     })?;
     Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
-}
-
-/// Returns how many times to repeat work of `seconds` in one measurement, so that it takes at least [`SHORTEST`]; at
-/// most 500.
-#[must_use]
-pub fn turns_of(seconds: Seconds) -> u32 {
-    (SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32
-}
-
-/// Returns the user times of `work(index)` in seconds, for each index of `turns`. Each index has `repeats` times. Each
-/// time is the mean of `turns[index]` calls.
-///
-/// # Errors
-/// An error of `work`, or [`Failure::Interrupted`].
-pub fn interleaved(
-    repeats: usize,
-    turns: &[u32],
-    interrupt: &Interrupt,
-    mut work: impl FnMut(usize) -> Result<(), Failure>,
-) -> Result<Vec<Vec<Seconds>>, Failure> {
-    let mut times: Vec<Vec<Seconds>> = vec![Vec::with_capacity(repeats); turns.len()];
-    for repeat in 0..repeats {
-        for place in 0..turns.len() {
-            interrupt.check()?;
-            let index = (place + repeat) % turns.len();
-            let before = Usage::now().user;
-            for _ in 0..turns[index] {
-                work(index)?;
-            }
-            times[index].push((Usage::now().user - before) / f64::from(turns[index]));
-        }
-    }
-    Ok(times)
 }
 
 #[cfg(test)]

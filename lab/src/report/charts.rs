@@ -4,8 +4,8 @@ use super::chart::{Axis, Bounds, Chart, Point, Series};
 use super::style::{power_of_ten, seconds, short};
 use crate::bench::energy::Energy;
 use crate::bench::results::{Results, Timing};
-use crate::bench::statistics::Median;
 use crate::engine::MEASURED_SETS;
+use measure::statistics::Median;
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
 const ERROR: Axis = Axis { label: "RMSE in linear light (white is 1)", format: short };

@@ -103,7 +103,7 @@ mod tests {
     use crate::bench::energy::Energy;
     use crate::bench::machine::Machine;
     use crate::bench::results::{Intersection, Setting, Timing, Trial};
-    use crate::bench::statistics::Median;
+    use measure::statistics::Median;
 
     fn timing(engine: &str, value: u64, seconds: f64) -> Timing {
         let [suite, scene, parameter, engine] = ["scale", "board", "objects", engine].map(str::to_owned);

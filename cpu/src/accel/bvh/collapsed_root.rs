@@ -18,7 +18,7 @@ use crate::{
 pub const MOST: usize = 64;
 
 /// The least number of `f32` lanes with which the collapsed root saves time. With four lanes a picture of 1,000 objects
-/// takes 8 % longer. With eight it takes 1.5 % less time, and one of 10,000 objects 4.6 % less (`bench/ablations`).
+/// takes 8 % longer. With eight it takes 1.5 % less time, and one of 10,000 objects 4.6 % less.
 pub const LEAST_LANES: usize = 8;
 
 /// Returns the number of boxes that the collapsed root over `objects` objects should have, so that all nodes below it

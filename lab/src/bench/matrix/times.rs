@@ -5,10 +5,10 @@ use cpu::{Config, Scene};
 use super::Plan;
 use crate::Failure;
 use crate::bench::results::{Omitted, Results, Setting, Timing};
-use crate::bench::statistics::Median;
 use crate::bench::timing;
 use crate::engine::Engine;
 use crate::interrupt::Interrupt;
+use measure::statistics::Median;
 
 impl Plan {
     /// Measures `engines` on `pictures`, which have rising values of a parameter, and adds the times to `results`. The

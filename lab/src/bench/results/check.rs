@@ -92,7 +92,7 @@ mod tests {
     use super::super::Trial;
     use super::super::tests::{results, timing};
     use super::*;
-    use crate::bench::statistics::Median;
+    use measure::statistics::Median;
 
     #[test]
     fn a_list_of_exactly_the_limit_is_taken_and_one_entry_more_refused() {

@@ -39,7 +39,7 @@ mod tests {
     use super::super::tests::{results, timing};
     use super::*;
     use crate::bench::error::ErrorPoint;
-    use crate::bench::statistics::Median;
+    use measure::statistics::Median;
 
     #[test]
     fn the_time_to_an_error_lies_between_measured_points() {

@@ -7,8 +7,8 @@ use output::{Options, Output};
 use super::check::{MAX_BYTES, Total};
 use super::{Intersection, Results, Setting, Timing, Trial};
 use crate::bench::error::ErrorPoint;
-use crate::bench::statistics::Median;
 use crate::{Failure, sources, terminal};
+use measure::statistics::Median;
 
 impl Results {
     /// Reads results from a JSON file; `-` is standard input.

@@ -2,7 +2,7 @@
 
 use super::Results;
 use crate::bench::machine::Machine;
-use crate::bench::statistics::Median;
+use measure::statistics::Median;
 
 impl Results {
     /// Joins the results of parts of one matrix. If two parts have times for one setting, the joined results have the

@@ -46,7 +46,7 @@ mod tests {
     use super::super::tests::{results, timing};
     use super::super::{Intersection, Trial};
     use crate::bench::results::Gain;
-    use crate::bench::statistics::Median;
+    use measure::statistics::Median;
 
     #[test]
     fn files_of_older_programs_have_the_names_of_today() {

@@ -31,7 +31,7 @@ impl How {
         };
         let machine = Machine::here();
         let say = |text: String| (!self.quiet).then(|| terminal::note(&text));
-        progress::load_warning(&machine).map(say);
+        measure::busy::warning(machine.load).map(say);
         let (empty, tasks): (Vec<_>, Vec<_>) = tasks.partition(|task| plan.is_empty(task));
         let mut partial = self.begin(&format!("{plan:?}, commit {}", machine.commit))?;
         if partial.done.is_empty() {
