@@ -83,7 +83,7 @@ fn options(arguments: &[String]) -> Result<Options, String> {
 fn known(name: &str) -> Result<String, String> {
     let names: Vec<_> = InstructionSet::available().map(InstructionSet::name).collect();
     let message = || format!("this machine has no instruction set [{name}]; it has {}", names.join(", "));
-    names.iter().any(|&known| known == name).then(|| name.to_owned()).ok_or_else(message)
+    names.contains(&name).then(|| name.to_owned()).ok_or_else(message)
 }
 
 /// Compares the programs on all scenes. Returns whether all pictures are equal.
