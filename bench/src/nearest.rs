@@ -2,7 +2,7 @@
 //! spheres. The program `bench/nearest` prints the tables.
 //!
 //! [`scene`] makes spheres and rays from a fixed seed, [`ours`] is this project's side, [`embree`] is Embree's, and
-//! [`agreement`] compares their hits. [`measure`] takes the times, and [`table`] writes them.
+//! [`agreement`] compares their hits. [`measure`](mod@measure) takes the times, and [`table`] writes them.
 
 pub mod agreement;
 pub mod embree;

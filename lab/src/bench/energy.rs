@@ -1,9 +1,9 @@
 //! Measures the energy that the processor packages use, or returns the reason why the machine cannot measure it.
 //!
 //! Linux offers the RAPL counters as files under `/sys/class/powercap`. They count microjoules, and wrap around to 0.
-//! They count the whole package, so idle cores and other processes are included; [`measure`] can subtract the power of
-//! the idle machine. If the files cannot be read, the module `perf` tries `perf stat`, which may read the counters on
-//! some machines.
+//! They count the whole package, so idle cores and other processes are included; [`measure()`] can subtract the power
+//! of the idle machine. If the files cannot be read, the module `perf` tries `perf stat`, which may read the counters
+//! on some machines.
 
 pub mod perf;
 

@@ -21,7 +21,7 @@ use measure::statistics::Median;
 pub const METHODS: [&str; 5] =
     [methods::RESOLVED, methods::EXACT, methods::PLAIN, methods::PLAIN_SINGLE, methods::PROJECTED];
 
-/// Names of the kinds of objects that [`measure`] accepts.
+/// Names of the kinds of objects that [`measure()`] accepts.
 pub const OBJECTS: [&str; 2] = ["sphere", "cylinder"];
 
 /// Seed of the random rays. It is fixed, so that two measurements of one program differ only in their times.
