@@ -209,7 +209,7 @@ fn data_with(program: &[u8], path: &str) -> Option<String> {
 #[cfg(target_os = "linux")]
 #[test]
 fn no_program_contains_the_path_of_its_checkout() {
-    let root = test_support::project_root().canonicalize().expect("it exists");
+    let root = test_support::project_root();
     let root = root.to_str().expect("the tests are in a folder with a plain name");
     let programs = programs();
     let messages = build(&programs);
