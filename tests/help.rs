@@ -194,8 +194,8 @@ fn fault_of_refusal(output: &Output) -> Option<String> {
     }
 }
 
-/// Returns the part of a program's data that begins with `path`, if the program has it. The lines for debuggers are no
-/// data.
+/// Returns up to 100 bytes of a program that begin with `path`, or `None` if the program does not contain it. Only what
+/// is loaded into memory is searched, so debug information is left out.
 fn data_with(program: &[u8], path: &str) -> Option<String> {
     let file = object::File::parse(program).expect("it is a program");
     let sections = file.sections().filter(|section| section.address() != 0);

@@ -104,6 +104,15 @@ fn circles_and_uses_against_the_order_are_found() {
     assert_eq!(against_the_order(&uses, &["a", "b", "d"]), ["a uses b", "a uses b::c"]);
     assert_eq!(against_the_order(&uses, &["b", "a"]), ["b::c uses a", "d uses a"]);
     assert_eq!(in_circles(&uses), ["a", "b", "b::c"]);
+    // A part may use the file that it is a part of, but not a file beside that one, by `super` neither.
+    let mut sources = Sources::from([
+        source("a", "mod b; use crate::a::b::B; use crate::d::D;"),
+        source("a::b", "use super::A;"),
+        source("d", "fn f() {}"),
+    ]);
+    assert_eq!(in_circles(&without_parents(self::uses(&sources))), [""; 0]);
+    sources.extend([source("d", "use crate::a::b::B;"), source("a::b", "use super::super::d::D;")]);
+    assert_eq!(in_circles(&without_parents(self::uses(&sources))), ["a::b", "d"]);
 }
 
 /// The top folders that have crates. A crate needs only crates in its own folder and in those before it, so no product

@@ -59,7 +59,7 @@ pub fn sources(folder: &Path) -> Vec<Sources> {
     roots
 }
 
-/// Returns the top folders that need each other in a circle, or a folder that may not be needed.
+/// Returns a text for each crate that needs a crate in a later folder of `order`, or whose own folder is not in it.
 pub fn faults(crates: &BTreeMap<String, Crate>, order: &[&str]) -> Vec<String> {
     let place = |folder: &Path| {
         let top = folder.iter().next().and_then(|top| top.to_str());

@@ -111,17 +111,21 @@ fn compare(options: &Options, folder: &Path) -> Result<bool, String> {
             let name = options.programs[index].display();
             match status {
                 Ok(status) if status.success() => Ok(()),
-                Ok(status) => Err(format!("{name} ends with {status} on {}", scene.display())),
+                Ok(status) => Err(format!("{name} fails with {}: {status}", scene.display())),
                 Err(error) => Err(format!("{name}: {error}")),
             }
         };
         let (mut turns, mut pictures) = (Vec::new(), Vec::new());
         for index in 0..2 {
-            let out = folder.join("picture.ppm");
+            // Each program has its own file, so one that writes nothing is an error.
+            let out = folder.join(format!("{index}.ppm"));
             let before = seconds_of_children();
             render(index, &out)?;
             turns.push(turns_of(seconds_of_children() - before));
-            pictures.push(std::fs::read(&out).map_err(|error| format!("{}: {error}", out.display()))?);
+            let failed = |error| format!("{} wrote no picture: {error}", options.programs[index].display());
+            pictures.push(
+                std::fs::read(&out).and_then(|bytes| std::fs::remove_file(&out).map(|()| bytes)).map_err(failed)?,
+            );
         }
         let times =
             in_turn(options.rounds, &turns, seconds_of_children, |index| render(index, Path::new("/dev/null")))?;

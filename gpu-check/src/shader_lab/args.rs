@@ -78,7 +78,7 @@ pub struct Options {
     /// your module declares with `override`
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = constant)]
     pub constants: Vec<(String, f64)>,
-    /// Show this in false colours instead of the picture
+    /// Draw this property of each pixel in false colours instead of the picture
     #[arg(long = "show", value_name = "VIEW")]
     pub view: Option<View>,
     /// Print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
