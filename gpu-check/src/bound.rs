@@ -4,7 +4,7 @@
 use std::fmt;
 
 use crate::Kernel;
-use crate::running::{self, Running};
+use crate::running::{self, Accuracy, Running};
 
 /// The distances between f32 and f64 results, compared with their bounds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,9 +21,13 @@ pub struct Spread {
     pub closest: f64,
 }
 
-/// Compares the f32 `results` for `cases` with the results of the formula in f64.
+/// Compares the f32 `results` for `cases`, from a device of this `accuracy`, with the results of the formula in f64.
 #[must_use]
-pub fn spread(kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
+pub fn spread(accuracy: Accuracy, kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
+    running::within(accuracy, || spread_within(kernel, cases, results))
+}
+
+fn spread_within(kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
     let mut spread = Spread::default();
     let mut wide = vec![Running::exact(0.0); kernel.outputs.len()];
     for (case, actual) in cases.chunks(kernel.inputs).zip(results.chunks(kernel.outputs.len())) {

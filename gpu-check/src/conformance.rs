@@ -22,6 +22,7 @@ pub mod probe;
 pub mod probes;
 pub mod reading;
 pub mod report;
+pub mod single;
 pub mod ulp;
 pub mod value;
 pub mod verdict;

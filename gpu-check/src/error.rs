@@ -16,12 +16,6 @@ pub enum Error {
         /// Text that lists the existing adapters.
         found: String,
     },
-    /// The adapter has no 64-bit floating point in shaders.
-    #[error("{adapter} has no f64 in shaders (SHADER_F64); unset WGPU_ADAPTER_NAME to use lavapipe, which has it")]
-    NoF64 {
-        /// The adapter's name.
-        adapter: String,
-    },
     /// The adapter returns an error instead of a device.
     #[error("{adapter} gives no device: {cause}; unset WGPU_ADAPTER_NAME to use lavapipe")]
     NoDevice {
@@ -84,16 +78,6 @@ pub enum Error {
         kernel: String,
         /// Number of results that were not written.
         count: usize,
-    },
-    /// The driver rewrites formulas although they use the barrier.
-    #[error("{adapter} breaks the barrier against rewriting: {count} of {of} sums differ; its bits prove nothing")]
-    BarrierBroken {
-        /// The adapter's name.
-        adapter: String,
-        /// Number of sums that differ from those in Rust.
-        count: usize,
-        /// Number of compared sums.
-        of: usize,
     },
     /// An option of the command line does not fit the shader or the picture.
     #[error("{message}")]

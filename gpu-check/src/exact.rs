@@ -21,7 +21,7 @@ use crate::{Error, Float, Gpu, Pipeline};
 pub struct ExactKernel {
     /// The name of the kernel's module in `shaders`.
     pub module: &'static str,
-    /// Number of numbers in a case, which are the inputs. The last one is the barrier, which is 1.
+    /// Number of numbers in a case, which are the inputs.
     pub inputs: usize,
     /// Names of the numbers in a result, which are the outputs.
     pub outputs: &'static [&'static str],
@@ -47,7 +47,7 @@ const REPORT: &[&str] = &[
 /// The multiply-add that rounds once, and the products with their rounding errors.
 pub const MUL_ADD: ExactKernel = ExactKernel {
     module: "kernels/mul_add",
-    inputs: 4,
+    inputs: 3,
     outputs: &["product", "error", "mul_add"],
     formula: formulas::mul_add,
     cases: rays::products,
@@ -55,7 +55,7 @@ pub const MUL_ADD: ExactKernel = ExactKernel {
 /// The exact intersection of a ray with a sphere.
 pub const SPHERE: ExactKernel = ExactKernel {
     module: "kernels/exact_sphere",
-    inputs: 11,
+    inputs: 10,
     outputs: REPORT,
     formula: formulas::sphere,
     cases: rays::spheres,
@@ -63,7 +63,7 @@ pub const SPHERE: ExactKernel = ExactKernel {
 /// The exact intersection of a ray with a cylinder.
 pub const CYLINDER: ExactKernel = ExactKernel {
     module: "kernels/exact_cylinder",
-    inputs: 14,
+    inputs: 13,
     outputs: REPORT,
     formula: formulas::cylinder,
     cases: rays::cylinders,

@@ -4,8 +4,10 @@ use std::fmt;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use wgpu::{Adapter, AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
+use shaders::{Composition, Precision};
+use wgpu::{Adapter, AdapterInfo, Backend, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
 
+use crate::form::Form;
 use crate::{Error, adapter};
 
 /// An open device of an adapter.
@@ -14,6 +16,8 @@ pub struct Gpu {
     pub(crate) device: Device,
     pub(crate) queue: Queue,
     info: AdapterInfo,
+    /// The form that was asked for.
+    form: Form,
     /// The reason why the device was lost; `None` as long as it is not lost.
     lost: Arc<Mutex<Option<String>>>,
     /// Time limit of a run.
@@ -49,6 +53,12 @@ impl Gpu {
         Self::of(&adapter::choose()?)
     }
 
+    /// Returns this device with another form of its shaders. A device that is opened has [`Form::AsWritten`].
+    #[must_use]
+    pub fn with_form(self, form: Form) -> Self {
+        Self { form, ..self }
+    }
+
     /// Opens every adapter of [`adapter::all`].
     ///
     /// # Errors
@@ -64,7 +74,7 @@ impl Gpu {
         // with random numbers in a hierarchy bind one buffer more than the standard's 8, if the adapter has them.
         let buffers = adapter.limits().max_storage_buffers_per_shader_stage.clamp(8, 9);
         let descriptor = DeviceDescriptor {
-            required_features: adapter.features() & Features::SHADER_F64,
+            required_features: adapter.features() & (Features::SHADER_F64 | Features::PASSTHROUGH_SHADERS),
             required_limits: Limits { max_storage_buffers_per_shader_stage: buffers, ..Limits::default() },
             ..DeviceDescriptor::default()
         };
@@ -77,7 +87,7 @@ impl Gpu {
                 *lost = Some(format!("{reason:?} {message}").trim_end().to_owned());
             }
         });
-        Ok(Self { device, queue, info, lost, patience: PATIENCE })
+        Ok(Self { device, queue, info, form: Form::AsWritten, lost, patience: PATIENCE })
     }
 
     /// Returns this device with the time limit `patience` for a run, instead of [`PATIENCE`].
@@ -114,6 +124,31 @@ impl Gpu {
     #[must_use]
     pub fn has_f64(&self) -> bool {
         self.device.features().contains(Features::SHADER_F64)
+    }
+
+    /// Returns the form that was asked for.
+    #[must_use]
+    pub const fn wanted_form(&self) -> Form {
+        self.form
+    }
+
+    /// Returns the form in which this device gets `composition`: integers if they already calculate its f64.
+    #[must_use]
+    pub fn form_of(&self, composition: &Composition) -> Form {
+        if composition.is_lowered() { Form::ByIntegers } else { self.form(composition.precision()) }
+    }
+
+    /// Returns the form in which this device gets shaders of a precision: the one that was asked for, or integers if
+    /// the device lacks f64, or WGSL if its driver takes no other form.
+    #[must_use]
+    pub fn form(&self, precision: Precision) -> Form {
+        let passes_spir_v =
+            self.device.features().contains(Features::PASSTHROUGH_SHADERS) && self.info.backend == Backend::Vulkan;
+        match self.form {
+            form if precision == Precision::F64 && (form == Form::ByIntegers || !self.has_f64()) => Form::ByIntegers,
+            Form::AsWritten | Form::ByIntegers if passes_spir_v => Form::AsWritten,
+            _ => Form::AsDriverLikes,
+        }
     }
 
     /// Returns the largest number of bytes that one binding may have.
@@ -159,6 +194,10 @@ impl Gpu {
 impl fmt::Display for Gpu {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let f64 = if self.has_f64() { "with f64" } else { "without f64" };
-        write!(f, "{}, driver {}, {f64}", self.name(), self.driver())
+        write!(f, "{}, driver {}, {f64}", self.name(), self.driver())?;
+        match Precision::ALL.map(|precision| (precision, self.form(precision))) {
+            [(_, one), (_, other)] if one == other => write!(f, ", {one}"),
+            forms => forms.into_iter().try_for_each(|(precision, form)| write!(f, ", {precision} {form}")),
+        }
     }
 }

@@ -2,14 +2,14 @@
 //! `stability`.
 
 mod background;
-mod barrier;
 mod camera;
 mod cylinder;
 mod projected;
 mod scatter;
 mod sphere;
+mod two_sum;
 
-pub use barrier::two_sum;
+pub use two_sum::two_sum;
 
 use cpu::Vec3;
 use cpu::internals::Hit;
@@ -38,7 +38,7 @@ pub const KERNELS: [Kernel; 11] = [
     Kernel::of::<scatter::Reflection>(),
     Kernel::of::<scatter::Metal>(),
     Kernel::of::<scatter::Refraction>(),
-    Kernel::of::<barrier::Barrier>(),
+    Kernel::of::<two_sum::TwoSum>(),
 ];
 
 /// Names of the numbers of a `HitReport`, in the order of `kernels/hit_report.wgsl`.

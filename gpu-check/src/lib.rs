@@ -5,7 +5,7 @@
 //! driver that calculates on the CPU, the results in f64 are equal. `docs/gpu.md` lists the results that cannot be
 //! equal, with the reasons.
 //!
-//! - [`adapter`] and [`gpu`] open a device;
+//! - [`adapter`] and [`gpu`] open a device, and [`form`] says in which form it gets shaders;
 //! - [`kernel`] and [`kernels`] list the formulas that are compared, and [`check`] compares them;
 //! - [`lowered`] compares operations on f64 that integers calculate;
 //! - [`exact`] compares the exact intersections, whose decisions rounding cannot change;
@@ -17,7 +17,7 @@
 //! - [`steps`] traces single pixels step by step on both, and [`first_difference`] finds the function that differs;
 //! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take;
 //! - [`web`] runs shaders in a browser, which has another shader compiler;
-//! - [`rewrites`] finds out how a driver rewrites formulas, and [`conformance`] holds drivers to IEEE 754 and WGSL;
+//! - [`conformance`] holds drivers to IEEE 754 and WGSL;
 //! - [`mutants`] are deliberate errors that these checks must notice.
 //!
 //! ```no_run
@@ -46,6 +46,7 @@ pub mod exact;
 pub mod first_difference;
 pub mod float;
 pub mod flushed;
+pub mod form;
 pub mod gpu;
 pub mod guard;
 pub mod hierarchy;
@@ -57,7 +58,6 @@ pub mod mutants;
 pub mod pipeline;
 mod ray_loop;
 pub mod renderer;
-pub mod rewrites;
 pub mod running;
 pub mod runtime;
 pub mod sampled;
@@ -70,6 +70,7 @@ pub mod web;
 
 pub use error::Error;
 pub use float::{Float, Formulas};
+pub use form::Form;
 pub use gpu::Gpu;
 pub use kernel::Kernel;
 pub use pipeline::Pipeline;

@@ -21,20 +21,17 @@ pub const PLAIN_SINGLE: &str = "WGSL plain f32";
 /// Name of the method with the projected form in f32.
 pub const PROJECTED: &str = "WGSL projected f32";
 
-/// Returns all methods that `gpu` can run, in the order of the table's rows. If shaders have no f64, these are the f32
-/// methods.
+/// Returns all methods, in the order of the table's rows.
 ///
 /// # Errors
 /// The errors of [`Pipeline::new`].
 pub fn all(gpu: Gpu) -> Result<Vec<Box<dyn Method>>, Error> {
     let gpu = Rc::new(gpu);
-    let mut methods: Vec<Box<dyn Method>> = Vec::new();
-    if gpu.has_f64() {
-        methods.push(Box::new(Wgsl::<f64>::new(PLAIN, &gpu, [SPHERE, CYLINDER])?));
-    }
-    methods.push(Box::new(Wgsl::<f32>::new(PLAIN_SINGLE, &gpu, [SPHERE, CYLINDER])?));
-    methods.push(Box::new(Wgsl::<f32>::new(PROJECTED, &gpu, [PROJECTED_SPHERE, PROJECTED_CYLINDER])?));
-    Ok(methods)
+    Ok(vec![
+        Box::new(Wgsl::<f64>::new(PLAIN, &gpu, [SPHERE, CYLINDER])?),
+        Box::new(Wgsl::<f32>::new(PLAIN_SINGLE, &gpu, [SPHERE, CYLINDER])?),
+        Box::new(Wgsl::<f32>::new(PROJECTED, &gpu, [PROJECTED_SPHERE, PROJECTED_CYLINDER])?),
+    ])
 }
 
 /// A method: a kernel for spheres and a kernel for cylinders, compiled for one precision.

@@ -8,10 +8,10 @@ use shaders::{Composition, Features, Precision};
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, Buffer,
     BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline,
-    ComputePipelineDescriptor, MapMode, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModuleDescriptor,
-    ShaderSource,
+    ComputePipelineDescriptor, MapMode, PipelineCompilationOptions, PipelineLayoutDescriptor,
 };
 
+use crate::form::Formed;
 use crate::{Error, Gpu};
 use buffers::{SENTINEL, create, layout_entry, wait};
 
@@ -70,7 +70,7 @@ impl Pipeline {
     /// `features`.
     ///
     /// # Errors
-    /// [`Error::Shader`] with the place in the module's file, [`Error::NoF64`], or an error of the driver.
+    /// [`Error::Shader`] with the place in the module's file, or an error of the driver.
     pub fn new(gpu: &Gpu, composition: &Composition, features: Option<&Features>) -> Result<Self, Error> {
         let constants = features.map(Features::constants);
         Self::with_constants(gpu, composition, constants.as_ref().map_or(&[], |constants| &constants[..]))
@@ -81,10 +81,9 @@ impl Pipeline {
     /// # Errors
     /// The errors of [`Self::new`], and [`Error::Refused`] if the shader does not declare one of the names.
     pub fn with_constants(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<Self, Error> {
-        if composition.needs_f64() && !gpu.has_f64() {
-            return Err(Error::NoF64 { adapter: gpu.name().to_owned() });
-        }
-        let shader = composition.validate()?;
+        let formed = Formed::new(composition, constants, gpu.form_of(composition))?;
+        let shader = &formed.shader;
+        let constants: Vec<_> = formed.constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let mut entries: Vec<_> = shader.bindings().map(layout_entry).collect();
         entries.sort_unstable_by_key(|entry| entry.binding);
         let bindings = entries.iter().map(|entry| entry.binding).collect();
@@ -98,14 +97,15 @@ impl Pipeline {
                 bind_group_layouts: &[Some(&layout)],
                 ..PipelineLayoutDescriptor::default()
             });
-            let source = ShaderSource::Wgsl(composition.source().into());
-            let module = gpu.device.create_shader_module(ShaderModuleDescriptor { label: Some(name), source });
+            let module = formed.module(&gpu.device, name);
+            let compilation_options =
+                PipelineCompilationOptions { constants: &constants, ..PipelineCompilationOptions::default() };
             let pipeline = gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
                 label: Some(name),
                 layout: Some(&pipeline_layout),
                 module: &module,
                 entry_point: None,
-                compilation_options: PipelineCompilationOptions { constants, ..PipelineCompilationOptions::default() },
+                compilation_options,
                 cache: None,
             });
             Self { name, precision: composition.precision(), pipeline, layout, bindings }

@@ -11,6 +11,9 @@
 //! - for `x / y`: `(e + |x / y| f) / (|y| - f)`, plus the rounding error; there is no bound if `f >= |y|`;
 //! - for `sqrt x`: `e / (sqrt x + sqrt(x - e))`, plus the rounding error; there is no bound if `e >= x`.
 //!
+//! WGSL asks less of a device ([`Accuracy::Wgsl`]): its quotient may be off by 2.5 units, its root is `1 / inverseSqrt
+//! x`, and it may replace numbers below the normal ones by zero.
+//!
 //! The formulas of `cpu` are generic, so the formula's own code computes the bound. If the operands of a comparison are
 //! closer than their bounds, the comparison may have another result in f32. Then the case is marked and not compared.
 //! The value is computed in f64. The factor `SLACK` covers the rounding errors of f64, `2^-53`.
@@ -24,13 +27,28 @@ use cpu::internals::math::real::Real;
 const U: f64 = 1.0 / 16_777_216.0;
 /// Half of the smallest positive f32, `2^-150`: the largest rounding error below the normal numbers.
 const ETA: f64 = f64::from_bits((1023 - 150) << 52);
+/// The smallest normal f32, `2^-126`. Smaller numbers may be replaced by zero.
+const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
+/// The largest divisor for which WGSL bounds the error of a quotient, `2^126`.
+const LARGEST_DIVISOR: f64 = 1.0 / SMALLEST;
 /// A factor that covers the rounding errors of the bound and of the value, which are computed in f64. The part above 1
 /// is about 4,500 times the epsilon of f64.
 const SLACK: f64 = 1.0 + 1e-12;
 /// The largest finite f32. Larger results overflow to infinity.
 const LARGEST: f64 = f32::MAX as f64;
 
+/// How accurate the f32 operations of a device are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accuracy {
+    /// As IEEE 754 defines them: rounded correctly, with numbers below the normal ones.
+    Ieee,
+    /// As accurate as WGSL demands (section 15.7.4, Floating Point Accuracy).
+    Wgsl,
+}
+
 thread_local! {
+    /// The accuracy in which bounds are computed.
+    static ACCURACY: Cell<Accuracy> = const { Cell::new(Accuracy::Ieee) };
     /// Whether any comparison since the start of [`observe`] may have another result in f32.
     static UNDECIDED: Cell<bool> = const { Cell::new(false) };
 }
@@ -47,15 +65,25 @@ pub struct Running {
 impl Running {
     /// Returns an input, which is exact in f32 and in f64.
     #[must_use]
-    pub const fn exact(value: f64) -> Self {
-        Self { value, bound: 0.0 }
+    pub fn exact(value: f64) -> Self {
+        let may_vanish = value.abs() < SMALLEST && ACCURACY.get() == Accuracy::Wgsl;
+        Self { value, bound: if may_vanish { value.abs() } else { 0.0 } }
     }
 
-    /// Returns a result with its bound. `carried` bounds the error that comes from the operands; the rounding error is
-    /// added here.
+    /// Returns a result that is off by half a unit in the last place at most; see [`Self::off_by`].
     fn rounded(value: f64, carried: f64) -> Self {
+        Self::off_by(1.0, value, carried)
+    }
+
+    /// Returns a result with its bound. `carried` bounds the error that comes from the operands. The error of the
+    /// operation is added here: `halves` halves of a unit in the last place.
+    fn off_by(halves: f64, value: f64, carried: f64) -> Self {
         let largest = value.abs() + carried;
-        let bound = (carried + U * largest + ETA) * SLACK;
+        let tiny = match ACCURACY.get() {
+            Accuracy::Ieee => ETA,
+            Accuracy::Wgsl => SMALLEST,
+        };
+        let bound = (carried + halves * U * largest + tiny) * SLACK;
         // There is no bound if f32 may overflow, or if a number is NaN, for which the comparison is false.
         let known = largest + bound < LARGEST;
         Self { value, bound: if known { bound } else { f64::INFINITY } }
@@ -73,6 +101,14 @@ impl Running {
     fn is_exact(self) -> bool {
         self.bound == 0.0 && !self.value.is_nan()
     }
+}
+
+/// Calls `work`, in which bounds are computed for `accuracy`, and returns its result.
+pub fn within<R>(accuracy: Accuracy, work: impl FnOnce() -> R) -> R {
+    let before = ACCURACY.replace(accuracy);
+    let result = work();
+    ACCURACY.set(before);
+    result
 }
 
 /// Calls `work`. Returns its result, and whether all comparisons in it certainly have the same results in f32.
@@ -110,7 +146,14 @@ impl Div for Running {
         let value = self.value / other.value;
         let least = other.value.abs() - other.bound;
         let carried = if least > 0.0 { (self.bound + value.abs() * other.bound) / least } else { f64::INFINITY };
-        Self::rounded(value, carried)
+        match ACCURACY.get() {
+            Accuracy::Ieee => Self::rounded(value, carried),
+            Accuracy::Wgsl if least < SMALLEST || other.value.abs() + other.bound > LARGEST_DIVISOR => {
+                Self { value, bound: f64::INFINITY }
+            }
+            // 2.5 units.
+            Accuracy::Wgsl => Self::off_by(5.0, value, carried),
+        }
     }
 }
 
@@ -126,7 +169,7 @@ impl Real for Running {
 
     fn of(value: f64) -> Self {
         let single = f64::from(value as f32);
-        Self { value, bound: if single == value { 0.0 } else { ((single - value).abs() + ETA) * SLACK } }
+        if single == value { Self::exact(value) } else { Self::off_by(0.0, value, (single - value).abs()) }
     }
 
     fn sqrt(self) -> Self {
@@ -136,7 +179,12 @@ impl Real for Running {
         let value = self.value.sqrt();
         let least = self.value - self.bound;
         let carried = if least > 0.0 { self.bound / (value + least.sqrt()) } else { f64::INFINITY };
-        Self::rounded(value, carried)
+        match ACCURACY.get() {
+            Accuracy::Ieee => Self::rounded(value, carried),
+            Accuracy::Wgsl if least < SMALLEST => Self { value, bound: f64::INFINITY },
+            // 2 units of the inverse root and 2.5 of the quotient are 9 halves; the tenth covers their product.
+            Accuracy::Wgsl => Self::off_by(10.0, value, carried),
+        }
     }
 
     fn abs(self) -> Self {
@@ -191,6 +239,26 @@ mod tests {
         assert!(!observe(|| third.less(Running::of(1.0 / 3.0 + 1e-9))).1);
         assert!(!observe(|| (third - third).sqrt().less(third)).1, "a root of a rounding error has no bound");
         assert!(!observe(|| Running::of(f64::NAN).less(third)).1);
+    }
+
+    #[test]
+    fn wgsl_allows_more_than_ieee() {
+        let of = |accuracy| within(accuracy, || formula(Running::exact(3.0), Running::exact(0.7), Running::exact(1.9)));
+        let (ieee, wgsl) = (of(Accuracy::Ieee), of(Accuracy::Wgsl));
+        assert!(ieee.bound * 1.5 < wgsl.bound && wgsl.bound < ieee.bound * 10.0, "{ieee:?} {wgsl:?}");
+        let tiny = || Running::exact(1e-40);
+        assert!(tiny().is_exact());
+        within(Accuracy::Wgsl, || {
+            assert_eq!(tiny().bound, 1e-40);
+            assert!((Running::exact(1.0) / tiny()).bound.is_infinite() && tiny().sqrt().bound.is_infinite());
+        });
+        // A quotient that is off by two units, and the root of a number whose inverse root is.
+        let quotient = within(Accuracy::Wgsl, || Running::exact(1.0) / Running::exact(3.0));
+        let off = (1.0_f32 / 3.0).next_up().next_up();
+        assert!((f64::from(off) - quotient.value).abs() <= quotient.bound);
+        let root = within(Accuracy::Wgsl, || Running::exact(2.0).sqrt());
+        let off = 1.0 / (1.0 / 2.0_f32.sqrt()).next_up().next_up();
+        assert!((f64::from(off) - root.value).abs() <= root.bound);
     }
 
     #[test]

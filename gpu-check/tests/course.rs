@@ -1,7 +1,9 @@
 //! Renders the course's cases in WGSL, and compares their means with the reference's and their files with the course's.
 //!
 //! By default the published pictures of the cases 1 and 2 are rendered. `RENDER_SAMPLED_PICTURES=all` renders all four
-//! cases in both conventions, which tests/extensive does. Pictures that are not rendered are shown as ignored.
+//! cases in both conventions, and the published pictures in every form of the shaders, those of the cases 3 and 4 on
+//! hardware only. tests/extensive does this. Pictures that are not rendered are shown as ignored. One picture at a time
+//! is on the device, so that its time can be reported.
 //!
 //! The files are made without code of the renderer too: the power is the standard library's, and the text is written
 //! here. What the shader shares with the renderer is the parser, the camera's window, the records of objects, and the
@@ -11,12 +13,16 @@ mod common;
 #[path = "common/sampled.rs"]
 mod sampled;
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::iter;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use cpu::{Config, Scene, Vec3};
-use gpu_check::features_of;
-use gpu_check::sampled::{Convention, SampledRendering};
+use gpu_check::difference::difference;
+use gpu_check::sampled::{Convention, Recording, SampledRendering};
 use gpu_check::scenes::Case;
+use gpu_check::{Form, features_of};
 use libtest_mimic::{Arguments, Failed, Trial};
 use sampled::{Pipelines, Tally, is_everything, record};
 use shaders::Library;
@@ -26,14 +32,20 @@ fn main() {
     let folder = golden::reference_folder();
     let missing = (!folder.is_dir()).then(|| format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()));
     let goldens = golden::reference(&folder).into_iter();
-    let pictures = goldens.map(|golden| {
+    let pictures = goldens.flat_map(|golden| {
         let is_quick = ["published/1.ppm", "published/2.ppm"].contains(&&*golden.name);
-        let not_all = (!is_quick && !is_everything()).then(|| "needs RENDER_SAMPLED_PICTURES=all".to_owned());
-        let trial = Trial::test(golden.name.clone(), move || compare(&golden));
-        match missing.clone().or(not_all) {
-            Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
-            None => trial,
-        }
+        let trial = |form: Form, is_default: bool, golden: Golden| {
+            let not_all = (!is_default && !is_everything()).then(|| "needs RENDER_SAMPLED_PICTURES=all".to_owned());
+            let trial = Trial::test(format!("{}, {form}", golden.name), move || compare(&golden, form));
+            match missing.clone().or(not_all) {
+                Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
+                None => trial,
+            }
+        };
+        let is_in_all_forms = is_quick || (golden.name.starts_with("published/") && is_hardware());
+        let other_forms = [Form::ByIntegers, Form::AsDriverLikes].into_iter().filter(move |_| is_in_all_forms);
+        let others: Vec<_> = other_forms.map(|form| trial(form, false, golden.clone())).collect();
+        iter::once(trial(Form::AsWritten, is_quick, golden)).chain(others)
     });
     let bytes = Trial::test("a byte is the truncated power", a_byte_is_the_truncated_power);
     libtest_mimic::run(&Arguments::from_args(), pictures.chain([bytes]).collect()).exit();
@@ -73,22 +85,45 @@ fn a_byte_is_the_truncated_power() -> Result<(), Failed> {
     Ok(())
 }
 
+/// Whether a device is chosen that is not the default, which calculates on the CPU.
+fn is_hardware() -> bool {
+    std::env::var_os("WGPU_ADAPTER_NAME").is_some()
+}
+
+/// Returns the recording of `case`. Each is made once, because that takes longer than the device.
+fn recording(case: &Case, convention: Convention) -> Arc<Recording> {
+    static RECORDINGS: Mutex<BTreeMap<String, Arc<OnceLock<Arc<Recording>>>>> = Mutex::new(BTreeMap::new());
+    let place = RECORDINGS.lock().expect("no thread panics with it").entry(case.name.clone()).or_default().clone();
+    place.get_or_init(|| Arc::new(record(case, convention))).clone()
+}
+
 /// Renders a picture of the course's cases.
-fn compare(golden: &Golden) -> Result<(), Failed> {
-    let gpu = common::gpu();
+fn compare(golden: &Golden, form: Form) -> Result<(), Failed> {
+    static DEVICE: Mutex<()> = Mutex::new(());
+    let gpu = common::gpu().with_form(form);
     let convention = Convention::ALL.into_iter().find(|convention| convention.scatter() == golden.scatter);
     let convention = convention.ok_or("the picture has another convention")?;
     let (config, scene) = (Config::read(&golden.config)?, Scene::read(&golden.scene)?);
     let case = Case { name: golden.name.clone(), config, scene };
     let features = features_of(&case.config, &case.scene)?;
-    let recording = record(&case, convention);
+    let recording = recording(&case, convention);
     let library = Library::standard();
-    let rendering = Pipelines::<f64>::new(&gpu, &library).render(&case, &features, &recording);
+    let rendering = {
+        let _alone = DEVICE.lock().unwrap_or_else(PoisonError::into_inner);
+        Pipelines::<f64>::new(&gpu, &library).render(&case, &features, &recording)
+    };
     let mut tally = Tally::default();
     tally.add(&golden.name, &rendering, &recording);
     let Tally { pixels, samples, words, faults, .. } = tally;
-    println!("{}: {pixels} pixels, {samples} samples, {words} words of scatter vectors", golden.name);
-    println!("the reference took {:.1?}, the device {:.1?}", recording.time, rendering.time);
+    println!("{}, {form}: {pixels} pixels, {samples} samples, {words} words of scatter vectors", golden.name);
+    let [recorded, device] = [recording.time, rendering.time].map(|time| time.as_millis());
+    println!("{}, {form}: the recording took {recorded} ms, the device {device} ms", golden.name);
+    if form == Form::AsDriverLikes {
+        // The driver may change the last bits, and hardware does.
+        println!("{}, {form}: {faults:?}", golden.name);
+        assert!(difference(&rendering.pixels, &recording.means).rmse < 1e-3, "{faults:?}");
+        return Ok(());
+    }
     assert_eq!(faults, Vec::<String>::new());
     let file = ppm(&rendering, case.config.gamma);
     assert_eq!(golden.digest()?, digest::sha256(file.as_bytes()), "{}", golden.name);

@@ -1,12 +1,12 @@
-//! Tests of the device: the message if there is none, its faults as errors, and the rewritings of its driver.
+//! Tests of the device: the message if there is none, its faults as errors, and the forms of its shaders.
 
 mod common;
 
 use std::process::Command;
 
 use gpu_check::pipeline::{Content, Pipeline};
-use gpu_check::{Error, Formulas, Gpu, Kernel, Picture, Renderer, check, kernels, rewrites};
-use shaders::{Features, Library, Precision};
+use gpu_check::{Error, Form, Formulas, Gpu, Kernel, Picture, Renderer, check, kernels};
+use shaders::{Composition, Features, Library, Precision};
 
 fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
     let kernel = &kernels::KERNELS[0];
@@ -102,34 +102,61 @@ fn a_fault_in_a_replaced_module_is_shown_where_it_stands() {
     assert!(lines[1].starts_with("11 |     let m = ") && lines[2].trim_start() == "^^", "{error}");
 }
 
-fn keeps_the_barrier<T: Formulas>(gpu: &Gpu) {
-    let rewrites = rewrites::observe::<T>(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
-    println!("{}: {rewrites}", T::PRECISION);
-    rewrites::require_barrier::<T>(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
-
-    // This checks the self-test: without the barrier, a driver that cancels terms must fail it.
-    let mut without = Library::standard();
-    let source = without.source("exact").expect("it exists").replace("a * one + b", "a + b");
-    without.replace("exact", "without barrier", source).expect("it exists");
-    let passes = rewrites::require_barrier::<T>(gpu, &without).is_ok();
-    assert_eq!(passes, !rewrites.cancels_terms, "{rewrites}");
-    if gpu.is_lavapipe() {
-        // This fails if a new version of Mesa or naga stops rewriting. Then docs/gpu.md must be changed.
-        let expected = rewrites::Rewrites {
-            cancels_terms: true,
-            factors_out: true,
-            squares_roots: true,
-            drops_zeros: true,
-            forgets_nan: true,
-        };
-        assert_eq!(rewrites, expected);
-    }
+/// Returns the number of sums whose rounding error differs from Rust's.
+fn wrong_errors<T: Formulas>(gpu: &Gpu) -> usize {
+    let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/two_sum").expect("it is listed");
+    let tally = check::compile::<T>(gpu, &Library::standard(), kernel)
+        .and_then(|pipeline| check::check::<T>(gpu, &pipeline, kernel, &kernel.random_cases(4096, 7)));
+    let tally = tally.unwrap_or_else(|error| panic!("{error}"));
+    println!("{} {}: {tally}", T::PRECISION, gpu.form(T::PRECISION));
+    tally.differing
 }
 
 #[test]
-fn sums_keep_their_rounding_errors_behind_the_barrier_and_not_without() {
+fn sums_keep_their_rounding_errors_as_written_and_by_integers() {
     let gpu = common::gpu();
-    assert_eq!(Precision::ALL.len(), 2);
-    keeps_the_barrier::<f32>(&gpu);
-    keeps_the_barrier::<f64>(&gpu);
+    assert_eq!(gpu.form(Precision::F32), Form::AsWritten, "{gpu}");
+    assert_eq!([wrong_errors::<f32>(&gpu), wrong_errors::<f64>(&gpu)], [0, 0]);
+    let gpu = gpu.with_form(Form::ByIntegers);
+    assert_eq!(
+        [Precision::F32, Precision::F64].map(|precision| gpu.form(precision)),
+        [Form::AsWritten, Form::ByIntegers]
+    );
+    assert_eq!(wrong_errors::<f64>(&gpu), 0);
+    // Without this, the test could not tell that the decoration prevents anything.
+    let gpu = gpu.with_form(Form::AsDriverLikes);
+    assert!(wrong_errors::<f32>(&gpu) > 0 && wrong_errors::<f64>(&gpu) > 0, "this driver rewrites nothing by itself");
+}
+
+#[test]
+fn a_shader_without_floating_point_gives_the_same_in_every_form() {
+    let text = "@group(0) @binding(3) var<storage, read_write> results: array<u32>;
+        @group(0) @binding(1) var<storage, read> cases: array<u32>;
+        override factor: u32;
+        override unused: f32 = 1.0;
+        @compute @workgroup_size(64) fn kernel(@builtin(global_invocation_id) id: vec3<u32>) {
+            results[id.x] = cases[id.x] * factor + cases[id.x + 1000u];
+        }";
+    let cases: Vec<u32> = (0..128).map(|case| case * case).collect();
+    let results = Form::ALL.map(|form| {
+        let gpu = common::gpu().with_form(form);
+        let composition = Composition::of_text(text.to_owned(), Precision::F32);
+        let pipeline = Pipeline::with_constants(&gpu, &composition, &[("factor", 3.0)]).expect("it is valid");
+        let contents = [Content::Input(bytemuck::cast_slice(&cases)), Content::Output(4 * cases.len() as u64)];
+        let run = pipeline.run(&gpu, &contents, cases.len() as u64).unwrap_or_else(|error| panic!("{error}"));
+        bytemuck::pod_collect_to_vec::<u8, u32>(&run.outputs.concat())
+    });
+    // The index beyond the end is replaced by the last one, or the load gives 0.
+    let last = cases[127];
+    for results in &results {
+        let is_right = |(case, result): (&u32, &u32)| [case * 3 + last, case * 3].contains(result);
+        assert!(cases.iter().zip(results).all(is_right), "{results:?}");
+    }
+    assert!(results[0].iter().zip(&cases).all(|(result, case)| *result == case * 3 + last), "{results:?}");
+    let missing = [("nothing", 1.0)];
+    for form in Form::ALL {
+        let gpu = common::gpu().with_form(form);
+        let composition = Composition::of_text(text.to_owned(), Precision::F32);
+        assert!(Pipeline::with_constants(&gpu, &composition, &missing).is_err(), "{form}");
+    }
 }

@@ -11,6 +11,7 @@ use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Scene};
 use gpu_check::closest_hits::{closest_hits, random};
 use gpu_check::difference::difference;
+use gpu_check::running::Accuracy;
 use gpu_check::scenes::{self, Case};
 use gpu_check::steps::{Follower, Step, first_difference};
 use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
@@ -102,30 +103,37 @@ fn random_rays_in_f32_have_the_hits_of_the_loop_over_all_objects() {
     rays_have_the_same_hits::<f32>();
 }
 
-#[test]
-fn steps_of_paths_are_those_of_rust_in_any_number_of_runs() {
-    let gpu = common::gpu();
+fn steps_are_those_of_rust<T: Float>(gpu: &Gpu) {
     let (mut compared, mut hits) = (0, 0);
     for case in [large::ten_thousand(16), scenes::random(3), scenes::random(8)] {
-        let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
+        let picture = Picture::<T>::new(&case.config, &case.scene).expect("it is valid");
         let features = features_of(&case.config, &case.scene).expect("it is valid");
         let expected: Vec<_> = (0..100).map(|index| picture.steps(index)).collect();
         for library in [Library::standard(), Library::standard().in_hierarchy()] {
-            let follower = || Follower::<f32>::new(&gpu, &library, &features, &[]).expect("it compiles");
+            let follower = || Follower::<T>::new(gpu, &library, &features, &[]).expect("it compiles");
             for follower in [follower(), follower().in_steps_of(1), follower().in_steps_of(3)] {
-                let compare = |index: usize, steps: &[Step<f32>]| {
+                let compare = |index: usize, steps: &[Step<T>]| {
                     for (depth, (one, other)) in expected[index].iter().zip(steps).enumerate() {
                         assert_eq!(first_difference(one, other), None, "{}, pixel {index}, {depth}", case.name);
                         compared += 1;
-                        hits += usize::from(one.is_hit() == 1.0);
+                        hits += usize::from(one.is_hit().wide() == 1.0);
                     }
                 };
                 follower.follow(&picture, 0, expected.len(), compare).expect("it is small");
             }
         }
     }
-    println!("{compared} steps, {hits} hits");
+    println!("{}: {compared} steps, {hits} hits", T::PRECISION);
     assert!(hits > 1000, "{hits}");
+}
+
+#[test]
+fn steps_of_paths_are_those_of_rust_in_any_number_of_runs() {
+    let gpu = common::gpu();
+    steps_are_those_of_rust::<f64>(&gpu);
+    if common::accuracy(&gpu) == Accuracy::Ieee {
+        steps_are_those_of_rust::<f32>(&gpu);
+    }
 }
 
 #[test]

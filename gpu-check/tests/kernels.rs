@@ -6,6 +6,7 @@ mod common;
 use gpu_check::bound::spread;
 use gpu_check::check::{check, compile, results};
 use gpu_check::kernels::KERNELS;
+use gpu_check::running::Accuracy;
 use gpu_check::{Error, Formulas, Gpu, Kernel};
 use shaders::Library;
 
@@ -44,7 +45,11 @@ fn f64_gives_the_bits_of_cpu() {
 }
 
 #[test]
-fn f32_gives_the_bits_of_its_twin() {
+fn f32_gives_the_bits_of_its_twin_on_a_device_with_the_arithmetic_of_ieee() {
+    // Elsewhere the bounds of the last test hold.
+    if common::accuracy(&common::gpu()) == Accuracy::Wgsl {
+        return;
+    }
     every_kernel_gives_the_bits_of_cpu::<f32>();
 }
 
@@ -67,12 +72,13 @@ fn random_rays_hit_every_part_of_a_cylinder_from_both_sides() {
 #[test]
 fn f32_is_within_its_bound_of_f64() {
     let gpu = common::gpu();
+    let accuracy = common::accuracy(&gpu);
     for kernel in &KERNELS {
         let cases = kernel.random_cases::<f32>(RANDOM_CASES, 43);
         let results = compile::<f32>(&gpu, &Library::standard(), kernel)
             .and_then(|pipeline| results(&gpu, &pipeline, kernel, &cases))
             .unwrap_or_else(|error| panic!("{error}"));
-        let found = spread(kernel, &cases, &results);
+        let found = spread(accuracy, kernel, &cases, &results);
         println!("{} {found}", kernel.module);
         assert_eq!(found.beyond, 0, "{} {found}", kernel.module);
         assert!(found.decided > RANDOM_CASES / 2, "too few: {} {found}", kernel.module);
@@ -80,7 +86,7 @@ fn f32_is_within_its_bound_of_f64() {
 
         // This checks the bound itself: results that are slightly too large must exceed it.
         let wrong: Vec<_> = results.iter().map(|number| number * 1.001 + 0.001).collect();
-        let noticed = spread(kernel, &cases, &wrong).beyond;
+        let noticed = spread(accuracy, kernel, &cases, &wrong).beyond;
         assert!(noticed > RANDOM_CASES / 2, "{} notices {noticed}", kernel.module);
     }
 }

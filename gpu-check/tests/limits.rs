@@ -9,12 +9,12 @@ use std::time::Duration;
 use gpu_check::guard::Limits;
 use gpu_check::pipeline::Content;
 use gpu_check::shader_lab::guard::check_within;
-use gpu_check::{Error, Gpu, Pipeline};
+use gpu_check::{Error, Form, Gpu, Pipeline};
 use shaders::{Composition, Precision};
 
 fn check(limits: Limits, text: String) -> Result<(), Error> {
     let program = Path::new(env!("CARGO_BIN_EXE_shader-lab"));
-    check_within(program, limits, &Composition::of_text(text, Precision::F32), &[])
+    check_within(program, limits, Form::AsWritten, &Composition::of_text(text, Precision::F32), &[])
 }
 
 /// Returns a kernel that computes a number for each invocation. `before` is the text before its function, and `body` a

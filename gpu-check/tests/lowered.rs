@@ -12,6 +12,7 @@ use gpu_check::difference::difference;
 use gpu_check::kernels::KERNELS;
 use gpu_check::lowered::{check, operations};
 use gpu_check::pipeline::Content;
+use gpu_check::running::Accuracy;
 use gpu_check::scenes;
 use gpu_check::{Error, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
@@ -50,6 +51,9 @@ fn every_operation_gives_the_bits_of_rust() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
+
+/// The numbers of `everything.wgsl` that use conversions to f32, or `dot`, `length`, `normalize`, `cross` and `fract`.
+const OF_F32_OR_COMPOSITE: [usize; 6] = [6, 7, 9, 10, 11, 14];
 
 /// Returns the library whose compositions have integers in the place of f64.
 fn library() -> Library {
@@ -131,6 +135,11 @@ fn every_construct_gives_the_bits_of_the_devices_f64() {
     }
     println!("{} numbers compared; differing by place in a row: {by_place:?}", native.len());
     assert_eq!((native.len(), lowered.len()), (16 * count, 16 * count));
+    if common::accuracy(&gpu) == Accuracy::Wgsl {
+        // Such a device may flush conversions to f32, and calculate composite functions in its own order.
+        assert!(by_place.iter().all(|count_at_place| *count_at_place < count / 8), "{by_place:?}");
+        OF_F32_OR_COMPOSITE.iter().for_each(|place| by_place[*place] = 0);
+    }
     assert_eq!(by_place, [0; 16]);
     let different: std::collections::BTreeSet<_> = native.iter().collect();
     assert!(different.len() > count, "{} different numbers", different.len());

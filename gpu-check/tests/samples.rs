@@ -11,6 +11,7 @@ mod draws;
 mod sampled;
 
 use gpu_check::difference::{Difference, difference};
+use gpu_check::running::Accuracy;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use gpu_check::scenes::{self, Case};
 use gpu_check::{Gpu, Picture, features_of};
@@ -147,8 +148,9 @@ fn a_wrong_recording_is_noticed() {
 }
 
 #[test]
-fn f32_pictures_are_their_twins_to_the_bit_and_near_the_reference() {
+fn f32_pictures_are_near_the_reference_and_with_the_arithmetic_of_ieee_their_twins() {
     let gpu = common::gpu();
+    let accuracy = common::accuracy(&gpu);
     let library = Library::standard();
     let (mut pipelines, mut squares, mut pixels, mut samples, mut disagreeing) =
         (Pipelines::new(&gpu, &library), 0.0, 0, 0, 0);
@@ -163,7 +165,8 @@ fn f32_pictures_are_their_twins_to_the_bit_and_near_the_reference() {
             let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
             let twin = gpu_check::sampled::twin::means(&picture, &recording, |_| ());
             let found = difference(&rendering.pixels, &twin);
-            assert_eq!(found.differing, 0, "{}, {convention:?}: {found} from f32 in Rust", case.name);
+            let is_equal = found.differing == 0 || accuracy == Accuracy::Wgsl;
+            assert!(is_equal, "{}, {convention:?}: {found} from f32 in Rust", case.name);
             let Difference { rmse, .. } = difference(&rendering.pixels, &recording.means);
             println!(
                 "{}, {convention:?}: RMSE {rmse:.1e} from f64, {} paths take other words",

@@ -15,6 +15,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use gpu_check::running::Accuracy;
 use gpu_check::scenes::repository;
 use gpu_check::shader_lab::TEMPLATE;
 use shaders::Library;
@@ -79,11 +80,12 @@ fn the_first_difference_names_the_function_the_line_and_the_number() {
 
 #[test]
 fn an_unchanged_module_differs_in_no_bit_and_a_changed_one_does() {
-    common::gpu();
+    let accuracy = common::accuracy(&common::gpu());
     let folder = Folder::new();
     let path = folder.file("background.wgsl");
     fs::write(&path, standard("background")).expect("the folder is writable");
-    for precision in ["f64", "f32"] {
+    let precisions = if accuracy == Accuracy::Ieee { &["f64", "f32"][..] } else { &["f64"] };
+    for precision in precisions {
         let text = report(folder.path(), &format!("background.wgsl --{precision}"));
         assert!(text.contains("background.wgsl stands in for [background]\n"), "{text}");
         assert!(text.contains(&format!("from the CPU in {precision}: 0 of 1296 pixels differ, RMSE 0.0e0")), "{text}");
@@ -92,6 +94,30 @@ fn an_unchanged_module_differs_in_no_bit_and_a_changed_one_does() {
     let text = report(folder.path(), "background.wgsl");
     assert!(text.contains("of 1296 pixels differ") && !text.contains(": 0 of 1296"), "{text}");
     assert!(folder.file("out-difference.png").is_file());
+}
+
+#[test]
+fn f64_is_calculated_as_written_by_integers_or_as_the_driver_likes() {
+    common::gpu();
+    let folder = Folder::new();
+    // Drivers cancel the large number, unless they may not; integers never do.
+    let changed = standard("background").replace(
+        "let m = ",
+        "let one = (1e10lf + direction.y) - 1e10lf;\n    let m = select(0.0lf, 1e-9lf, one == direction.y) + ",
+    );
+    fs::write(folder.file("background.wgsl"), changed).expect("the folder is writable");
+    let lines = ["", " --integers", " --as-driver-likes"].map(|option| {
+        let text = report(folder.path(), &format!("background.wgsl{option}"));
+        let line = text.lines().find(|line| line.starts_with("from the CPU in f64")).expect("it compares").to_owned();
+        (text.lines().next().expect("there is a first line").to_owned(), line)
+    });
+    assert!(lines[0].0.ends_with(", as written"), "{lines:?}");
+    assert!(lines[1].0.ends_with(", f32 as written, f64 by integers"), "{lines:?}");
+    assert!(lines[2].0.ends_with(", as the driver likes"), "{lines:?}");
+    assert_eq!(lines[0].1, lines[1].1, "as written and by integers are the same arithmetic");
+    assert_ne!(lines[0].1, lines[2].1, "this driver rewrites nothing");
+    let message = fault(folder.path(), "background.wgsl --integers --as-driver-likes");
+    assert!(message.contains("--as-driver-likes"), "{message}");
 }
 
 #[test]

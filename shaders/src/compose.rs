@@ -177,6 +177,12 @@ impl Composition {
         self.precision == Precision::F64 && !self.is_lowered
     }
 
+    /// Whether integers calculate f64 in this composition.
+    #[must_use]
+    pub const fn is_lowered(&self) -> bool {
+        self.is_lowered
+    }
+
     /// Returns the whole text of the composition.
     #[must_use]
     pub fn source(&self) -> &str {

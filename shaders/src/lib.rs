@@ -11,6 +11,7 @@
 //! - [`limits`] limits the size and the nesting of the texts that naga reads;
 //! - [`call_trace`] records every call of a function with its arguments and its result;
 //! - [`lower`] replaces f64 by integers, for devices and languages without f64;
+//! - [`as_written`] writes SPIR-V whose arithmetic a driver must not rewrite;
 //! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
 //!
 //! ```
@@ -22,6 +23,7 @@
 //! # Ok::<(), shaders::Error>(())
 //! ```
 
+pub mod as_written;
 pub mod call_trace;
 pub mod compose;
 pub mod diagnostic;

@@ -5,10 +5,13 @@
 
 mod text;
 
+use std::borrow::Cow;
 use std::fmt;
 
-use naga::ShaderStage;
+use naga::back::PipelineConstants;
 use naga::back::pipeline_constants::process_overrides;
+use naga::valid::ModuleInfo;
+use naga::{Module, ShaderStage};
 
 use crate::{Error, Features, Precision, Validated};
 
@@ -87,17 +90,11 @@ pub fn translate(shader: &Validated, target: Target, features: &Features) -> Res
     if let Some(reason) = target.obstacle(precision).filter(|_| shader.needs_f64) {
         return Err(Error::Unsupported { target, precision, reason });
     }
-    let failed = |message: String| Error::Write { target, message };
-    let entries = shader.entry_points();
-    let [entry] = entries[..] else {
-        return Err(failed(format!("it has {} entry points and needs one", entries.len())));
-    };
+    let failed = failed(target);
     let has = |name: &str| shader.module.overrides.iter().any(|(_, constant)| constant.name.as_deref() == Some(name));
     let constants =
         features.constants().into_iter().filter(|(name, _)| has(name)).map(|(name, value)| (name.to_owned(), value));
-    let stage = ShaderStage::Compute;
-    let (module, info) = process_overrides(&shader.module, &shader.info, Some((stage, entry)), &constants.collect())
-        .map_err(|error| failed(error.to_string()))?;
+    let (module, info, entry) = with_constants(shader, constants.collect()).map_err(&failed)?;
     let input = text::Input { module: &module, info: &info, entry };
     let result = match target {
         Target::SpirV => return input.spirv().map(Translation::Words).map_err(failed),
@@ -107,6 +104,30 @@ pub fn translate(shader: &Validated, target: Target, features: &Features) -> Res
         Target::GlslEs310 => input.glsl(naga::back::glsl::Version::new_gles(310)),
     };
     result.map(Translation::Text).map_err(failed)
+}
+
+/// Returns a function that makes an error of naga's message.
+pub(crate) fn failed(target: Target) -> impl Fn(String) -> Error {
+    move |message| Error::Write { target, message }
+}
+
+/// Returns the module of `shader` with `constants` in the place of its overrides, what naga's writers need to know
+/// about it, and the name of its only entry point.
+///
+/// # Errors
+/// A message if there is not exactly one entry point, or if `constants` do not fit the overrides.
+pub(crate) fn with_constants(
+    shader: &Validated,
+    constants: PipelineConstants,
+) -> Result<(Cow<'_, Module>, Cow<'_, ModuleInfo>, &str), String> {
+    let entries = shader.entry_points();
+    let [entry] = entries[..] else {
+        return Err(format!("it has {} entry points and needs one", entries.len()));
+    };
+    let stage = Some((ShaderStage::Compute, entry));
+    let (module, info) =
+        process_overrides(&shader.module, &shader.info, stage, &constants).map_err(|error| error.to_string())?;
+    Ok((module, info, entry))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use gpu_check::conformance::probe::Probe;
 use gpu_check::conformance::report::{self, Run};
 use gpu_check::conformance::{browser, native, probes};
 use gpu_check::web::chromium;
-use gpu_check::{Gpu, terminal};
+use gpu_check::{Form, Gpu, terminal};
 use output::{Options, Output, stop};
 
 /// Exit status if a driver fails a probe.
@@ -81,6 +81,7 @@ fn runs(arguments: &Arguments, probes: &[Probe]) -> Result<Vec<Run>, String> {
         (false, false) => Gpu::open().map(|gpu| vec![gpu]),
     };
     for gpu in gpus.map_err(|error| error.to_string())? {
+        let gpu = if arguments.as_driver_likes { gpu.with_form(Form::AsDriverLikes) } else { gpu };
         let mut outcomes = Vec::new();
         for probe in probes {
             if stop::requested() {

@@ -37,6 +37,9 @@ pub struct Arguments {
     /// Run on every adapter, or on every one whose name contains WGPU_ADAPTER_NAME
     #[arg(long)]
     pub all: bool,
+    /// Let drivers rewrite the arithmetic, which they otherwise do as it is written
+    #[arg(long)]
+    pub as_driver_likes: bool,
     /// Run in headless Chromium too, which is looked for in PATH or is the file that CHROMIUM names
     #[arg(long)]
     pub browser: bool,

@@ -5,6 +5,7 @@ use super::report::Driver;
 use super::verdict::Outcome;
 use crate::pipeline::Content;
 use crate::{Error, Gpu, Pipeline};
+use shaders::Precision;
 
 /// The project's lock file, which has the versions of wgpu and naga.
 const LOCK: &str = include_str!("../../../Cargo.lock");
@@ -19,7 +20,8 @@ fn version<'a>(lock: &'a str, package: &str) -> &'a str {
 #[must_use]
 pub fn driver(gpu: &Gpu) -> Driver {
     let versions = ["wgpu", "naga"].map(|package| format!("{package} {}", version(LOCK, package)));
-    Driver { adapter: gpu.name().to_owned(), driver: gpu.driver(), compiler: versions.join(", ") }
+    let driver = format!("{}, {}", gpu.driver(), gpu.form(Precision::F32));
+    Driver { adapter: gpu.name().to_owned(), driver, compiler: versions.join(", ") }
 }
 
 /// Runs a probe.

@@ -35,13 +35,13 @@ pub fn cylinders(count: usize, seed: u64) -> Vec<f64> {
     all(&CYLINDER, CYLINDERS.iter().chain(extremes), count, seed)
 }
 
-/// Returns the cases of the plain formula's kernel, and of the regimes, each with the barrier appended.
+/// Returns the cases of the plain formula's kernel, and of the regimes.
 fn all<'a>(plain: &Kernel, regimes: impl Iterator<Item = &'a Regime>, count: usize, seed: u64) -> Vec<f64> {
     let mut rows = [plain.edge_cases::<f64>(), plain.random_cases(count, seed)].concat();
     for regime in regimes {
         rows.extend(methods::rows::<f64>(&regime.cases(seed, count)));
     }
-    rows.chunks(plain.inputs).flat_map(|row| row.iter().copied().chain([1.0])).collect()
+    rows
 }
 
 /// Returns two factors and a term for each case. Half of the terms nearly cancel the product. In a quarter the product
@@ -51,7 +51,7 @@ pub fn products(count: usize, seed: u64) -> Vec<f64> {
     for a in FACTORS {
         for b in FACTORS {
             for c in FACTORS.into_iter().chain([-a * b]) {
-                rows.number(a).number(b).number(c).number(1.0);
+                rows.number(a).number(b).number(c);
             }
         }
     }
@@ -70,7 +70,7 @@ pub fn products(count: usize, seed: u64) -> Vec<f64> {
                 if number % 8 == 3 { 0.0 } else { special::of_any_size(&mut draws, -40.0, 2.0) }
             }
         };
-        rows.number(a).number(b).number(c).number(1.0);
+        rows.number(a).number(b).number(c);
     }
     rows.0
 }

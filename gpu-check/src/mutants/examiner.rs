@@ -8,11 +8,13 @@ use shaders::{Features, Library, Precision};
 
 use super::Mutant;
 use crate::closest_hits::{closest_hits, random};
+use crate::conformance::single;
 use crate::difference::first_differing;
 use crate::difference::{Difference, difference};
 use crate::exact::{EXACT_KERNELS, ExactKernel};
 use crate::first_difference::{self, Located};
 use crate::kernels::KERNELS;
+use crate::running::Accuracy;
 use crate::sampled::crafted::{self, Crafted};
 use crate::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use crate::scenes::{self, Case};
@@ -55,7 +57,8 @@ pub struct Examiner<'a> {
     rays: Vec<Rays>,
 }
 
-/// Rays in f32, where the boxes of a hierarchy have the largest margins, with their hits in Rust.
+/// Rays in f32, where the boxes of a hierarchy have the largest margins, with their hits in Rust. If the f32 of the
+/// device is not that of IEEE 754, they are its own hits, by the loop over all objects.
 type Rays = (Picture<f32>, Vec<Ray<f32>>, Vec<[f32; 3]>);
 
 impl<'a> Examiner<'a> {
@@ -72,7 +75,16 @@ impl<'a> Examiner<'a> {
         let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
         let sampled = recorded.collect::<Result<_, _>>()?;
         let mut draws = Uniform::new(45);
-        let rays = (0..RAY_SCENES).map(|number| random_rays(&mut draws, number)).collect::<Result<_, _>>()?;
+        let accuracy = single::accuracy(gpu)?;
+        let rays = (0..RAY_SCENES).map(|number| {
+            let (picture, rays, hits) = random_rays(&mut draws, number)?;
+            let hits = match accuracy {
+                Accuracy::Ieee => hits,
+                Accuracy::Wgsl => closest_hits(gpu, &Library::standard(), &picture, &rays)?,
+            };
+            Ok::<_, Error>((picture, rays, hits))
+        });
+        let rays = rays.collect::<Result<_, _>>()?;
         Ok(Self { gpu, kernels, exact, pictures, sampled, crafted: crafted::all()?, rays })
     }
 

@@ -23,7 +23,7 @@ mutants! {
         "real(1e-8)" => "real(1e-9)",
     ;
     "exact":
-        "let sum = a * one + b;" => "let sum = a + b;",
+        "let sum = a + b;" => "let sum = a - b;",
         "sum - b_part" => "sum + b_part",
         "(a - a_part) + (b - b_part)" => "b - b_part",
     ;

@@ -9,6 +9,7 @@ use clap::{Args, CommandFactory, Parser};
 use shaders::{Features, Precision};
 
 use super::view::View;
+use crate::Form;
 use crate::sampled::Convention;
 
 /// The file that the name `-` of an input stands for.
@@ -68,6 +69,12 @@ pub struct Options {
     /// Calculate in f64, which is the default
     #[arg(long, conflicts_with = "f32")]
     pub f64: bool,
+    /// Calculate f64 by integers, as on an adapter without f64
+    #[arg(long, conflicts_with = "f32")]
+    pub integers: bool,
+    /// Let the driver rewrite the arithmetic, which it otherwise does as it is written
+    #[arg(long, conflicts_with = "integers")]
+    pub as_driver_likes: bool,
     /// Render as the programs do: with random numbers and samples_per_pixel samples
     #[arg(long, conflicts_with_all = ["pixel", "first_difference"])]
     pub samples: bool,
@@ -159,6 +166,16 @@ impl Options {
     #[must_use]
     pub const fn precision(&self) -> Precision {
         if self.f32 { Precision::F32 } else { Precision::F64 }
+    }
+
+    /// Returns the form in which the device gets the shaders.
+    #[must_use]
+    pub const fn form(&self) -> Form {
+        match (self.integers, self.as_driver_likes) {
+            (true, _) => Form::ByIntegers,
+            (false, true) => Form::AsDriverLikes,
+            (false, false) => Form::AsWritten,
+        }
     }
 
     /// Checks what the command line alone cannot.

@@ -11,7 +11,7 @@ use std::process::Command;
 use shaders::{Composition, Precision};
 
 use crate::guard::{End, Limits, MAX_TEXT, limit_this_process};
-use crate::{Error, Gpu, Pipeline};
+use crate::{Error, Form, Gpu, Pipeline};
 
 /// The first argument of the separate process. With this argument the program only compiles.
 pub const FLAG: &str = "--compile-standard-input";
@@ -20,13 +20,13 @@ pub const FLAG: &str = "--compile-standard-input";
 /// memory, so it must not compile the shader then.
 const OUT_OF_MEMORY: i32 = 3;
 
-/// Compiles `composition` in a separate process, within the limits [`Limits::STANDARD`].
+/// Compiles `composition` in a separate process, in the form that `gpu` wants, within the limits [`Limits::STANDARD`].
 ///
 /// # Errors
 /// The errors of [`check_within`].
-pub fn check(composition: &Composition, constants: &[(&str, f64)]) -> Result<(), Error> {
+pub fn check(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<(), Error> {
     let program = std::env::current_exe().map_err(failed)?;
-    check_within(&program, Limits::STANDARD, composition, constants)
+    check_within(&program, Limits::STANDARD, gpu.wanted_form(), composition, constants)
 }
 
 fn failed(cause: io::Error) -> Error {
@@ -43,12 +43,13 @@ fn failed(cause: io::Error) -> Error {
 pub fn check_within(
     program: &Path,
     limits: Limits,
+    form: Form,
     composition: &Composition,
     constants: &[(&str, f64)],
 ) -> Result<(), Error> {
     let mut command = Command::new(program);
     command.arg(FLAG).args(limits.arguments());
-    command.arg(composition.precision().to_string());
+    command.arg(form.to_string()).arg(composition.precision().to_string());
     command.args(constants.iter().map(|(name, value)| format!("{name}={value}")));
     match limits.run(&mut command, composition.source()).map_err(failed)? {
         End::Success(_) | End::Refused(_) => Ok(()),
@@ -68,6 +69,7 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
     let wrong = |message: &str| Error::Request { message: message.to_owned() };
     let mut arguments = arguments.into_iter().map(|argument| argument.to_string_lossy().into_owned());
     limit_this_process(&mut arguments)?;
+    let form = arguments.next().unwrap_or_default().parse::<Form>().map_err(|message| wrong(&message))?;
     let precision = arguments.next();
     let precision = Precision::ALL.into_iter().find(|known| Some(known.to_string()) == precision);
     let precision = precision.ok_or_else(|| wrong("the precision is missing"))?;
@@ -82,7 +84,7 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
     // The text is validated before the driver is loaded, so that the driver's memory does not count against the limit.
     composition.validate()?;
     let compiled = || {
-        let gpu = Gpu::open()?;
+        let gpu = Gpu::open()?.with_form(form);
         Pipeline::with_constants(&gpu, &composition, &constants)?.warm_up(&gpu)
     };
     match compiled() {

@@ -32,6 +32,7 @@ pub(super) struct Rendered<T> {
 /// # Errors
 /// [`Error::Request`] if such a picture uses none of the user's modules, so that no change of them could be seen.
 pub(super) fn check_modules(
+    gpu: &Gpu,
     library: &Library,
     modules: &[UserModule],
     truth: &Truth,
@@ -48,7 +49,7 @@ pub(super) fn check_modules(
         let message = format!("--samples renders with [{samples}], which does not use {}", names.join(", "));
         return Err(Error::Request { message });
     }
-    guard::check(&means_text, &[])?;
+    guard::check(gpu, &means_text, &[])?;
     Ok(samples)
 }
 

@@ -104,8 +104,8 @@ impl Trial<'_> {
         let library = self.library()?;
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
-        let kernel = rendered::check_modules(&library, modules, truth, T::PRECISION)?;
-        guard::check(&library.compose(kernel, T::PRECISION)?, &constants(&features, &own))?;
+        let kernel = rendered::check_modules(gpu, &library, modules, truth, T::PRECISION)?;
+        guard::check(gpu, &library.compose(kernel, T::PRECISION)?, &constants(&features, &own))?;
         // This process parses the modules only after the separate process has done so within its limits.
         self.check_constants::<T>(kernel, &own)?;
         let picture = Picture::<T>::new(&truth.config, &truth.scene)?;
@@ -223,7 +223,7 @@ impl Trial<'_> {
     /// Returns a [`Follower`] with the user's modules. They are compiled in the separate process first.
     fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
         let library = self.library()?;
-        guard::check(&library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
+        guard::check(self.gpu, &library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
         Follower::new(self.gpu, &library, features, own)
     }
 

@@ -66,7 +66,7 @@ impl Lab {
             self.texts = Some(sources.texts.clone());
         }
         if self.gpu.is_none() {
-            self.gpu = Some(Gpu::open()?);
+            self.gpu = Some(Gpu::open()?.with_form(self.options.form()));
         }
         let (Some(gpu), Some(truth)) = (&self.gpu, &self.truth) else { unreachable!("both were just made") };
         let trial = Trial { gpu, options: &self.options, modules, truth };

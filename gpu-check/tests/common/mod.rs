@@ -1,6 +1,8 @@
 //! Opens the device for all tests that need one.
 
 use gpu_check::Gpu;
+use gpu_check::conformance::single;
+use gpu_check::running::Accuracy;
 
 /// Opens the device, and prints its name, driver and version. If there is no device, the test fails with a message that
 /// tells what to install.
@@ -8,4 +10,13 @@ pub fn gpu() -> Gpu {
     let gpu = Gpu::open().unwrap_or_else(|error| panic!("{error}"));
     println!("{gpu}");
     gpu
+}
+
+/// Returns the accuracy of the device's f32 arithmetic, and prints it. Only with that of IEEE 754 can f32 have the bits
+/// of Rust.
+#[allow(dead_code, reason = "not every test compares f32")]
+pub fn accuracy(gpu: &Gpu) -> Accuracy {
+    let accuracy = single::accuracy(gpu).unwrap_or_else(|error| panic!("{error}"));
+    println!("f32 has the accuracy of {accuracy:?}");
+    accuracy
 }

@@ -77,14 +77,13 @@ modules! {
     "kernels/reflection" in "wgsl/kernels/reflection.wgsl" needs ["scatter" "layout"];
     "kernels/metal" in "wgsl/kernels/metal.wgsl" needs ["scatter" "layout"];
     "kernels/refraction" in "wgsl/kernels/refraction.wgsl" needs ["scatter" "layout"];
-    "kernels/barrier" in "wgsl/kernels/barrier.wgsl" needs ["exact"];
+    "kernels/two_sum" in "wgsl/kernels/two_sum.wgsl" needs ["exact"];
     "kernels/mul_add" in "wgsl/kernels/mul_add.wgsl" needs ["exact/error_free"];
     "kernels/exact_report" in "wgsl/kernels/exact_report.wgsl" needs ["exact/error_bound" "exact/precise_bound"];
     "kernels/exact_sphere" in "wgsl/kernels/exact_sphere.wgsl"
         needs ["layout" "exact/compensated" "exact/precise_sphere" "kernels/exact_report"];
     "kernels/exact_cylinder" in "wgsl/kernels/exact_cylinder.wgsl"
         needs ["layout" "exact/cylinder" "exact/precise_cylinder" "kernels/exact_report"];
-    "kernels/rewrites" in "wgsl/kernels/rewrites.wgsl" needs [];
     "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];
     "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["bounce"];
     "kernels/samples" in "wgsl/kernels/samples.wgsl" needs ["trace_samples"];

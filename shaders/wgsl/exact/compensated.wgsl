@@ -9,16 +9,16 @@ struct SquareTerms {
 // difference_of_squares: returns `|C - O|^2 - r^2`, nearly as accurate as if it were rounded once, and
 // `|C - O|^2 + r^2`.
 fn exact_square_terms(sphere: SphereRecord, origin: vec3<real>) -> SquareTerms {
-    let x = exact_two_sum(sphere.center.x, -origin.x, exact_one);
-    let y = exact_two_sum(sphere.center.y, -origin.y, exact_one);
-    let z = exact_two_sum(sphere.center.z, -origin.z, exact_one);
+    let x = exact_two_sum(sphere.center.x, -origin.x);
+    let y = exact_two_sum(sphere.center.y, -origin.y);
+    let z = exact_two_sum(sphere.center.z, -origin.z);
     let xx = exact_two_product(x.sum, x.sum);
     let yy = exact_two_product(y.sum, y.sum);
     let zz = exact_two_product(z.sum, z.sum);
     let rr = exact_two_product(sphere.radius, sphere.radius);
-    let first = exact_two_sum(xx.sum, yy.sum, exact_one);
-    let second = exact_two_sum(first.sum, zz.sum, exact_one);
-    let third = exact_two_sum(second.sum, -rr.sum, exact_one);
+    let first = exact_two_sum(xx.sum, yy.sum);
+    let second = exact_two_sum(first.sum, zz.sum);
+    let third = exact_two_sum(second.sum, -rr.sum);
     let across = exact_mul_add(x.sum, x.error, exact_mul_add(y.sum, y.error, z.sum * z.error));
     let sums = first.error + second.error + third.error;
     let products = (xx.error + yy.error) + (zz.error - rr.error);

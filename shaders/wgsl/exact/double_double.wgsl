@@ -10,21 +10,15 @@ fn dd_of(high: real) -> DoubleDouble {
     return DoubleDouble(high, real(0.0));
 }
 
-// Returns the number of a constant. The barrier hides the constant from the driver, which otherwise merges the
-// constants of a sum before and after its rounding.
-fn dd_constant(high: real) -> DoubleDouble {
-    return dd_of(high * exact_one);
-}
-
 // fast_two_sum: returns `a + b` without a rounding error, if `|a| >= |b|` or `a = 0` (Dekker).
 fn dd_fast_two_sum(a: real, b: real) -> DoubleDouble {
-    let high = a * exact_one + b;
+    let high = a + b;
     return DoubleDouble(high, b - (high - a));
 }
 
 fn dd_add(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
-    let high = exact_two_sum(a.high, b.high, exact_one);
-    let low = exact_two_sum(a.low, b.low, exact_one);
+    let high = exact_two_sum(a.high, b.high);
+    let low = exact_two_sum(a.low, b.low);
     let sum = dd_fast_two_sum(high.sum, high.error + low.sum);
     return dd_fast_two_sum(sum.high, sum.low + low.error);
 }
@@ -55,8 +49,7 @@ fn dd_sqrt(a: DoubleDouble) -> DoubleDouble {
     if a.high == real(0.0) {
         return a;
     }
-    // Without the barrier a driver replaces the square of the root by its argument, and the remainder would be zero.
-    let high = sqrt(a.high) * exact_one;
+    let high = sqrt(a.high);
     let remainder = exact_mul_add(-high, high, a.high) + a.low;
     return dd_fast_two_sum(high, remainder / (high + high));
 }

@@ -6,9 +6,6 @@
 // ties in the place of rounding to odd). A product below 2^-960 may lose its error to underflow, as the error is then
 // smaller than the smallest number. The bounds of the exact intersections have a term for that.
 
-// The barrier of exact.wgsl. A kernel loads this 1 at run time, and sets it before it calls a function of exact/.
-var<private> exact_one: real;
-
 // The two halves of a number, of at most 26 bits each: their sum is the number.
 struct ExactHalves {
     high: real,
@@ -18,7 +15,7 @@ struct ExactHalves {
 // Returns the halves of `a` (Veltkamp).
 fn exact_halves(a: real) -> ExactHalves {
     let large = a * SPLITTER;
-    let high = large * exact_one - (large - a);
+    let high = large - (large - a);
     return ExactHalves(high, a - high);
 }
 
@@ -43,12 +40,12 @@ fn exact_two_product(a: real, b: real) -> ExactSum {
 // exactly half a unit in the last place: then `sum` may have been rounded to the even neighbour on the wrong side.
 fn exact_mul_add(a: real, b: real, c: real) -> real {
     let product = exact_two_product(a, b);
-    let low = exact_two_sum(c, product.error, exact_one);
-    let high = exact_two_sum(product.sum, low.sum, exact_one);
-    let middle = exact_two_sum(low.error, high.error, exact_one);
-    let sum = exact_two_sum(high.sum, middle.sum, exact_one);
+    let low = exact_two_sum(c, product.error);
+    let high = exact_two_sum(product.sum, low.sum);
+    let middle = exact_two_sum(low.error, high.error);
+    let sum = exact_two_sum(high.sum, middle.sum);
     // The neighbour of the sum on the side of the rest, if the rest is more than a third of a unit.
-    let neighbor = sum.sum * exact_one + sum.error * real(1.5);
+    let neighbor = sum.sum + sum.error * real(1.5);
     let is_tie = sum.error + sum.error == neighbor - sum.sum;
     let zero = real(0.0);
     let same_side = (zero < sum.error && zero < middle.error) || (sum.error < zero && middle.error < zero);

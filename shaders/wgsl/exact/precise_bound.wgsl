@@ -10,11 +10,11 @@ struct PreciseDecision {
 }
 
 fn precise_uncertain() -> PreciseDecision {
-    return PreciseDecision(false, false, dd_constant(real(0.0)), SIDE);
+    return PreciseDecision(false, false, dd_of(real(0.0)), SIDE);
 }
 
 fn precise_miss() -> PreciseDecision {
-    return PreciseDecision(true, false, dd_constant(real(0.0)), SIDE);
+    return PreciseDecision(true, false, dd_of(real(0.0)), SIDE);
 }
 
 fn precise_hit(lambda: DoubleDouble, part: u32) -> PreciseDecision {
@@ -37,7 +37,7 @@ struct PreciseBound {
 
 fn precise_bound_new(limits: PreciseLimits, length_squared: DoubleDouble, squares: DoubleDouble) -> PreciseBound {
     let size = dd_mul(length_squared, squares);
-    return PreciseBound(limits, size, dd_add(dd_mul(size, dd_constant(limits.error)), dd_constant(ERROR_UNDERFLOW)));
+    return PreciseBound(limits, size, dd_add(dd_mul(size, dd_of(limits.error)), dd_of(ERROR_UNDERFLOW)));
 }
 
 fn precise_bound_misses(bound: PreciseBound, discriminant: DoubleDouble) -> bool {
@@ -45,18 +45,18 @@ fn precise_bound_misses(bound: PreciseBound, discriminant: DoubleDouble) -> bool
 }
 
 fn precise_in_scale(length_squared: DoubleDouble) -> bool {
-    let long_enough = dd_less_equal(dd_constant(SHORTEST_SQUARED), length_squared);
-    return long_enough && dd_less_equal(length_squared, dd_constant(LONGEST_SQUARED));
+    let long_enough = dd_less_equal(dd_of(SHORTEST_SQUARED), length_squared);
+    return long_enough && dd_less_equal(length_squared, dd_of(LONGEST_SQUARED));
 }
 
 // least_lambda: returns the smallest lambda of a hit that counts, LAMBDA_MIN - 2^-63. It is rounded to LAMBDA_MIN.
 fn precise_least_lambda() -> DoubleDouble {
-    return DoubleDouble(real(1e-3) * exact_one, real(-1.0842021724855044e-19) * exact_one);
+    return DoubleDouble(real(1e-3), real(-1.0842021724855044e-19));
 }
 
 // Limits::in_range: returns whether `lambda`, which must be accurate, certainly is at least `least_lambda`.
 fn precise_in_range(limits: PreciseLimits, lambda: DoubleDouble) -> bool {
-    return dd_less_equal(dd_add(precise_least_lambda(), dd_constant(limits.lambda_error)), lambda);
+    return dd_less_equal(dd_add(precise_least_lambda(), dd_of(limits.lambda_error)), lambda);
 }
 
 fn precise_bound_is_too_small(
@@ -65,7 +65,7 @@ fn precise_bound_is_too_small(
     numerator: DoubleDouble,
     root: DoubleDouble,
 ) -> bool {
-    let least = dd_sub(precise_least_lambda(), dd_constant(bound.limits.lambda_error));
+    let least = dd_sub(precise_least_lambda(), dd_of(bound.limits.lambda_error));
     return dd_less(bound.error, dd_mul(dd_sub(dd_mul(a, least), numerator), root));
 }
 
@@ -84,10 +84,10 @@ fn precise_bound_root(
 ) -> PreciseOutcome {
     let lambda = dd_div(numerator, a);
     let share = bound.limits.share;
-    let size = dd_add(dd_mul(bound.size, dd_constant(share)), dd_constant(ERROR_UNDERFLOW));
-    let square = dd_mul(dd_mul(numerator, numerator), dd_constant(share * real(4.0)));
+    let size = dd_add(dd_mul(bound.size, dd_of(share)), dd_of(ERROR_UNDERFLOW));
+    let square = dd_mul(dd_mul(numerator, numerator), dd_of(share * real(4.0)));
     let accurate = dd_less(dd_add(size, square), dd_mul(root, numerator));
-    let finite = dd_less(bound.size, dd_constant(ERROR_OVERFLOW));
+    let finite = dd_less(bound.size, dd_of(ERROR_OVERFLOW));
     let hits = accurate && finite && precise_in_range(bound.limits, lambda);
     return PreciseOutcome(lambda, hits, precise_bound_is_too_small(bound, a, numerator, root));
 }

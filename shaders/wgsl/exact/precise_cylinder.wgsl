@@ -8,29 +8,29 @@ fn precise_cap_filtered(
     center: DoubleDouble3,
     part: u32,
 ) -> PreciseDecision {
-    let parallel = dd_constant(real(1e-8));
+    let parallel = dd_of(real(1e-8));
     let to_center = dd3_sub(center, origin);
     let to_plane = dd3_dot(to_center, cylinder.axis);
     let slope = dd3_dot(direction, cylinder.axis);
     let steepness = dd_abs(slope);
     let size_of_direction = dd3_magnitude(direction);
-    let slope_error = dd_mul(size_of_direction, dd_constant(real(1.5777218104420236e-30)));
+    let slope_error = dd_mul(size_of_direction, dd_of(real(1.5777218104420236e-30)));
     if dd_less(dd_add(steepness, slope_error), parallel) {
         return precise_miss();
     }
     let steep = dd_less(dd_add(parallel, slope_error), steepness);
     var distance = to_plane;
-    if dd_less(slope, dd_constant(real(0.0))) {
+    if dd_less(slope, dd_of(real(0.0))) {
         distance = dd_neg(to_plane);
     }
     let size = dd_add(precise_cylinder_extent(cylinder), dd3_magnitude(to_center));
-    let farthest = dd_add(distance, dd_mul(size, dd_constant(real(3.1554436208840472e-30))));
+    let farthest = dd_add(distance, dd_mul(size, dd_of(real(3.1554436208840472e-30))));
     if steep && dd_less(farthest, dd_mul(dd_sub(steepness, slope_error), precise_least_lambda())) {
         return precise_miss();
     }
     let lambda = dd_div(to_plane, slope);
-    let accurate = dd_less(size, dd_mul(distance, dd_constant(real(4398046511104.0))))
-        && dd_less(size_of_direction, dd_mul(steepness, dd_constant(real(8796093022208.0))));
+    let accurate = dd_less(size, dd_mul(distance, dd_of(real(4398046511104.0))))
+        && dd_less(size_of_direction, dd_mul(steepness, dd_of(real(8796093022208.0))));
     let is_in_range = accurate && precise_in_range(precise_cylinder_limits(), lambda);
     let from_center = dd3_sub(dd3_add(origin, dd3_scaled(direction, lambda)), center);
     let off_center = dd_sqrt(dd3_dot(from_center, from_center));
@@ -72,7 +72,7 @@ fn precise_cylinder_filtered(center: vec3<real>, radius: real, axis: vec3<real>,
     if precise_crossing_passes_by(entry, leaving) {
         return precise_miss();
     }
-    let down = dd_less(side.slope, dd_constant(real(0.0)));
+    let down = dd_less(side.slope, dd_of(real(0.0)));
     var half = cylinder.half_height;
     if down {
         half = dd_neg(half);

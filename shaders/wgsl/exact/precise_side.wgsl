@@ -13,12 +13,12 @@ struct PreciseCylinder {
 fn precise_cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> PreciseCylinder {
     let v = dd3_of(axis);
     // The square of a short axis would underflow, so the axis is scaled by a power of two first.
-    let is_short = dd_less(dd3_dot(v, v), dd_constant(SHORT_SQUARED));
-    let scaled = dd3_scaled(v, dd_constant(select(real(1.0), SHORT_SCALE, is_short)));
+    let is_short = dd_less(dd3_dot(v, v), dd_of(SHORT_SQUARED));
+    let scaled = dd3_scaled(v, dd_of(select(real(1.0), SHORT_SCALE, is_short)));
     let length = dd_sqrt(dd3_dot(scaled, scaled));
-    let height = dd_mul(length, dd_constant(select(real(1.0), SHORT_SQUARED, is_short)));
+    let height = dd_mul(length, dd_of(select(real(1.0), SHORT_SQUARED, is_short)));
     let r = dd_of(radius);
-    let half_height = dd_div(height, dd_constant(real(2.0)));
+    let half_height = dd_div(height, dd_of(real(2.0)));
     return PreciseCylinder(dd3_of(center), dd3_divided(scaled, length), r, dd_mul(r, r), half_height);
 }
 
@@ -30,7 +30,7 @@ fn precise_cylinder_limits() -> PreciseLimits {
 
 fn precise_cylinder_extent(cylinder: PreciseCylinder) -> DoubleDouble {
     let sum = dd_add(dd_add(dd3_magnitude(cylinder.center), cylinder.radius), cylinder.half_height);
-    return dd_add(sum, dd_constant(EXTENT_UNDERFLOW));
+    return dd_add(sum, dd_of(EXTENT_UNDERFLOW));
 }
 
 // margin: the factors are 512 * 65,536 * 2^24 * 2^-102 and 64 * 2^-102.
@@ -39,8 +39,8 @@ fn precise_cylinder_margin(
     direction: DoubleDouble3,
     lambda: DoubleDouble,
 ) -> DoubleDouble {
-    let along = dd_mul(dd_mul(lambda, dd3_magnitude(direction)), dd_constant(real(1.1102230246251565e-16)));
-    return dd_add(along, dd_mul(precise_cylinder_extent(cylinder), dd_constant(real(1.262177448353619e-29))));
+    let along = dd_mul(dd_mul(lambda, dd3_magnitude(direction)), dd_of(real(1.1102230246251565e-16)));
+    return dd_add(along, dd_mul(precise_cylinder_extent(cylinder), dd_of(real(1.262177448353619e-29))));
 }
 
 // Side<DoubleDouble>
@@ -87,7 +87,7 @@ fn precise_side_crossing(
     numerator: DoubleDouble,
     root: DoubleDouble,
 ) -> PreciseCrossing {
-    let steep_enough = dd_less_equal(side.length_squared, dd_mul(side.a, dd_constant(real(7.737125245533627e25))));
+    let steep_enough = dd_less_equal(side.length_squared, dd_mul(side.a, dd_of(real(7.737125245533627e25))));
     let crossing = precise_bound_root(side.bound, side.a, numerator, root);
     let along = dd_add(side.along, dd_mul(crossing.lambda, side.slope));
     let margin = precise_cylinder_margin(cylinder, direction, crossing.lambda);

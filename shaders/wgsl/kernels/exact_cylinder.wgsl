@@ -5,8 +5,6 @@ struct ExactCylinderCase {
     center: PackedVec3,
     radius: real,
     axis: PackedVec3,
-    // The barrier of exact.wgsl, which is 1 in every case.
-    one: real,
 }
 
 @group(0) @binding(0) var<storage, read> cases: array<ExactCylinderCase>;
@@ -17,7 +15,6 @@ fn exact_cylinder(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&cases) {
         return;
     }
-    exact_one = cases[id.x].one;
     let ray = ray_load(cases[id.x].ray);
     let center = vec3_load(cases[id.x].center);
     let axis = vec3_load(cases[id.x].axis);

@@ -4,8 +4,6 @@ struct ExactSphereCase {
     ray: PackedRay,
     center: PackedVec3,
     radius: real,
-    // The barrier of exact.wgsl, which is 1 in every case.
-    one: real,
 }
 
 @group(0) @binding(0) var<storage, read> cases: array<ExactSphereCase>;
@@ -16,7 +14,6 @@ fn exact_sphere(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&cases) {
         return;
     }
-    exact_one = cases[id.x].one;
     let ray = ray_load(cases[id.x].ray);
     let center = vec3_load(cases[id.x].center);
     let radius = cases[id.x].radius;

@@ -4,8 +4,6 @@ struct MulAddCase {
     a: real,
     b: real,
     c: real,
-    // The barrier of exact.wgsl, which is 1 in every case.
-    one: real,
 }
 
 struct MulAddReport {
@@ -23,7 +21,6 @@ fn mul_add(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let this_case = cases[id.x];
-    exact_one = this_case.one;
     let product = exact_two_product(this_case.a, this_case.b);
     let sum = exact_mul_add(this_case.a, this_case.b, this_case.c);
     reports[id.x] = MulAddReport(product.sum, product.error, sum);

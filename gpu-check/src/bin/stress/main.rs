@@ -111,9 +111,6 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open()?;
     let device = gpu.to_string();
     terminal::print(&format!("{device}\n"))?;
-    if !gpu.has_f64() {
-        terminal::print("it has no f64 in shaders: WGSL is held to exact arithmetic in f32 only\n")?;
-    }
     let mut methods = methods::all();
     methods.extend(gpu_check::methods::all(gpu)?);
 

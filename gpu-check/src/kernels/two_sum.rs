@@ -1,4 +1,4 @@
-//! Sums with their rounding errors, computed with the barrier against rewriting.
+//! Sums with their rounding errors.
 
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
@@ -6,11 +6,10 @@ use cpu::internals::sampling::uniform::Uniform;
 use crate::kernel::{Formula, Reader};
 use crate::special::{self, NUMBERS, Row};
 
-pub enum Barrier {}
+pub enum TwoSum {}
 
 /// Returns the rounded sum of two numbers and its rounding error. `sum + error` is exactly `a + b`, unless the sum
-/// overflows (Knuth, TAOCP 4.2.2, theorem B). Rust does not rewrite floating-point operations, so this function needs
-/// no barrier.
+/// overflows (Knuth, TAOCP 4.2.2, theorem B).
 pub fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
     let sum = a + b;
     let b_part = sum - a;
@@ -18,13 +17,12 @@ pub fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
     (sum, (a - a_part) + (b - b_part))
 }
 
-impl Formula for Barrier {
-    const MODULE: &'static str = "kernels/barrier";
-    const INPUTS: usize = 3;
+impl Formula for TwoSum {
+    const MODULE: &'static str = "kernels/two_sum";
+    const INPUTS: usize = 2;
     const OUTPUTS: &'static [&'static str] = &["sum", "error"];
 
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        // The third input is the barrier, which is 1 in every case.
         let mut case = Reader(case);
         let (sum, error) = two_sum(case.number(), case.number());
         result.copy_from_slice(&[sum, error]);
@@ -34,7 +32,7 @@ impl Formula for Barrier {
         let mut rows = Row::default();
         for a in NUMBERS {
             for b in NUMBERS {
-                rows.number(a).number(b).number(1.0);
+                rows.number(a).number(b);
             }
         }
         rows.0
@@ -43,7 +41,6 @@ impl Formula for Barrier {
     fn random(draws: &mut Uniform, case: &mut [f64]) {
         case[0] = special::of_any_size(draws, -12.0, 12.0);
         case[1] = special::of_any_size(draws, -12.0, 12.0);
-        case[2] = 1.0;
     }
 }
 
