@@ -50,7 +50,16 @@ impl Gpu {
     /// driver is loaded.
     pub fn open() -> Result<Self, Error> {
         check_room()?;
-        Self::of(&adapter::choose()?)
+        Self::of(&adapter::choose()?, Features::all())
+    }
+
+    /// Opens as [`Self::open`] does, but without f64, as if the adapter had none.
+    ///
+    /// # Errors
+    /// The errors of [`Self::open`].
+    pub fn open_without_f64() -> Result<Self, Error> {
+        check_room()?;
+        Self::of(&adapter::choose()?, !Features::SHADER_F64)
     }
 
     /// Returns this device with another form of its shaders. A device that is opened has [`Form::AsWritten`].
@@ -65,16 +74,17 @@ impl Gpu {
     /// The errors of [`Self::open`].
     pub fn open_all() -> Result<Vec<Self>, Error> {
         check_room()?;
-        adapter::all()?.iter().map(Self::of).collect()
+        adapter::all()?.iter().map(|adapter| Self::of(adapter, Features::all())).collect()
     }
 
-    fn of(adapter: &Adapter) -> Result<Self, Error> {
+    /// Opens `adapter` with those of its features that `allowed` has.
+    fn of(adapter: &Adapter, allowed: Features) -> Result<Self, Error> {
         let info = adapter.get_info();
         // The limits of the WebGPU standard, which browsers have too. One limit is 128 MiB for a binding. Only pictures
         // with random numbers in a hierarchy bind one buffer more than the standard's 8, if the adapter has them.
         let buffers = adapter.limits().max_storage_buffers_per_shader_stage.clamp(8, 9);
         let descriptor = DeviceDescriptor {
-            required_features: adapter.features() & (Features::SHADER_F64 | Features::PASSTHROUGH_SHADERS),
+            required_features: adapter.features() & allowed & (Features::SHADER_F64 | Features::PASSTHROUGH_SHADERS),
             required_limits: Limits { max_storage_buffers_per_shader_stage: buffers, ..Limits::default() },
             ..DeviceDescriptor::default()
         };

@@ -129,6 +129,14 @@ fn sums_keep_their_rounding_errors_as_written_and_by_integers() {
 }
 
 #[test]
+fn integers_calculate_f64_by_themselves_where_the_device_has_none() {
+    let gpu = Gpu::open_without_f64().unwrap_or_else(|error| panic!("{error}"));
+    let shown = gpu.to_string();
+    assert!(!gpu.has_f64() && shown.ends_with("without f64, f32 as written, f64 by integers"), "{shown}");
+    assert_eq!(wrong_errors::<f64>(&gpu), 0);
+}
+
+#[test]
 fn a_shader_without_floating_point_gives_the_same_in_every_form() {
     let text = "@group(0) @binding(3) var<storage, read_write> results: array<u32>;
         @group(0) @binding(1) var<storage, read> cases: array<u32>;
