@@ -98,7 +98,14 @@ impl Library {
             source.push_str(end);
             line += text.lines().count();
         }
-        let composition = Composition { source, precision, root: root.name, parts, is_lowered: false };
+        let composition = Composition {
+            source,
+            precision,
+            root: root.name,
+            parts,
+            is_lowered: false,
+            allows_transcendental_f64: false,
+        };
         match &self.arithmetic {
             Some(arithmetic) if composition.needs_f64() => composition.lowered(arithmetic),
             _ => Ok(composition),
@@ -127,6 +134,8 @@ pub struct Composition {
     parts: Vec<Part>,
     /// Whether integers replace all f64.
     is_lowered: bool,
+    /// Whether the validation accepts transcendental functions of f64.
+    allows_transcendental_f64: bool,
 }
 
 /// The lines of one file in a composition. They end where the next file's lines begin.
@@ -150,7 +159,20 @@ impl Composition {
     #[must_use]
     pub fn of_file(path: &str, source: String, precision: Precision) -> Self {
         let part = Part { path: path.to_owned(), first_line: 1, is_replaced: true };
-        Self { source, precision, root: "standard input", parts: vec![part], is_lowered: false }
+        let root = "standard input";
+        Self { source, precision, root, parts: vec![part], is_lowered: false, allows_transcendental_f64: false }
+    }
+
+    /// Returns this composition, changed so that [`Self::validate`] accepts transcendental functions of f64. Drivers
+    /// calculate them wrongly or crash, so use it only to find out what a driver does with them.
+    #[must_use]
+    pub fn allow_transcendental_f64(self) -> Self {
+        Self { allows_transcendental_f64: true, ..self }
+    }
+
+    /// Whether transcendental functions of f64 are accepted.
+    pub(crate) const fn allows_transcendental_f64(&self) -> bool {
+        self.allows_transcendental_f64
     }
 
     /// Returns this composition without f64: its numbers of type f64 are pairs of u32, and `arithmetic` calculates with
@@ -161,7 +183,7 @@ impl Composition {
     pub fn lowered(&self, arithmetic: &Arithmetic) -> Result<Self, Error> {
         let source = lower::lower(self, arithmetic)?;
         let part = Part { path: format!("{} (lowered)", self.root), first_line: 1, is_replaced: false };
-        Ok(Self { source, precision: self.precision, root: self.root, parts: vec![part], is_lowered: true })
+        Ok(Self { source, parts: vec![part], is_lowered: true, ..self.clone() })
     }
 
     /// Returns this composition with the text `source`, whose lines come from the same files, followed by `more`.

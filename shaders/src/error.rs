@@ -11,7 +11,7 @@ pub enum Error {
         /// The name that was asked for.
         name: String,
     },
-    /// naga finds an error in the text, or the text exceeds the limits.
+    /// naga finds an error in the text, or the text exceeds the limits, or it calls a transcendental function of f64.
     #[error("{0}")]
     Invalid(Box<Diagnostic>),
     /// The text is valid, but a part of it has no form in integers.

@@ -9,6 +9,7 @@
 //! - [`compose`] joins a module and the modules that it needs into one text, and can replace any of them;
 //! - [`validate`] checks that text with naga, and reports errors with their places in the module's own file;
 //! - [`limits`] limits the size and the nesting of the texts that naga reads;
+//! - `transcendental` refuses functions of f64 that drivers calculate wrongly;
 //! - [`call_trace`] records every call of a function with its arguments and its result;
 //! - [`lower`] replaces f64 by integers, for devices and languages without f64;
 //! - [`as_written`] writes SPIR-V whose arithmetic a driver must not rewrite;
@@ -30,6 +31,7 @@ pub mod diagnostic;
 pub mod error;
 pub mod limits;
 pub mod lower;
+mod transcendental;
 pub mod translate;
 pub mod validate;
 

@@ -46,15 +46,15 @@ pub use arithmetic::Arithmetic;
 use naga::back::wgsl::{WriterFlags, write_string};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-use crate::{Composition, Diagnostic, Error, Precision, Validated, limits, validate};
+use crate::{Composition, Diagnostic, Error, Precision, Validated, limits, transcendental, validate};
 use lowering::Lowering;
 
 /// Returns the text of a module without f64 that computes what `source` computes. Messages show `path` as the file of
 /// `source`.
 ///
 /// # Errors
-/// [`Error::Invalid`] if `source` is not valid WGSL; [`Error::CannotLower`] if it uses something that has no form in
-/// integers; [`Error::Lowering`] if naga cannot write the result.
+/// [`Error::Invalid`] if `source` is not valid WGSL, or calls a transcendental function of f64; [`Error::CannotLower`]
+/// if it uses something that has no form in integers; [`Error::Lowering`] if naga cannot write the result.
 pub fn lower_text(path: &str, source: &str, arithmetic: &Arithmetic) -> Result<String, Error> {
     lower(&Composition::of_file(path, source.to_owned(), Precision::F64), arithmetic)
 }
@@ -86,6 +86,7 @@ fn by_naga(composition: &Composition, arithmetic: &Arithmetic) -> Result<String,
     let info = Validator::new(ValidationFlags::all(), Capabilities::all())
         .validate(&source)
         .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, &source, composition))))?;
+    transcendental::refuse(&source, &info, composition).map_err(Error::Invalid)?;
     let (mut module, functions) = Lowering::new(&source, &info, arithmetic.module()?)
         .run()
         .map_err(|refusal| Error::CannotLower(Box::new(refusal.diagnostic(composition))))?;

@@ -3,7 +3,7 @@
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, Type};
 
-use crate::{Composition, Diagnostic, Error, Precision, limits};
+use crate::{Composition, Diagnostic, Error, Precision, limits, transcendental};
 
 /// A buffer that a shader uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +53,9 @@ impl Validated {
         let info = Validator::new(ValidationFlags::all(), capabilities)
             .validate(&module)
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, &module, composition))))?;
+        if !composition.allows_transcendental_f64() {
+            transcendental::refuse(&module, &info, composition).map_err(Error::Invalid)?;
+        }
         let (precision, needs_f64) = (composition.precision(), composition.needs_f64());
         Ok(Self { module, info, precision, needs_f64 })
     }

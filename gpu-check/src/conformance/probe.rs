@@ -87,7 +87,8 @@ impl Probe {
     /// Returns the program in the form that naga validates.
     #[must_use]
     pub fn composition(&self) -> Composition {
-        Composition::of_text(self.text(), if self.needs_f64() { Precision::F64 } else { Precision::F32 })
+        let precision = if self.needs_f64() { Precision::F64 } else { Precision::F32 };
+        Composition::of_text(self.text(), precision).allow_transcendental_f64()
     }
 
     /// Returns the bytes of the inputs, case after case.
