@@ -58,13 +58,3 @@ pub fn subnormal<T: Number>() -> Vec<T> {
     let parts = [0.9, 0.75, -0.5, -0.1875, 0.001];
     parts.map(|part| T::TINY * T::of(part)).to_vec()
 }
-
-/// Returns numbers that test rounding to a whole number: halves, their neighbours, and numbers too large for fractions.
-pub fn near_whole<T: Number>() -> Vec<[T; 1]> {
-    let mut numbers: Vec<T> = between::<T, 1>(-100.0, 100.0).into_iter().flatten().collect();
-    for half in [-3.5, -2.5, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.5, 3.5, 4.0, 8_388_607.5, -8_388_606.5] {
-        numbers.extend([T::of(half).lower(), T::of(half), T::of(half).upper()]);
-    }
-    numbers.extend([0.0, -0.0, 8_388_609.0, -1e9, 3e9, 1e30, -1e30].map(T::of));
-    numbers.into_iter().map(|number| [number]).collect()
-}

@@ -10,13 +10,10 @@ use super::value::Type;
 /// Largest number of lines of a probe's program.
 pub const MAX_LINES: usize = 20;
 
-/// Number of invocations in a workgroup.
-pub const WORKGROUP: usize = 64;
-
 /// Names of the inputs in the program.
-const NAMES: [&str; 4] = ["a", "b", "c", "d"];
+pub const NAMES: [&str; 3] = ["a", "b", "c"];
 
-/// A program in WGSL that computes one number from up to four inputs, for each of its cases.
+/// A program in WGSL that computes one number from up to three inputs, for each of its cases.
 #[derive(Debug)]
 pub struct Probe {
     /// The name, unique among all probes.
@@ -29,15 +26,10 @@ pub struct Probe {
     pub input: Type,
     /// Type of the result.
     pub output: Type,
-    /// Declarations before the entry point. Each line ends with a line end.
-    pub declarations: &'static str,
     /// Statements before the result. Each line ends with a line end.
     pub statements: &'static str,
     /// The expression whose value is the result.
     pub result: &'static str,
-    /// Whether surplus invocations return at the start. A program with a barrier has none, so that all of its
-    /// invocations reach the barrier.
-    pub has_surplus: bool,
     /// Whether an implementation may refuse the program, because it uses what no specification defines.
     pub may_be_refused: bool,
     /// The inputs, as bits.
@@ -54,13 +46,10 @@ impl Probe {
         let mut text = format!(
             "@group(0) @binding(0) var<storage, read> input: array<{input}>;\n\
              @group(0) @binding(1) var<storage, read_write> output: array<{output}>;\n\
-             {}@compute @workgroup_size({WORKGROUP})\n\
-             fn probe(@builtin(global_invocation_id) id: vec3<u32>) {{\n",
-            self.declarations
+             @compute @workgroup_size(64)\n\
+             fn probe(@builtin(global_invocation_id) id: vec3<u32>) {{\n    \
+                 if id.x >= arrayLength(&output) {{ return; }}\n"
         );
-        if self.has_surplus {
-            text.push_str("    if id.x >= arrayLength(&output) { return; }\n");
-        }
         let count = self.cases.first().map_or(1, Vec::len);
         for (index, name) in NAMES.iter().take(count).enumerate() {
             let place = match (count, index) {
@@ -80,8 +69,7 @@ impl Probe {
     /// Whether the program uses `f64`.
     #[must_use]
     pub fn needs_f64(&self) -> bool {
-        let body = [self.declarations, self.statements, self.result];
-        self.input == Type::F64 || self.output == Type::F64 || body.iter().any(|text| text.contains("f64"))
+        self.input == Type::F64 || self.output == Type::F64
     }
 
     /// Returns the program in the form that naga validates.

@@ -11,8 +11,6 @@ pub enum Allowed {
     OneOf(Vec<u64>),
     /// Any number from the first to the second, but not NaN.
     Between(f64, f64),
-    /// Any number of the type: the specification calls this an indeterminate value.
-    Anything,
 }
 
 impl Allowed {
@@ -34,7 +32,6 @@ impl Allowed {
         match self {
             Self::OneOf(numbers) => numbers.iter().any(|number| of.same(*number, bits)),
             Self::Between(low, high) => (*low..=*high).contains(&of.value(bits)),
-            Self::Anything => true,
         }
     }
 
@@ -44,7 +41,6 @@ impl Allowed {
         match self {
             Self::OneOf(numbers) => numbers.iter().map(|bits| of.show(*bits)).collect::<Vec<_>>().join(" or "),
             Self::Between(low, high) => format!("{low:?} to {high:?}"),
-            Self::Anything => "anything".to_owned(),
         }
     }
 }

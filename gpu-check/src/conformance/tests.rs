@@ -4,7 +4,7 @@ mod fabricated;
 
 use std::collections::BTreeSet;
 
-use super::probe::{MAX_LINES, Probe, WORKGROUP};
+use super::probe::{MAX_LINES, Probe};
 use super::probes;
 use super::reading::{Allowed, Kind, Reading};
 use super::value::{Bits, Type};
@@ -24,7 +24,6 @@ fn unusual(allowed: &Allowed, of: Type, index: usize) -> u64 {
             above if f64::from(above) > *high => above.next_down().to_word(),
             number => number.to_word(),
         },
-        (Allowed::Anything, _) => 12_345.0_f64.to_word() >> (64 - 8 * of.size()),
     }
 }
 
@@ -39,13 +38,12 @@ fn every_probe_is_a_short_valid_program_with_inputs_and_a_rule() {
     let probes = probes::all();
     let names: BTreeSet<_> = probes.iter().map(|probe| probe.name.as_str()).collect();
     assert_eq!(names.len(), probes.len(), "names are unique");
-    assert!(probes.len() >= 100, "{}", probes.len());
+    assert!(probes.len() >= 50, "{}", probes.len());
     for probe in &probes {
         let (name, text) = (&probe.name, probe.text());
         assert!(text.lines().count() <= MAX_LINES, "{name}: {} lines\n{text}", text.lines().count());
         probe.composition().validate().unwrap_or_else(|error| panic!("{name}:\n{text}\n{error}"));
         assert!(probe.cases.len() >= 3 && probe.rule.len() > 10 && !probe.group.is_empty(), "{name}");
-        assert!(probe.has_surplus || probe.cases.len().is_multiple_of(WORKGROUP), "{name}");
         assert!(name.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '-'));
         assert_eq!(probe.readings[0].kind, Kind::AsWritten, "{name}");
         assert_eq!(probe.needs_f64(), text.contains("f64"), "{name}");
@@ -54,7 +52,7 @@ fn every_probe_is_a_short_valid_program_with_inputs_and_a_rule() {
 
 #[test]
 fn results_that_follow_a_reading_get_its_verdict_and_not_another() {
-    let mut rewritings = 0;
+    let mut readings = 0;
     for probe in probes::all() {
         let name = &probe.name;
         assert_eq!(verdict(&probe, following(&probe, &probe.readings[0])), Verdict::AsWritten, "{name}");
@@ -67,10 +65,10 @@ fn results_that_follow_a_reading_get_its_verdict_and_not_another() {
                 Kind::Error => Verdict::WithinError(reading.name),
             };
             assert_eq!(found, expected, "{name}");
-            rewritings += 1;
+            readings += 1;
         }
     }
-    assert!(rewritings >= 100, "{rewritings}");
+    assert!(readings >= 50, "{readings}");
 }
 
 #[test]
@@ -79,11 +77,7 @@ fn one_wrong_result_is_a_failure() {
     for probe in probes::all() {
         let good = following(&probe, &probe.readings[0]);
         let mask = u64::MAX >> (64 - 8 * probe.output.size());
-        let mut noticed = 0;
-        for (index, case) in probe.cases.iter().enumerate() {
-            if probe.readings.iter().any(|reading| reading.allowed(case) == Allowed::Anything) {
-                continue;
-            }
+        for index in 0..probe.cases.len() {
             let mut results = good.clone();
             results[index] ^= mask;
             let found = verdict(&probe, results);
@@ -91,12 +85,10 @@ fn one_wrong_result_is_a_failure() {
                 panic!("{}: case {index} is wrong, and the verdict is {found}", probe.name)
             };
             assert_eq!(cases, &[index], "{}", probe.name);
-            noticed += 1;
+            tried += 1;
         }
-        assert!(noticed > 0, "{}: no result would be wrong", probe.name);
-        tried += noticed;
     }
-    assert!(tried > 10_000, "{tried}");
+    assert!(tried > 5_000, "{tried}");
 }
 
 #[test]
@@ -115,10 +107,10 @@ fn outcomes_without_results_get_their_verdicts() {
     let named = |name: &str| probes.iter().find(|probe| probe.name == name).expect("it exists");
     let refused = Outcome::Refused("no such function\nat line 3".to_owned());
     assert_eq!(Verdict::of(named("sin-f64"), &refused), Verdict::Refused);
-    let verdict = Verdict::of(named("sin"), &refused);
+    let verdict = Verdict::of(named("sum"), &refused);
     assert!(verdict.is_failure());
     assert_eq!(verdict.to_string(), "failure: refused: no such function");
-    assert!(Verdict::of(named("sin"), &Outcome::Unwritten(3)).is_failure());
-    assert!(Verdict::of(named("sin"), &Outcome::Results(Vec::new())).is_failure());
+    assert!(Verdict::of(named("sum"), &Outcome::Unwritten(3)).is_failure());
+    assert!(Verdict::of(named("sum"), &Outcome::Results(Vec::new())).is_failure());
     assert!(!Verdict::of(named("sin-f64"), &Outcome::NotAvailable("f64")).is_failure());
 }

@@ -23,13 +23,7 @@ pub fn ulp(x: f64) -> f64 {
 /// Allows every result within `units` units in the last place of `exact`, which must be accurate to 2^-45.
 #[must_use]
 pub fn within(exact: f64, units: f64) -> Allowed {
-    within_absolute(exact, units * ulp(exact))
-}
-
-/// Allows every result whose distance from `exact` is at most `error`.
-#[must_use]
-pub fn within_absolute(exact: f64, error: f64) -> Allowed {
-    let error = error * SLACK;
+    let error = units * ulp(exact) * SLACK;
     Allowed::Between(exact - error, exact + error)
 }
 

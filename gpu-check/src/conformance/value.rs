@@ -9,8 +9,6 @@ pub enum Type {
     F32,
     /// 64-bit floating point, an extension of naga.
     F64,
-    /// Signed 32-bit integer.
-    I32,
     /// Unsigned 32-bit integer.
     U32,
 }
@@ -22,7 +20,6 @@ impl Type {
         match self {
             Self::F32 => "f32",
             Self::F64 => "f64",
-            Self::I32 => "i32",
             Self::U32 => "u32",
         }
     }
@@ -42,7 +39,6 @@ impl Type {
         match self {
             Self::F32 => f64::from(f32::of_bits(bits)),
             Self::F64 => f64::of_bits(bits),
-            Self::I32 => f64::from(i32::of_bits(bits)),
             Self::U32 => f64::from(u32::of_bits(bits)),
         }
     }
@@ -59,7 +55,6 @@ impl Type {
         match self {
             Self::F32 => format!("{:?} (0x{bits:08x})", f32::of_bits(bits)),
             Self::F64 => format!("{:?} (0x{bits:016x})", f64::of_bits(bits)),
-            Self::I32 => format!("{}", i32::of_bits(bits)),
             Self::U32 => format!("{bits}"),
         }
     }
@@ -105,7 +100,6 @@ macro_rules! bits {
 
 bits!(f32, Type::F32, |number| u64::from(number.to_bits()), |bits| Self::from_bits(bits as u32));
 bits!(f64, Type::F64, |number| number.to_bits(), |bits| Self::from_bits(bits));
-bits!(i32, Type::I32, |number| u64::from(number as u32), |bits| bits as u32 as Self);
 bits!(u32, Type::U32, |number| u64::from(number), |bits| bits as Self);
 
 /// A floating-point type over which probes are generic.
@@ -114,27 +108,8 @@ pub trait Number: Float + Bits {
     const TINY: Self;
     /// Returns `self * factor + term` with one rounding.
     fn fused(self, factor: Self, term: Self) -> Self;
-    /// Returns the next number below.
-    fn lower(self) -> Self;
-    /// Returns the next number above.
-    fn upper(self) -> Self;
-    /// Returns the number rounded to a whole number.
-    fn whole(self, how: Rounding) -> Self;
     /// Whether the number is subnormal.
     fn is_tiny(self) -> bool;
-}
-
-/// A way to round to a whole number.
-#[derive(Clone, Copy, Debug)]
-pub enum Rounding {
-    /// To the next whole number below.
-    Down,
-    /// To the next whole number above.
-    Up,
-    /// To the next whole number in the direction of zero.
-    TowardZero,
-    /// To the nearest whole number, and from the middle of two to the even one.
-    HalfToEven,
 }
 
 macro_rules! number {
@@ -143,20 +118,6 @@ macro_rules! number {
             const TINY: Self = Self::MIN_POSITIVE;
             fn fused(self, factor: Self, term: Self) -> Self {
                 self.mul_add(factor, term)
-            }
-            fn lower(self) -> Self {
-                self.next_down()
-            }
-            fn upper(self) -> Self {
-                self.next_up()
-            }
-            fn whole(self, how: Rounding) -> Self {
-                match how {
-                    Rounding::Down => self.floor(),
-                    Rounding::Up => self.ceil(),
-                    Rounding::TowardZero => self.trunc(),
-                    Rounding::HalfToEven => self.round_ties_even(),
-                }
             }
             fn is_tiny(self) -> bool {
                 self.is_subnormal()

@@ -1,15 +1,13 @@
-//! Comparisons: of ordinary numbers, and of NaN.
+//! Comparisons of ordinary numbers and of NaN, and the choice between two numbers.
 
 use crate::conformance::draft::Draft;
 use crate::conformance::inputs::{all, finite, of_every_kind};
 use crate::conformance::probe::Probe;
-use crate::conformance::reading::{Allowed, Kind};
+use crate::conformance::reading::Allowed;
 use crate::conformance::value::Number;
 
 /// Text for comparisons with NaN.
 const NAN: &str = "IEEE 754: NaN is unordered, and not equal to itself. WGSL 15.7.2: NaN may be assumed absent";
-/// Name of the reading that allows any result of a comparison with NaN.
-const ABSENT: &str = "indeterminate value (assumes finite numbers)";
 
 pub fn probes() -> Vec<Probe> {
     let mut probes = generic::<f32>();
@@ -31,35 +29,34 @@ fn six<T: Number>([a, b]: [T; 2]) -> u32 {
 fn generic<T: Number>() -> Vec<Probe> {
     let is_nan = |number: T| number.wide().is_nan();
     let ordered = || all::<T, 2>(&[&finite::<T>()[..], &[T::of(f64::INFINITY), T::of(f64::NEG_INFINITY)]].concat());
-    let with_nan = || {
-        let has_nan = |row: &[T; 2]| row.iter().any(|number| number.wide().is_nan());
-        all::<T, 2>(&of_every_kind()).into_iter().filter(has_nan)
-    };
+    let with_nan = || all::<T, 2>(&of_every_kind()).into_iter().filter(move |row| row.iter().any(|a| is_nan(*a)));
     let single = || of_every_kind::<T>().into_iter().map(|a| [a]);
+    let choices = || {
+        let pairs = all::<T, 2>(&of_every_kind()).into_iter();
+        pairs.flat_map(|[a, b]| [-1.0, 1.0].map(|c| [a, b, T::of(c)]))
+    };
     vec![
-        Draft::new("compare", "bits", ordered(), six::<T>)
-            .code("", SIX)
-            .rule("IEEE 754 and WGSL 15.7.4: the correct result; zeros are equal")
+        Draft::new("compare", "bits", "IEEE 754 and WGSL 15.7.4: correct, and zeros are equal", ordered(), six::<T>)
+            .statements(SIX)
             .done(),
-        Draft::new("compare-nan", "bits", with_nan(), six::<T>)
-            .code("", SIX)
-            .rule(NAN)
+        Draft::new("compare-nan", "bits", NAN, with_nan(), six::<T>)
+            .statements(SIX)
             .rewriting("a != b is false for NaN", |row| six(row) & !32)
             .rewriting("unordered comparisons are true", |_| 0b10_1111)
-            .reading(ABSENT, Kind::Rewriting, |_| Allowed::any_of(0..64_u32))
+            .rewritings("indeterminate value (assumes finite numbers)", |_| Allowed::any_of(0..64_u32))
             .done(),
-        Draft::new("not-less", "select(0u, 1u, !(a < b))", with_nan(), |[a, b]: [T; 2]| u32::from(!a.less(b)))
-            .rule(NAN)
-            .rewriting("a >= b", |[a, b]| u32::from(a >= b))
-            .reading(ABSENT, Kind::Rewriting, |_| Allowed::any_of([0, 1_u32]))
-            .done(),
-        Draft::new("not-equal-itself", "select(0u, 1u, a != a)", single(), move |[a]: [T; 1]| u32::from(is_nan(a)))
-            .rule(NAN)
-            .rewriting("false", |_| 0)
-            .done(),
-        Draft::new("equal-itself", "select(0u, 1u, a == a)", single(), move |[a]: [T; 1]| u32::from(!is_nan(a)))
-            .rule(NAN)
-            .rewriting("true", |_| 1)
-            .done(),
+        Draft::new("not-equal-itself", "select(0u, 1u, a != a)", NAN, single(), move |[a]: [T; 1]| {
+            u32::from(is_nan(a))
+        })
+        .rewriting("false", |_| 0)
+        .done(),
+        Draft::new(
+            "select",
+            "select(a, b, c < 0.0)",
+            "WGSL 17.3: b if the condition holds, and else a, whatever the other number is",
+            choices(),
+            |[a, b, c]: [T; 3]| T::select(c.less(T::of(0.0)), b, a),
+        )
+        .done(),
     ]
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::Run;
-use crate::conformance::probe::Probe;
+use crate::conformance::probe::{NAMES, Probe};
 use crate::conformance::verdict::{Failure, Outcome, Verdict};
 
 /// Largest number of cases that are shown. Cases that are wrong come first.
@@ -48,11 +48,8 @@ fn cases(probe: &Probe, results: &[u64], verdict: &Verdict) -> String {
     let mut text = String::new();
     for &index in order.iter().take(SHOWN) {
         let case = &probe.cases[index];
-        let inputs: Vec<_> = case
-            .iter()
-            .zip(["a", "b", "c", "d"])
-            .map(|(bits, name)| format!("{name} = {}", probe.input.show(*bits)))
-            .collect();
+        let inputs: Vec<_> =
+            case.iter().zip(NAMES).map(|(bits, name)| format!("{name} = {}", probe.input.show(*bits))).collect();
         let expected = probe.readings[0].allowed(case).show(probe.output);
         let mark = if wrong.contains(&index) { ", WRONG" } else { "" };
         let _ = writeln!(text, "  {}", inputs.join(", "));
