@@ -7,7 +7,8 @@
 //! - [`value`] holds numbers of any type as bits, and [`ulp`] measures errors;
 //! - [`reading`] is one allowed way to calculate a program, and [`draft`] builds probes;
 //! - [`inputs`] and [`probes`] are the inputs and the list of all probes;
-//! - [`native`] runs the probes through wgpu, and [`browser`] runs the same programs in a browser;
+//! - [`native`] runs a probe through wgpu, [`isolated`] runs all in a separate process, and [`browser`] in a browser;
+//! - [`outcome`] is what a driver made of a probe;
 //! - [`report`] writes verdicts as a table, as JSON, and as text that can be sent to the authors of a driver;
 //! - [`args`] is the command line of the program `conformance`.
 //!
@@ -17,7 +18,9 @@ pub mod args;
 pub mod browser;
 pub mod draft;
 pub mod inputs;
+pub mod isolated;
 pub mod native;
+pub mod outcome;
 pub mod probe;
 pub mod probes;
 pub mod reading;

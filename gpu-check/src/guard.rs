@@ -87,7 +87,7 @@ impl Limits {
 
 /// Waits until the process ends, and returns its status. After the time `patience`, kills the process and returns
 /// `None`.
-fn wait(child: &mut Child, patience: Duration) -> io::Result<Option<ExitStatus>> {
+pub(crate) fn wait(child: &mut Child, patience: Duration) -> io::Result<Option<ExitStatus>> {
     let start = Instant::now();
     while start.elapsed() < patience {
         if let Some(status) = child.try_wait()? {

@@ -5,9 +5,14 @@ mod common;
 #[path = "common/documented.rs"]
 mod documented;
 
+use std::path::Path;
 use std::process::{Command, Output};
 
-use gpu_check::conformance::{native, probes, report::Run};
+use gpu_check::Form;
+use gpu_check::conformance::outcome::Outcome;
+use gpu_check::conformance::probe::Probe;
+use gpu_check::conformance::report::{self, Run};
+use gpu_check::conformance::{isolated, native, probes};
 use gpu_check::scenes::repository;
 use test_support::folder::Folder;
 
@@ -21,16 +26,62 @@ fn conformance(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_conformance")).args(arguments).output().expect("the program starts")
 }
 
+/// Returns the command that runs `probes` in a process of the program.
+fn isolated(probes: &[Probe]) -> Command {
+    isolated::command(Path::new(env!("CARGO_BIN_EXE_conformance")), None, Form::AsWritten, probes)
+}
+
 #[test]
 fn the_verdicts_on_lavapipe_are_the_documented_ones() {
     let (gpu, probes) = (common::gpu(), probes::all());
-    let outcome = |probe| native::run(&gpu, probe).unwrap_or_else(|error| panic!("{error}"));
-    let run = Run { driver: native::driver(&gpu), outcomes: probes.iter().map(outcome).collect() };
+    let outcomes = isolated::run(&probes, isolated).unwrap_or_else(|error| panic!("{error}"));
+    let run = Run { driver: native::driver(&gpu), outcomes };
     let verdicts = run.verdicts(&probes);
     if gpu.is_lavapipe() {
         let failures = documented::check(&probes, &verdicts, 1);
         println!("{} probes, {failures} failures", probes.len());
     }
+}
+
+#[test]
+fn a_lost_device_is_an_outcome() {
+    let gpu = common::gpu();
+    gpu.close();
+    let outcome = native::run(&gpu, &probes::all()[0]);
+    assert!(matches!(&outcome, Outcome::Ended(cause) if cause.starts_with("the device was lost: ")), "{outcome:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_driver_that_crashes_fails_one_probe_and_the_table_is_complete() {
+    let (gpu, probes) = (common::gpu(), probes::all());
+    // The first process crashes after the outcomes of five probes.
+    let start = |rest: &[Probe]| {
+        let whole = isolated(rest);
+        if rest.len() < probes.len() {
+            return whole;
+        }
+        let mut crashing = Command::new("sh");
+        crashing
+            .args(["-c", "\"$0\" \"$@\" | head -n 5; kill -SEGV $$"])
+            .arg(whole.get_program())
+            .args(whole.get_args());
+        crashing
+    };
+    let run = Run { driver: native::driver(&gpu), outcomes: isolated::run(&probes, start).expect("processes start") };
+    let cause = "the process ended by signal: 11 (SIGSEGV)";
+    for (place, outcome) in run.outcomes.iter().enumerate() {
+        let ended = matches!(outcome, Outcome::Ended(how) if how.starts_with(cause));
+        assert_eq!(ended, place == 5, "{place}: {outcome:?}");
+    }
+    let table = report::table(&probes, &[run]);
+    let lines: Vec<_> = table.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
+    let failed = &probes[5].name;
+    for line in [format!("{failed} failure: the driver ends"), format!("driver 1, {failed}: {cause}")] {
+        assert!(lines.iter().any(|shown| shown.starts_with(&line)), "{line}\n{table}");
+    }
+    let rows = |probe: &Probe| lines.iter().filter(|line| line.split(' ').next() == Some(&probe.name)).count();
+    assert!(probes.iter().all(|probe| rows(probe) == 1), "{table}");
 }
 
 #[test]

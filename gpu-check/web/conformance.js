@@ -7,17 +7,20 @@ const post = (name, body) => fetch(`results/${name}`, { method: "POST", body });
 
 async function runAll() {
     const probes = await (await fetch("data/probes")).json();
-    const { device, name } = await openDevice();
-    await post("adapter", `${name}\n${navigator.userAgent}`);
+    let { device, name: adapter } = await openDevice();
+    await post("adapter", `${adapter}\n${navigator.userAgent}`);
     for (const { name, text, cases, size } of probes) {
         show(`Running ${name}.`);
         const input = await (await fetch(`data/input/${name}`)).arrayBuffer();
         try {
+            device ??= (await openDevice()).device;
             const pipeline = await compile(device, text, "probe", [false, true]);
             await post(`result/${name}`, await run(device, pipeline, [input, size], 1, cases));
         } catch (error) {
-            if (!(error instanceof ShaderFault)) throw error;
-            await post(`refused/${name}`, error.message);
+            const isRefused = error instanceof ShaderFault;
+            await post(`${isRefused ? "refused" : "ended"}/${name}`, error.message);
+            // Another error means that the device may be lost, so the next probe opens a new one.
+            if (!isRefused) device = null;
         }
     }
     await post("done", "");

@@ -6,7 +6,7 @@ use clap::Parser;
 use gpu_check::conformance::args::{Arguments, choose};
 use gpu_check::conformance::probe::Probe;
 use gpu_check::conformance::report::{self, Run};
-use gpu_check::conformance::{browser, native, probes};
+use gpu_check::conformance::{browser, isolated, native, probes};
 use gpu_check::web::chromium;
 use gpu_check::{Form, Gpu, terminal};
 use output::{Options, Output, stop};
@@ -20,6 +20,10 @@ const INTERRUPTED: u8 = 130;
 
 fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
+    let mut arguments = std::env::args_os().skip(1);
+    if arguments.next().is_some_and(|first| first == isolated::FLAG) {
+        return status(isolated::report(arguments).map(|()| ExitCode::SUCCESS));
+    }
     // After a first signal the program ends the browser and removes its folder.
     stop::note_first_request();
     let result = match Arguments::try_parse() {
@@ -31,8 +35,12 @@ fn main() -> ExitCode {
         }
         Err(help) => terminal::print(&help.render().to_string()).map(|()| ExitCode::SUCCESS).map_err(|e| e.to_string()),
     };
+    if stop::requested() { ExitCode::from(INTERRUPTED) } else { status(result) }
+}
+
+/// Returns the exit status for a result. An error is written to standard error.
+fn status(result: Result<ExitCode, String>) -> ExitCode {
     match result {
-        _ if stop::requested() => ExitCode::from(INTERRUPTED),
         Ok(status) => status,
         Err(message) => {
             terminal::note(&format!("Error: {message}"));
@@ -80,16 +88,14 @@ fn runs(arguments: &Arguments, probes: &[Probe]) -> Result<Vec<Run>, String> {
         (false, true) => Gpu::open_all(),
         (false, false) => Gpu::open().map(|gpu| vec![gpu]),
     };
-    for gpu in gpus.map_err(|error| error.to_string())? {
-        let gpu = if arguments.as_driver_likes { gpu.with_form(Form::AsDriverLikes) } else { gpu };
-        let mut outcomes = Vec::new();
-        for probe in probes {
-            if stop::requested() {
-                return Err("interrupted".to_owned());
-            }
-            outcomes.push(native::run(&gpu, probe).map_err(|error| format!("{}: {error}", probe.name))?);
-        }
-        runs.push(Run { driver: native::driver(&gpu), outcomes });
+    let form = if arguments.as_driver_likes { Form::AsDriverLikes } else { Form::AsWritten };
+    let gpus = gpus.map_err(|error| error.to_string())?.into_iter().map(|gpu| gpu.with_form(form));
+    let drivers: Vec<_> = gpus.map(|gpu| native::driver(&gpu)).collect();
+    let program = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
+    for (device, driver) in drivers.into_iter().enumerate() {
+        let device = arguments.all.then_some(device);
+        let outcomes = isolated::run(probes, |rest| isolated::command(&program, device, form, rest))?;
+        runs.push(Run { driver, outcomes });
     }
     if arguments.browser {
         let chromium = chromium::find().ok_or("there is no Chromium in PATH; on Debian: apt-get install chromium")?;

@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 use output::stop;
 use serde_json::json;
 
+use super::outcome::Outcome;
 use super::probe::Probe;
 use super::report::Driver;
-use super::verdict::Outcome;
 use crate::web::chromium::{Browser, INTERVAL, version};
 use crate::web::{Posted, Server};
 
@@ -102,14 +102,15 @@ pub fn collect(
 /// Returns what the page posted about a probe.
 fn outcome(probe: &Probe, results: &BTreeMap<String, Vec<u8>>) -> Outcome {
     if probe.needs_f64() {
-        return Outcome::NotAvailable("f64");
+        return Outcome::NotAvailable;
     }
     let posted = |kind: &str| results.get(&format!("{kind}/{}", probe.name));
-    match (posted("result"), posted("refused")) {
-        (Some(bytes), _) => Outcome::Results(probe.output.of_bytes(bytes)),
-        (None, Some(message)) => Outcome::Refused(String::from_utf8_lossy(message).into_owned()),
-        (None, None) => Outcome::Unwritten(probe.cases.len()),
-    }
+    let text = |kind| posted(kind).map(|message| String::from_utf8_lossy(message).into_owned());
+    posted("result")
+        .map(|bytes| Outcome::Results(probe.output.of_bytes(bytes)))
+        .or_else(|| text("refused").map(Outcome::Refused))
+        .or_else(|| text("ended").map(Outcome::Ended))
+        .unwrap_or(Outcome::Unwritten(probe.cases.len()))
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Runs probes through wgpu, on an adapter of this machine.
 
+use super::outcome::Outcome;
 use super::probe::Probe;
 use super::report::Driver;
-use super::verdict::Outcome;
 use crate::pipeline::Content;
 use crate::{Error, Gpu, Pipeline};
 use shaders::Precision;
@@ -25,26 +25,30 @@ pub fn driver(gpu: &Gpu) -> Driver {
 }
 
 /// Runs a probe.
-///
-/// # Errors
-/// An error that says nothing about the driver's arithmetic, such as [`Error::DeviceLost`] or [`Error::Timeout`].
-pub fn run(gpu: &Gpu, probe: &Probe) -> Result<Outcome, Error> {
+#[must_use]
+pub fn run(gpu: &Gpu, probe: &Probe) -> Outcome {
     if probe.needs_f64() && !gpu.has_f64() {
-        return Ok(Outcome::NotAvailable("f64"));
+        return Outcome::NotAvailable;
     }
-    let pipeline = match Pipeline::new(gpu, &probe.composition(), None) {
-        Err(Error::Shader(error)) => return Ok(Outcome::Refused(error.to_string())),
-        Err(Error::Refused { cause }) => return Ok(Outcome::Refused(cause)),
-        result => result?,
-    };
+    results(gpu, probe).map_or_else(
+        |error| match error {
+            Error::Shader(error) => Outcome::Refused(error.to_string()),
+            Error::Refused { cause } => Outcome::Refused(cause),
+            Error::Unwritten { count, .. } => Outcome::Unwritten(count),
+            Error::DeviceLost { cause } => Outcome::Ended(format!("the device was lost: {cause}")),
+            other => Outcome::Ended(other.to_string()),
+        },
+        Outcome::Results,
+    )
+}
+
+/// Returns the results of a probe, as bits.
+fn results(gpu: &Gpu, probe: &Probe) -> Result<Vec<u64>, Error> {
+    let pipeline = Pipeline::new(gpu, &probe.composition(), None)?;
     let input = probe.input_bytes();
     let contents = [Content::Input(&input), Content::Output(probe.output_size() as u64)];
-    match pipeline.run(gpu, &contents, probe.cases.len() as u64) {
-        Ok(run) => Ok(Outcome::Results(probe.output.of_bytes(&run.outputs.concat()))),
-        Err(Error::Unwritten { count, .. }) => Ok(Outcome::Unwritten(count)),
-        Err(Error::Refused { cause }) => Ok(Outcome::Refused(cause)),
-        Err(error) => Err(error),
-    }
+    let run = pipeline.run(gpu, &contents, probe.cases.len() as u64)?;
+    Ok(probe.output.of_bytes(&run.outputs.concat()))
 }
 
 #[cfg(test)]

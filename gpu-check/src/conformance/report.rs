@@ -6,8 +6,9 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::outcome::Outcome;
 use super::probe::Probe;
-use super::verdict::{Failure, Outcome, Verdict};
+use super::verdict::{Failure, Verdict};
 
 pub use details::details;
 
@@ -68,6 +69,11 @@ pub fn table(probes: &[Probe], runs: &[Run]) -> String {
     text.push('\n');
     for (number, run) in runs.iter().enumerate() {
         let _ = writeln!(text, "driver {}: {}", number + 1, counts(&run.verdicts(probes)));
+        for (probe, outcome) in probes.iter().zip(&run.outcomes) {
+            if let Outcome::Ended(cause) = outcome {
+                let _ = writeln!(text, "driver {}, {}: {cause}", number + 1, probe.name);
+            }
+        }
     }
     text
 }

@@ -4,11 +4,12 @@ mod fabricated;
 
 use std::collections::BTreeSet;
 
+use super::outcome::Outcome;
 use super::probe::{MAX_LINES, Probe};
 use super::probes;
 use super::reading::{Allowed, Kind, Reading};
 use super::value::{Bits, Type};
-use super::verdict::{Failure, Outcome, Verdict};
+use super::verdict::{Failure, Verdict};
 
 fn verdict(probe: &Probe, results: Vec<u64>) -> Verdict {
     Verdict::of(probe, &Outcome::Results(results))
@@ -112,5 +113,7 @@ fn outcomes_without_results_get_their_verdicts() {
     assert_eq!(verdict.to_string(), "failure: refused: no such function");
     assert!(Verdict::of(named("sum"), &Outcome::Unwritten(3)).is_failure());
     assert!(Verdict::of(named("sum"), &Outcome::Results(Vec::new())).is_failure());
-    assert!(!Verdict::of(named("sin-f64"), &Outcome::NotAvailable("f64")).is_failure());
+    let ended = Verdict::of(named("sin-f64"), &Outcome::Ended("lost".to_owned()));
+    assert!(ended.is_failure() && ended.to_string() == "failure: the driver ends");
+    assert!(!Verdict::of(named("sin-f64"), &Outcome::NotAvailable).is_failure());
 }

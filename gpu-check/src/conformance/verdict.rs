@@ -2,21 +2,9 @@
 
 use std::fmt;
 
+use super::outcome::Outcome;
 use super::probe::Probe;
 use super::reading::Kind;
-
-/// What a driver made of a probe.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Outcome {
-    /// It calculated these results, as bits, one for each case.
-    Results(Vec<u64>),
-    /// It refused the program, with this message.
-    Refused(String),
-    /// It left this number of results unwritten.
-    Unwritten(usize),
-    /// The adapter lacks what the probe needs.
-    NotAvailable(&'static str),
-}
 
 /// The verdict on a driver for one probe.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +17,8 @@ pub enum Verdict {
     WithinError(&'static str),
     /// The implementation refuses the program, and may do so.
     Refused,
-    /// The adapter lacks what the probe needs.
-    NotAvailable(&'static str),
+    /// The adapter lacks f64, which the probe needs.
+    NotAvailable,
     /// The results follow no allowed reading.
     Failure(Failure),
 }
@@ -53,6 +41,8 @@ pub enum Failure {
     Refused(String),
     /// This number of results was not written.
     Unwritten(usize),
+    /// The driver ended without results, for this cause.
+    Ended(String),
 }
 
 impl Verdict {
@@ -65,7 +55,8 @@ impl Verdict {
             Outcome::Refused(_) if probe.may_be_refused => return Self::Refused,
             Outcome::Refused(message) => return Self::Failure(Failure::Refused(message.clone())),
             Outcome::Unwritten(count) => return Self::Failure(Failure::Unwritten(*count)),
-            Outcome::NotAvailable(what) => return Self::NotAvailable(what),
+            Outcome::NotAvailable => return Self::NotAvailable,
+            Outcome::Ended(cause) => return Self::Failure(Failure::Ended(cause.clone())),
         };
         if results.len() != probe.cases.len() {
             return Self::Failure(Failure::WrongCount(results.len()));
@@ -106,7 +97,7 @@ impl Verdict {
             Self::Rewritten(_) => "rewritten",
             Self::WithinError(_) => "within error",
             Self::Refused => "refused",
-            Self::NotAvailable(_) => "not available",
+            Self::NotAvailable => "not available",
             Self::Failure(_) => "failure",
         }
     }
@@ -118,7 +109,7 @@ impl fmt::Display for Verdict {
             Self::AsWritten | Self::Refused => f.write_str(self.class()),
             Self::Rewritten(name) => write!(f, "rewritten: {name}"),
             Self::WithinError(name) => write!(f, "within error: {name}"),
-            Self::NotAvailable(what) => write!(f, "not available ({what})"),
+            Self::NotAvailable => f.write_str("not available (f64)"),
             Self::Failure(failure) => write!(f, "failure: {failure}"),
         }
     }
@@ -131,6 +122,8 @@ impl fmt::Display for Failure {
             Self::WrongCount(count) => write!(f, "{count} results"),
             Self::Refused(message) => write!(f, "refused: {}", message.lines().next().unwrap_or_default()),
             Self::Unwritten(count) => write!(f, "{count} not written"),
+            // The cause is shown elsewhere, because it is too long for a table.
+            Self::Ended(_) => f.write_str("the driver ends"),
         }
     }
 }

@@ -75,7 +75,7 @@ impl<'a> Examiner<'a> {
         let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
         let sampled = recorded.collect::<Result<_, _>>()?;
         let mut draws = Uniform::new(45);
-        let accuracy = single::accuracy(gpu)?;
+        let accuracy = single::accuracy(gpu);
         let rays = (0..RAY_SCENES).map(|number| {
             let (picture, rays, hits) = random_rays(&mut draws, number)?;
             let hits = match accuracy {

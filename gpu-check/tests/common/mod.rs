@@ -16,7 +16,7 @@ pub fn gpu() -> Gpu {
 /// of Rust.
 #[allow(dead_code, reason = "not every test compares f32")]
 pub fn accuracy(gpu: &Gpu) -> Accuracy {
-    let accuracy = single::accuracy(gpu).unwrap_or_else(|error| panic!("{error}"));
+    let accuracy = single::accuracy(gpu);
     println!("f32 has the accuracy of {accuracy:?}");
     accuracy
 }

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use super::Run;
+use crate::conformance::outcome::Outcome;
 use crate::conformance::probe::{NAMES, Probe};
-use crate::conformance::verdict::{Failure, Outcome, Verdict};
+use crate::conformance::verdict::{Failure, Verdict};
 
 /// Largest number of cases that are shown. Cases that are wrong come first.
 const SHOWN: usize = 12;
@@ -21,8 +22,8 @@ pub fn details(probe: &Probe, runs: &[Run], index: usize) -> String {
         let _ = write!(text, "\n{}\n{verdict}\n", run.driver);
         match outcome {
             Outcome::Results(results) => text.push_str(&cases(probe, results, &verdict)),
-            Outcome::Refused(message) => text.push_str(&indented(message)),
-            Outcome::Unwritten(_) | Outcome::NotAvailable(_) => {}
+            Outcome::Refused(message) | Outcome::Ended(message) => text.push_str(&indented(message)),
+            Outcome::Unwritten(_) | Outcome::NotAvailable => {}
         }
     }
     text

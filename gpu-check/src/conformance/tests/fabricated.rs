@@ -1,9 +1,10 @@
 //! Results of wrong formulas, which must be failures: none of them is as written or an allowed rewriting.
 
+use super::super::outcome::Outcome;
 use super::super::probe::Probe;
 use super::super::probes;
 use super::super::value::Bits;
-use super::super::verdict::{Outcome, Verdict};
+use super::super::verdict::Verdict;
 
 /// The probes, and the number of wrong formulas that were tried.
 struct Probes(Vec<Probe>, usize);
