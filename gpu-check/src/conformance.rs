@@ -9,13 +9,15 @@
 //! - [`inputs`] and [`probes`] are the inputs and the list of all probes;
 //! - [`native`] runs a probe through wgpu, [`isolated`] runs all in a separate process, and [`browser`] in a browser;
 //! - [`outcome`] is what a driver made of a probe;
-//! - [`report`] writes verdicts as a table, as JSON, and as text that can be sent to the authors of a driver;
+//! - [`report`] writes verdicts as a table, and as text that can be sent to the authors of a driver;
+//! - [`csv`] is the table that several machines fill;
 //! - [`args`] is the command line of the program `conformance`.
 //!
 //! The numbers of sections are those of the WGSL specification, <https://www.w3.org/TR/WGSL/>.
 
 pub mod args;
 pub mod browser;
+pub mod csv;
 pub mod draft;
 pub mod inputs;
 pub mod isolated;

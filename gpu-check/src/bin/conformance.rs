@@ -1,12 +1,16 @@
 //! Holds drivers to IEEE 754 and WGSL with small programs. `conformance --help` lists all options.
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
+use cpu::internals::input::reader::read_text;
 use gpu_check::conformance::args::{Arguments, choose};
+use gpu_check::conformance::csv::Table;
 use gpu_check::conformance::probe::Probe;
 use gpu_check::conformance::report::{self, Run};
 use gpu_check::conformance::{browser, isolated, native, probes};
+use gpu_check::shader_lab::files::shown;
 use gpu_check::web::chromium;
 use gpu_check::{Form, Gpu, terminal};
 use output::{Options, Output, stop};
@@ -17,6 +21,8 @@ const FAILS: u8 = 1;
 const TROUBLE: u8 = 2;
 /// Exit status if a signal has interrupted the program.
 const INTERRUPTED: u8 = 130;
+/// Largest size of a table in bytes that is read.
+const MAX_TABLE: u64 = 1 << 20;
 
 fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
@@ -59,25 +65,34 @@ fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         terminal::print(&report::list(&probes)).map_err(|error| error.to_string())?;
         return Ok(ExitCode::SUCCESS);
     }
-    // The file is opened before the run, so that a name that cannot be written is reported at once.
-    let file = arguments.json.as_ref().map(|path| Output::open(path, Options { sync: true }));
-    let file = file.transpose().map_err(|error| gpu_check::Error::from(error).to_string())?;
+    // The file is read and opened before the run, so that a mistake in its name is reported at once.
+    let file = arguments.csv.as_deref().map(open).transpose()?;
     let runs = runs(arguments, &probes)?;
-    let text = match (arguments.probe.is_empty(), arguments.csv) {
-        (false, _) => {
-            let text = |(index, probe)| report::details(probe, &runs, index);
-            probes.iter().enumerate().map(text).collect::<Vec<_>>().join("\n")
-        }
-        (true, true) => report::csv(&probes, &runs),
-        (true, false) => report::table(&probes, &runs),
+    let text = if arguments.probe.is_empty() {
+        report::table(&probes, &runs)
+    } else {
+        let text = |(index, probe)| report::details(probe, &runs, index);
+        probes.iter().enumerate().map(text).collect::<Vec<_>>().join("\n")
     };
     terminal::print(&text).map_err(|error| error.to_string())?;
-    if let Some(file) = file {
-        let json = report::json(&probes, &runs);
-        file.fill(|file| file.write_all(json.as_bytes())).map_err(|error| gpu_check::Error::from(error).to_string())?;
+    if let Some((old, file)) = file {
+        let text = old.with(&probes, &runs).to_string();
+        file.fill(|file| file.write_all(text.as_bytes())).map_err(|error| gpu_check::Error::from(error).to_string())?;
     }
     let fails = runs.iter().any(|run| run.verdicts(&probes).iter().any(|verdict| verdict.is_failure()));
     Ok(if fails { ExitCode::from(FAILS) } else { ExitCode::SUCCESS })
+}
+
+/// Opens a file for a table, and returns the table that it has already.
+fn open(path: &Path) -> Result<(Table, Output), String> {
+    let old = if path.is_file() {
+        let text = read_text(path, MAX_TABLE).map_err(|error| format!("{}: {error}", shown(path)))?;
+        Table::parse(&text).map_err(|error| format!("{}: {error}", shown(path)))?
+    } else {
+        Table::default()
+    };
+    let file = Output::open(path, Options { sync: true });
+    file.map(|file| (old, file)).map_err(|error| gpu_check::Error::from(error).to_string())
 }
 
 /// Runs the probes on all drivers that the arguments ask for.

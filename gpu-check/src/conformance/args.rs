@@ -14,7 +14,7 @@ Examples:
   conformance                            the table for lavapipe
   conformance --all --browser            a column for every adapter, and one for Chromium
   conformance --probe loop-limit         one program with its inputs and results, for a report to its authors
-  WGPU_ADAPTER_NAME=nvidia conformance --json nvidia.json
+  WGPU_ADAPTER_NAME=nvidia conformance --csv docs/gpu/probes.csv
 
 A verdict is one of these: as written; rewritten, with the name of an allowed rewriting; within error, with the name of
 the allowed error; refused, where a program may be refused; not available, if the adapter lacks f64; or failure.
@@ -26,14 +26,14 @@ Exit status: 0 no driver fails a probe
 )]
 pub struct Arguments {
     /// Print the name, program and rule of each probe, and run nothing
-    #[arg(long, conflicts_with_all = ["probe", "json", "browser", "all", "csv"])]
+    #[arg(long, conflicts_with_all = ["probe", "csv", "browser", "all"])]
     pub list: bool,
     /// Run this probe alone, and print its program, inputs and results; may be repeated
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", conflicts_with = "csv")]
     pub probe: Vec<String>,
-    /// Write drivers, probes and verdicts into this file, as JSON
+    /// Write the verdicts into this file too, as CSV; columns of other drivers that it has already stay
     #[arg(long, value_name = "FILE")]
-    pub json: Option<PathBuf>,
+    pub csv: Option<PathBuf>,
     /// Run on every adapter, or on every one whose name contains WGPU_ADAPTER_NAME
     #[arg(long)]
     pub all: bool,
@@ -46,9 +46,6 @@ pub struct Arguments {
     /// Run in the browser alone, on no adapter
     #[arg(long, requires = "browser", conflicts_with = "all")]
     pub no_native: bool,
-    /// Print the table as CSV
-    #[arg(long)]
-    pub csv: bool,
 }
 
 /// Returns the positions of the probes with these names among `names`, or all positions if `wanted` is empty.
@@ -86,7 +83,12 @@ mod tests {
     #[test]
     fn options_that_exclude_each_other_are_refused() {
         let parse = |arguments: &[&str]| Arguments::try_parse_from([&["conformance"], arguments].concat()).is_ok();
-        assert!(parse(&["--all", "--browser", "--json", "x"]) && parse(&["--browser", "--no-native"]));
-        assert!(!parse(&["--no-native"]) && !parse(&["--list", "--all"]) && !parse(&["more"]));
+        assert!(parse(&["--all", "--browser", "--csv", "x"]) && parse(&["--browser", "--no-native"]));
+        assert!(
+            !parse(&["--no-native"])
+                && !parse(&["--list", "--all"])
+                && !parse(&["--probe", "x", "--csv", "y"])
+                && !parse(&["more"])
+        );
     }
 }

@@ -1,14 +1,12 @@
-//! Writes verdicts: as a table, as CSV, as JSON, and as a text for the authors of a driver.
+//! Writes verdicts: as a table for the terminal, and as a text for the authors of a driver.
 
 mod details;
 
 use std::fmt::Write;
 
-use serde_json::{Value, json};
-
 use super::outcome::Outcome;
 use super::probe::Probe;
-use super::verdict::{Failure, Verdict};
+use super::verdict::Verdict;
 
 pub use details::details;
 
@@ -78,24 +76,6 @@ pub fn table(probes: &[Probe], runs: &[Run]) -> String {
     text
 }
 
-/// Returns the table as CSV, as docs/gpu/probes.csv has it: a line with the columns' names, and then a line for each
-/// probe with its program and its verdict on each driver. Every cell is quoted.
-#[must_use]
-pub fn csv(probes: &[Probe], runs: &[Run]) -> String {
-    let line = |cells: &[String]| {
-        let quoted: Vec<_> = cells.iter().map(|cell| format!("\"{}\"", cell.replace('"', "\"\""))).collect();
-        quoted.join(",") + "\n"
-    };
-    let drivers = runs.iter().map(|run| run.driver.to_string());
-    let head: Vec<_> = ["probe".to_owned(), "program".to_owned()].into_iter().chain(drivers).collect();
-    let of_probe = |(probe, row): (&Probe, Vec<String>)| {
-        let mut cells = row;
-        cells.insert(1, probe.result.to_owned());
-        line(&cells)
-    };
-    line(&head) + &probes.iter().zip(rows(probes, runs)).map(of_probe).collect::<String>()
-}
-
 /// Returns the name of each probe with its verdicts.
 fn rows(probes: &[Probe], runs: &[Run]) -> Vec<Vec<String>> {
     let verdicts: Vec<_> = runs.iter().map(|run| run.verdicts(probes)).collect();
@@ -112,37 +92,6 @@ fn counts(verdicts: &[Verdict]) -> String {
     let count = |class: &str| verdicts.iter().filter(|verdict| verdict.class() == class).count();
     let parts: Vec<_> = classes.iter().map(|class| format!("{} {class}", count(class))).collect();
     format!("{} probes: {}", verdicts.len(), parts.join(", "))
-}
-
-/// Returns the probes, drivers and verdicts as JSON. A failure also lists the cases that are wrong.
-#[must_use]
-pub fn json(probes: &[Probe], runs: &[Run]) -> String {
-    let of_run = |run: &Run| {
-        let verdicts: Vec<Value> =
-            probes.iter().zip(run.verdicts(probes)).map(|(probe, verdict)| of_verdict(probe, &verdict)).collect();
-        let Driver { adapter, driver, compiler } = &run.driver;
-        json!({"adapter": adapter, "driver": driver, "compiler": compiler, "verdicts": verdicts})
-    };
-    let of_probe = |probe: &Probe| {
-        json!({
-            "name": probe.name, "group": probe.group, "rule": probe.rule, "program": probe.text(),
-            "cases": probe.cases.len(),
-        })
-    };
-    let value = json!({
-        "probes": probes.iter().map(of_probe).collect::<Vec<_>>(),
-        "drivers": runs.iter().map(of_run).collect::<Vec<_>>(),
-    });
-    format!("{value:#}\n")
-}
-
-fn of_verdict(probe: &Probe, verdict: &Verdict) -> Value {
-    let mut value = json!({"probe": probe.name, "class": verdict.class(), "verdict": verdict.to_string()});
-    if let Verdict::Failure(Failure::Wrong { nearest, cases, .. }) = verdict {
-        value["nearest"] = json!(nearest);
-        value["wrong_cases"] = json!(cases);
-    }
-    value
 }
 
 /// Returns the list of probes: name, program and rule of each.

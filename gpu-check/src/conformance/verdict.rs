@@ -28,9 +28,7 @@ pub enum Verdict {
 pub enum Failure {
     /// These cases do not follow the reading that explains most cases.
     Wrong {
-        /// The reading that explains most cases.
-        nearest: &'static str,
-        /// Indices of the cases that it does not explain.
+        /// Indices of the cases.
         cases: Vec<usize>,
         /// Number of all cases.
         of: usize,
@@ -61,7 +59,7 @@ impl Verdict {
         if results.len() != probe.cases.len() {
             return Self::Failure(Failure::WrongCount(results.len()));
         }
-        let mut nearest: Option<(&'static str, Vec<usize>)> = None;
+        let mut fewest: Option<Vec<usize>> = None;
         for reading in &probe.readings {
             let is_wrong = |index: &usize| {
                 let allowed = reading.allowed(&probe.cases[*index]);
@@ -75,12 +73,11 @@ impl Verdict {
                     Kind::Error => Self::WithinError(reading.name),
                 };
             }
-            if nearest.as_ref().is_none_or(|(_, least)| wrong.len() < least.len()) {
-                nearest = Some((reading.name, wrong));
+            if fewest.as_ref().is_none_or(|fewest| wrong.len() < fewest.len()) {
+                fewest = Some(wrong);
             }
         }
-        let (nearest, cases) = nearest.unwrap_or_default();
-        Self::Failure(Failure::Wrong { nearest, cases, of: results.len() })
+        Self::Failure(Failure::Wrong { cases: fewest.unwrap_or_default(), of: results.len() })
     }
 
     /// Whether the driver fails the probe.
@@ -89,7 +86,7 @@ impl Verdict {
         matches!(self, Self::Failure(_))
     }
 
-    /// Returns the class of the verdict, for programs that read the JSON.
+    /// Returns the class of the verdict.
     #[must_use]
     pub const fn class(&self) -> &'static str {
         match self {
