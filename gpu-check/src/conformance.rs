@@ -4,7 +4,7 @@
 //! specification allow, computed in Rust for each input. The [`verdict`] on a driver is that its results are as
 //! written, or follow one named allowed rewriting, or are within the allowed error. All other results are a failure.
 //!
-//! - [`value`] holds numbers of any type as bits, and [`ulp`] measures errors;
+//! - [`value`] has the types of numbers, and [`ulp`] measures errors;
 //! - [`reading`] is one allowed way to calculate a program, and [`draft`] builds probes;
 //! - [`inputs`] and [`probes`] are the inputs and the list of all probes;
 //! - [`native`] runs a probe through wgpu, [`isolated`] runs all in a separate process, and [`browser`] in a browser;

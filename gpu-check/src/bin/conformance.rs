@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use cpu::internals::input::reader::read_text;
-use gpu_check::conformance::args::{Arguments, choose};
+use gpu_check::conformance::args::Arguments;
 use gpu_check::conformance::csv::Table;
 use gpu_check::conformance::probe::Probe;
 use gpu_check::conformance::report::{self, Run};
@@ -56,11 +56,8 @@ fn status(result: Result<ExitCode, String>) -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<ExitCode, String> {
-    let all = probes::all();
-    let names: Vec<_> = all.iter().map(|probe| probe.name.as_str()).collect();
-    let chosen = choose(&names, &arguments.probe)?;
-    let probes: Vec<Probe> =
-        all.into_iter().enumerate().filter(|(index, _)| chosen.contains(index)).map(|(_, probe)| probe).collect();
+    let mut probes = probes::all();
+    probes.retain(|probe| arguments.probe.is_empty() || arguments.probe.contains(&probe.name));
     if arguments.list {
         terminal::print(&report::list(&probes)).map_err(|error| error.to_string())?;
         return Ok(ExitCode::SUCCESS);

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
+use super::probes;
+
 /// Holds drivers to IEEE 754 and WGSL: runs small programs, and compares their results with what is allowed.
 #[derive(Debug, Parser)]
 #[command(
@@ -29,7 +31,7 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["probe", "csv", "browser", "all"])]
     pub list: bool,
     /// Run this probe alone, and print its program, inputs and results; may be repeated
-    #[arg(long, value_name = "NAME", conflicts_with = "csv")]
+    #[arg(long, value_name = "NAME", value_parser = known, conflicts_with = "csv")]
     pub probe: Vec<String>,
     /// Write the verdicts into this file too, as CSV; columns of other drivers that it has already stay
     #[arg(long, value_name = "FILE")]
@@ -48,23 +50,15 @@ pub struct Arguments {
     pub no_native: bool,
 }
 
-/// Returns the positions of the probes with these names among `names`, or all positions if `wanted` is empty.
-///
-/// # Errors
-/// A message for the user if a name is unknown. It suggests the most similar name.
-pub fn choose(names: &[&str], wanted: &[String]) -> Result<Vec<usize>, String> {
-    if wanted.is_empty() {
-        return Ok((0..names.len()).collect());
+/// Returns the name of a probe, or a message with the most similar name if there is no such probe.
+fn known(name: &str) -> Result<String, String> {
+    let names = || probes::all().into_iter().map(|probe| probe.name);
+    if names().any(|known| known == name) {
+        return Ok(name.to_owned());
     }
-    let position = |name: &String| {
-        names.iter().position(|known| known == name).ok_or_else(|| {
-            let likeness = |known: &&&str| strsim::jaro_winkler(known, name);
-            let nearest = names.iter().max_by(|one, other| likeness(one).total_cmp(&likeness(other)));
-            let hint = nearest.map_or_else(String::new, |known| format!("; did you mean [{known}]?"));
-            format!("there is no probe [{name}]{hint}; --list shows all")
-        })
-    };
-    wanted.iter().map(position).collect()
+    let likeness = |known: &String| strsim::jaro_winkler(known, name);
+    let nearest = names().max_by(|one, other| likeness(one).total_cmp(&likeness(other))).unwrap_or_default();
+    Err(format!("there is no probe [{name}]; did you mean [{nearest}]?; --list shows all"))
 }
 
 #[cfg(test)]
@@ -73,22 +67,16 @@ mod tests {
 
     #[test]
     fn an_unknown_probe_is_named_with_the_nearest_one() {
-        let names = ["cancel-term", "fma"];
-        assert_eq!(choose(&names, &[]), Ok(vec![0, 1]));
-        assert_eq!(choose(&names, &["fma".to_owned()]), Ok(vec![1]));
-        let message = choose(&names, &["cancel-tern".to_owned()]).expect_err("it does not exist");
-        assert_eq!(message, "there is no probe [cancel-tern]; did you mean [cancel-term]?; --list shows all");
+        assert_eq!(known("sum-f64"), Ok("sum-f64".to_owned()));
+        let message = "there is no probe [cancel-tern]; did you mean [cancel-term]?; --list shows all";
+        assert_eq!(known("cancel-tern"), Err(message.to_owned()));
     }
 
     #[test]
     fn options_that_exclude_each_other_are_refused() {
         let parse = |arguments: &[&str]| Arguments::try_parse_from([&["conformance"], arguments].concat()).is_ok();
         assert!(parse(&["--all", "--browser", "--csv", "x"]) && parse(&["--browser", "--no-native"]));
-        assert!(
-            !parse(&["--no-native"])
-                && !parse(&["--list", "--all"])
-                && !parse(&["--probe", "x", "--csv", "y"])
-                && !parse(&["more"])
-        );
+        assert!(!parse(&["--no-native"]) && !parse(&["--list", "--all"]) && !parse(&["more"]));
+        assert!(!parse(&["--probe", "sum", "--csv", "y"]) && parse(&["--probe", "sum"]));
     }
 }

@@ -42,8 +42,8 @@ pub fn run(gpu: &Gpu, probe: &Probe) -> Outcome {
     )
 }
 
-/// Returns the results of a probe, as bits.
-fn results(gpu: &Gpu, probe: &Probe) -> Result<Vec<u64>, Error> {
+/// Returns the results of a probe.
+fn results(gpu: &Gpu, probe: &Probe) -> Result<Vec<f64>, Error> {
     let pipeline = Pipeline::new(gpu, &probe.composition(), None)?;
     let input = probe.input_bytes();
     let contents = [Content::Input(&input), Content::Output(probe.output_size() as u64)];

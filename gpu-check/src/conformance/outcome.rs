@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 /// What a driver made of a probe.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// It calculated these results, as bits, one for each case.
-    Results(Vec<u64>),
+    /// It calculated these results, one for each case.
+    Results(Vec<f64>),
     /// It refused the program, with this message.
     Refused(String),
     /// It left this number of results unwritten.
@@ -22,7 +22,10 @@ impl Outcome {
     #[must_use]
     pub fn to_line(&self) -> String {
         let value = match self {
-            Self::Results(results) => json!({"results": results}),
+            // JSON has no NaN, so the results are written as bits.
+            Self::Results(results) => {
+                json!({"results": results.iter().map(|result| result.to_bits()).collect::<Vec<_>>()})
+            }
             Self::Refused(message) => json!({"refused": message}),
             Self::Unwritten(count) => json!({"unwritten": count}),
             Self::NotAvailable => json!({"not available": "f64"}),
@@ -38,7 +41,10 @@ impl Outcome {
         let (kind, value) = value.as_object()?.iter().next()?;
         let text = || value.as_str().map(str::to_owned);
         match kind.as_str() {
-            "results" => value.as_array()?.iter().map(Value::as_u64).collect::<Option<_>>().map(Self::Results),
+            "results" => {
+                let bits = value.as_array()?.iter().map(Value::as_u64);
+                bits.map(|bits| bits.map(f64::from_bits)).collect::<Option<_>>().map(Self::Results)
+            }
             "refused" => text().map(Self::Refused),
             "unwritten" => Some(Self::Unwritten(usize::try_from(value.as_u64()?).ok()?)),
             "not available" => Some(Self::NotAvailable),
@@ -55,7 +61,7 @@ mod tests {
     #[test]
     fn a_line_has_the_whole_outcome() {
         for outcome in [
-            Outcome::Results(vec![0, 1, u64::MAX, f64::NAN.to_bits()]),
+            Outcome::Results(vec![0.0, -0.0, 0.1, f64::INFINITY]),
             Outcome::Refused("line 1\nline \"2\"".to_owned()),
             Outcome::Unwritten(3),
             Outcome::NotAvailable,

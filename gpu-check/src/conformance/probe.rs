@@ -32,10 +32,12 @@ pub struct Probe {
     pub result: &'static str,
     /// Whether an implementation may refuse the program, because it uses what no specification defines.
     pub may_be_refused: bool,
-    /// The inputs, as bits.
-    pub cases: Vec<Vec<u64>>,
-    /// The allowed readings. The first one is the program as written.
-    pub readings: Vec<Reading>,
+    /// The inputs.
+    pub cases: Vec<Vec<f64>>,
+    /// The reading of the program as written.
+    pub as_written: Reading,
+    /// The other allowed readings.
+    pub others: Vec<Reading>,
 }
 
 impl Probe {
@@ -77,6 +79,15 @@ impl Probe {
     pub fn composition(&self) -> Composition {
         let precision = if self.needs_f64() { Precision::F64 } else { Precision::F32 };
         Composition::of_text(self.text(), precision).allow_transcendental_f64()
+    }
+
+    /// Returns the reading that explains most results, and the indices of the cases that it does not explain.
+    #[must_use]
+    pub fn nearest(&self, results: &[f64]) -> (&Reading, Vec<usize>) {
+        let with_wrong = |reading| (reading, Reading::wrong(reading, &self.cases, results));
+        let nearer =
+            |one: (_, Vec<usize>), other: (_, Vec<usize>)| if other.1.len() < one.1.len() { other } else { one };
+        self.others.iter().map(with_wrong).fold(with_wrong(&self.as_written), nearer)
     }
 
     /// Returns the bytes of the inputs, case after case.

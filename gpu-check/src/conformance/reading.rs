@@ -2,36 +2,31 @@
 
 use std::fmt;
 
-use super::value::{Bits, Type};
+use super::value::{Type, Value};
+use crate::Float;
 
 /// The results that a reading allows for one case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Allowed {
-    /// Any of these numbers, given as bits.
-    OneOf(Vec<u64>),
+    /// Any of these numbers.
+    OneOf(Vec<f64>),
     /// Any number from the first to the second, but not NaN.
     Between(f64, f64),
 }
 
 impl Allowed {
-    /// Allows this number alone.
-    #[must_use]
-    pub fn only<T: Bits>(number: T) -> Self {
-        Self::OneOf(vec![number.to_word()])
-    }
-
     /// Allows these numbers.
     #[must_use]
-    pub fn any_of<T: Bits>(numbers: impl IntoIterator<Item = T>) -> Self {
-        Self::OneOf(numbers.into_iter().map(T::to_word).collect())
+    pub fn any_of<T: Value>(numbers: impl IntoIterator<Item = T>) -> Self {
+        Self::OneOf(numbers.into_iter().map(T::to_f64).collect())
     }
 
-    /// Whether a result of type `of` is allowed.
+    /// Whether a result is allowed. The sign of zero counts.
     #[must_use]
-    pub fn contains(&self, of: Type, bits: u64) -> bool {
+    pub fn contains(&self, result: f64) -> bool {
         match self {
-            Self::OneOf(numbers) => numbers.iter().any(|number| of.same(*number, bits)),
-            Self::Between(low, high) => (*low..=*high).contains(&of.value(bits)),
+            Self::OneOf(numbers) => numbers.iter().any(|number| number.same(result)),
+            Self::Between(low, high) => (*low..=*high).contains(&result),
         }
     }
 
@@ -39,7 +34,7 @@ impl Allowed {
     #[must_use]
     pub fn show(&self, of: Type) -> String {
         match self {
-            Self::OneOf(numbers) => numbers.iter().map(|bits| of.show(*bits)).collect::<Vec<_>>().join(" or "),
+            Self::OneOf(numbers) => numbers.iter().map(|number| of.show(*number)).collect::<Vec<_>>().join(" or "),
             Self::Between(low, high) => format!("{low:?} to {high:?}"),
         }
     }
@@ -57,7 +52,7 @@ pub enum Kind {
 }
 
 /// A function from the inputs of a case to the results that a reading allows.
-type AllowedResults = Box<dyn Fn(&[u64]) -> Allowed>;
+type AllowedFor = dyn Fn(&[f64]) -> Allowed;
 
 /// A reading of a program: its name, and the results that it allows for each case.
 pub struct Reading {
@@ -65,19 +60,16 @@ pub struct Reading {
     pub name: &'static str,
     /// What it means if results follow this reading.
     pub kind: Kind,
-    allowed: AllowedResults,
+    /// Returns the allowed results for the inputs of a case.
+    pub allowed: Box<AllowedFor>,
 }
 
 impl Reading {
-    /// Returns a reading that allows `allowed(case)` for a case.
-    pub fn new(name: &'static str, kind: Kind, allowed: impl Fn(&[u64]) -> Allowed + 'static) -> Self {
-        Self { name, kind, allowed: Box::new(allowed) }
-    }
-
-    /// Returns the results that are allowed for a case.
+    /// Returns the indices of the results that this reading does not allow.
     #[must_use]
-    pub fn allowed(&self, case: &[u64]) -> Allowed {
-        (self.allowed)(case)
+    pub fn wrong(&self, cases: &[Vec<f64>], results: &[f64]) -> Vec<usize> {
+        let pairs = cases.iter().zip(results).enumerate();
+        pairs.filter(|(_, (case, result))| !(self.allowed)(case).contains(**result)).map(|(index, _)| index).collect()
     }
 }
 

@@ -1,5 +1,7 @@
 //! Errors in units in the last place, as section 15.7.4 of the WGSL specification defines them.
 
+use std::cmp::Ordering;
+
 use super::reading::Allowed;
 
 /// Factor for the error of a bound itself, because bounds are computed in `f64`. 2^-20 of a unit in the last place of
@@ -11,13 +13,9 @@ const SLACK: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 #[must_use]
 pub fn ulp(x: f64) -> f64 {
     let magnitude = x.abs().min(f64::from(f32::MAX));
-    let below = (magnitude as f32).next_up().next_up();
-    // Walks down from above to the last number of f32 that is below the magnitude.
-    let mut low = below;
-    while f64::from(low) >= magnitude && low > 0.0 {
-        low = low.next_down();
-    }
-    f64::from(low.next_up()) - f64::from(low)
+    let near = magnitude as f32;
+    let below = if f64::from(near) < magnitude || near == 0.0 { near } else { near.next_down() };
+    f64::from(below.next_up()) - f64::from(below)
 }
 
 /// Allows every result within `units` units in the last place of `exact`, which must be accurate to 2^-45.
@@ -27,16 +25,17 @@ pub fn within(exact: f64, units: f64) -> Allowed {
     Allowed::Between(exact - error, exact + error)
 }
 
-/// Returns the two numbers of `f32` next to `exact`, of which a correctly rounded result is one. If `exact` is in
-/// `f32`, both are that number.
+/// Allows the two numbers of `f32` next to `exact`, of which a correctly rounded result is one. If `exact` is in `f32`,
+/// only that number is allowed.
 #[must_use]
-pub fn neighbours(exact: f64) -> [f32; 2] {
+pub fn neighbours(exact: f64) -> Allowed {
     let near = exact as f32;
-    match f64::from(near).total_cmp(&exact) {
-        std::cmp::Ordering::Less if f64::from(near) != exact => [near, near.next_up()],
-        std::cmp::Ordering::Greater if f64::from(near) != exact => [near.next_down(), near],
-        _ => [near, near],
-    }
+    let other = match f64::from(near).total_cmp(&exact) {
+        Ordering::Less => near.next_up(),
+        Ordering::Equal => near,
+        Ordering::Greater => near.next_down(),
+    };
+    Allowed::any_of([near, other])
 }
 
 #[cfg(test)]
@@ -54,11 +53,11 @@ mod tests {
 
     #[test]
     fn neighbours_enclose_the_number() {
-        let third = 1.0 / 3.0;
-        let [low, high] = neighbours(third);
-        assert!(f64::from(low) < third && third < f64::from(high) && low.next_up() == high);
-        assert_eq!(neighbours(0.5), [0.5; 2]);
-        let [low, high] = neighbours(-third);
-        assert!(f64::from(low) < -third && -third < f64::from(high) && low.next_up() == high);
+        for number in [1.0 / 3.0, -1.0 / 3.0, 16_777_217.0] {
+            let Allowed::OneOf(numbers) = neighbours(number) else { panic!("two numbers are allowed") };
+            let [low, high] = [numbers[0].min(numbers[1]), numbers[0].max(numbers[1])];
+            assert!(low < number && number < high && (low as f32).next_up() == high as f32);
+        }
+        assert_eq!(neighbours(0.5), Allowed::any_of([0.5; 2]));
     }
 }

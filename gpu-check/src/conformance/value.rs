@@ -1,4 +1,4 @@
-//! Numbers of the types of WGSL, held as bits.
+//! Numbers of the types of WGSL. Each is held as `f64`, which has all of them exactly.
 
 use crate::Float;
 
@@ -27,89 +27,75 @@ impl Type {
     /// Returns the size of a number in a buffer, in bytes.
     #[must_use]
     pub const fn size(self) -> usize {
-        match self {
-            Self::F64 => 8,
-            _ => 4,
-        }
-    }
-
-    /// Returns the value of `bits` as `f64`, which is exact.
-    #[must_use]
-    pub fn value(self, bits: u64) -> f64 {
-        match self {
-            Self::F32 => f64::from(f32::of_bits(bits)),
-            Self::F64 => f64::of_bits(bits),
-            Self::U32 => f64::from(u32::of_bits(bits)),
-        }
-    }
-
-    /// Whether both numbers have the same bits, or both are NaN. IEEE 754 does not tell which bits NaN has.
-    #[must_use]
-    pub fn same(self, one: u64, other: u64) -> bool {
-        one == other || (self.value(one).is_nan() && self.value(other).is_nan())
+        if matches!(self, Self::F64) { 8 } else { 4 }
     }
 
     /// Returns the number as text. The text of a floating-point number ends with its bits.
     #[must_use]
-    pub fn show(self, bits: u64) -> String {
+    pub fn show(self, number: f64) -> String {
         match self {
-            Self::F32 => format!("{:?} (0x{bits:08x})", f32::of_bits(bits)),
-            Self::F64 => format!("{:?} (0x{bits:016x})", f64::of_bits(bits)),
-            Self::U32 => format!("{bits}"),
+            Self::F32 => format!("{:?} (0x{:08x})", number as f32, (number as f32).to_bits()),
+            Self::F64 => format!("{number:?} (0x{:016x})", number.to_bits()),
+            Self::U32 => number.to_string(),
         }
     }
 
     /// Returns the bytes of the numbers, as they lie in a buffer.
     #[must_use]
-    pub fn to_bytes(self, numbers: impl Iterator<Item = u64>) -> Vec<u8> {
-        numbers.flat_map(|bits| bits.to_le_bytes().into_iter().take(self.size())).collect()
+    pub fn to_bytes(self, numbers: impl Iterator<Item = f64>) -> Vec<u8> {
+        match self {
+            Self::F32 => numbers.flat_map(|number| (number as f32).to_le_bytes()).collect(),
+            Self::F64 => numbers.flat_map(f64::to_le_bytes).collect(),
+            Self::U32 => numbers.flat_map(|number| (number as u32).to_le_bytes()).collect(),
+        }
     }
 
-    /// Returns the numbers of a buffer. Bytes after the last whole number are ignored.
+    /// Returns the numbers of a buffer.
     #[must_use]
-    pub fn of_bytes(self, bytes: &[u8]) -> Vec<u64> {
-        let number = |chunk: &[u8]| chunk.iter().rev().fold(0, |bits, byte| bits << 8 | u64::from(*byte));
-        bytes.chunks_exact(self.size()).map(number).collect()
+    pub fn of_bytes(self, bytes: &[u8]) -> Vec<f64> {
+        let words = || bytemuck::pod_collect_to_vec::<_, u32>(bytes).into_iter();
+        match self {
+            Self::F32 => words().map(|bits| f64::from(f32::from_bits(bits))).collect(),
+            Self::F64 => bytemuck::pod_collect_to_vec(bytes),
+            Self::U32 => words().map(f64::from).collect(),
+        }
     }
 }
 
-/// A number in Rust that has the same bits as a number of WGSL.
-pub trait Bits: Copy + 'static {
+/// A number of Rust with the type of a number of WGSL.
+pub trait Value: Copy + 'static {
     /// The type in WGSL.
     const TYPE: Type;
-    /// Returns the bits. Unused upper bits are zero.
-    fn to_word(self) -> u64;
-    /// Returns the number with these bits. Unused upper bits are ignored.
-    fn of_bits(bits: u64) -> Self;
+    /// Returns the number as `f64`, which is exact.
+    fn to_f64(self) -> f64;
+    /// Returns the number of this value, which must be of this type.
+    fn of_f64(value: f64) -> Self;
 }
 
-macro_rules! bits {
-    ($type:ty, $name:expr, |$number:ident| $to:expr, |$bits:ident| $of:expr) => {
-        impl Bits for $type {
+macro_rules! value {
+    ($type:ty, $name:expr) => {
+        impl Value for $type {
             const TYPE: Type = $name;
-            fn to_word(self) -> u64 {
-                let $number = self;
-                $to
+            fn to_f64(self) -> f64 {
+                self.into()
             }
-            fn of_bits($bits: u64) -> Self {
-                $of
+            fn of_f64(value: f64) -> Self {
+                value as Self
             }
         }
     };
 }
 
-bits!(f32, Type::F32, |number| u64::from(number.to_bits()), |bits| Self::from_bits(bits as u32));
-bits!(f64, Type::F64, |number| number.to_bits(), |bits| Self::from_bits(bits));
-bits!(u32, Type::U32, |number| u64::from(number), |bits| bits as Self);
+value!(f32, Type::F32);
+value!(f64, Type::F64);
+value!(u32, Type::U32);
 
 /// A floating-point type over which probes are generic.
-pub trait Number: Float + Bits {
+pub trait Number: Float + Value {
     /// The smallest positive normal number.
     const TINY: Self;
     /// Returns `self * factor + term` with one rounding.
     fn fused(self, factor: Self, term: Self) -> Self;
-    /// Whether the number is subnormal.
-    fn is_tiny(self) -> bool;
 }
 
 macro_rules! number {
@@ -118,9 +104,6 @@ macro_rules! number {
             const TINY: Self = Self::MIN_POSITIVE;
             fn fused(self, factor: Self, term: Self) -> Self {
                 self.mul_add(factor, term)
-            }
-            fn is_tiny(self) -> bool {
-                self.is_subnormal()
             }
         }
     };

@@ -7,7 +7,7 @@ use super::probe::Probe;
 use super::reading::Kind;
 
 /// The verdict on a driver for one probe.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The results are as written.
     AsWritten,
@@ -19,28 +19,8 @@ pub enum Verdict {
     Refused,
     /// The adapter lacks f64, which the probe needs.
     NotAvailable,
-    /// The results follow no allowed reading.
-    Failure(Failure),
-}
-
-/// The reason of a failure.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Failure {
-    /// These cases do not follow the reading that explains most cases.
-    Wrong {
-        /// Indices of the cases.
-        cases: Vec<usize>,
-        /// Number of all cases.
-        of: usize,
-    },
-    /// The number of results is not the number of cases.
-    WrongCount(usize),
-    /// The implementation refused a program that it must accept.
-    Refused(String),
-    /// This number of results was not written.
-    Unwritten(usize),
-    /// The driver ended without results, for this cause.
-    Ended(String),
+    /// The results follow no allowed reading, for this reason.
+    Failure(String),
 }
 
 impl Verdict {
@@ -51,33 +31,25 @@ impl Verdict {
         let results = match outcome {
             Outcome::Results(results) => results,
             Outcome::Refused(_) if probe.may_be_refused => return Self::Refused,
-            Outcome::Refused(message) => return Self::Failure(Failure::Refused(message.clone())),
-            Outcome::Unwritten(count) => return Self::Failure(Failure::Unwritten(*count)),
+            Outcome::Refused(message) => {
+                return Self::Failure(format!("refused: {}", message.lines().next().unwrap_or_default()));
+            }
+            Outcome::Unwritten(count) => return Self::Failure(format!("{count} not written")),
             Outcome::NotAvailable => return Self::NotAvailable,
-            Outcome::Ended(cause) => return Self::Failure(Failure::Ended(cause.clone())),
+            // The cause is shown elsewhere, because it is too long for a table.
+            Outcome::Ended(_) => return Self::Failure("the driver ends".to_owned()),
         };
-        if results.len() != probe.cases.len() {
-            return Self::Failure(Failure::WrongCount(results.len()));
+        let of = probe.cases.len();
+        if results.len() != of {
+            return Self::Failure(format!("{} results", results.len()));
         }
-        let mut fewest: Option<Vec<usize>> = None;
-        for reading in &probe.readings {
-            let is_wrong = |index: &usize| {
-                let allowed = reading.allowed(&probe.cases[*index]);
-                !allowed.contains(probe.output, results[*index])
-            };
-            let wrong: Vec<usize> = (0..results.len()).filter(is_wrong).collect();
-            if wrong.is_empty() {
-                return match reading.kind {
-                    Kind::AsWritten => Self::AsWritten,
-                    Kind::Rewriting => Self::Rewritten(reading.name),
-                    Kind::Error => Self::WithinError(reading.name),
-                };
-            }
-            if fewest.as_ref().is_none_or(|fewest| wrong.len() < fewest.len()) {
-                fewest = Some(wrong);
-            }
+        let (reading, wrong) = probe.nearest(results);
+        match reading.kind {
+            _ if !wrong.is_empty() => Self::Failure(format!("{} of {of} wrong", wrong.len())),
+            Kind::AsWritten => Self::AsWritten,
+            Kind::Rewriting => Self::Rewritten(reading.name),
+            Kind::Error => Self::WithinError(reading.name),
         }
-        Self::Failure(Failure::Wrong { cases: fewest.unwrap_or_default(), of: results.len() })
     }
 
     /// Whether the driver fails the probe.
@@ -102,25 +74,12 @@ impl Verdict {
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.class())?;
         match self {
-            Self::AsWritten | Self::Refused => f.write_str(self.class()),
-            Self::Rewritten(name) => write!(f, "rewritten: {name}"),
-            Self::WithinError(name) => write!(f, "within error: {name}"),
-            Self::NotAvailable => f.write_str("not available (f64)"),
-            Self::Failure(failure) => write!(f, "failure: {failure}"),
-        }
-    }
-}
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Wrong { cases, of, .. } => write!(f, "{} of {of} wrong", cases.len()),
-            Self::WrongCount(count) => write!(f, "{count} results"),
-            Self::Refused(message) => write!(f, "refused: {}", message.lines().next().unwrap_or_default()),
-            Self::Unwritten(count) => write!(f, "{count} not written"),
-            // The cause is shown elsewhere, because it is too long for a table.
-            Self::Ended(_) => f.write_str("the driver ends"),
+            Self::AsWritten | Self::Refused => Ok(()),
+            Self::Rewritten(name) | Self::WithinError(name) => write!(f, ": {name}"),
+            Self::NotAvailable => f.write_str(" (f64)"),
+            Self::Failure(reason) => write!(f, ": {reason}"),
         }
     }
 }

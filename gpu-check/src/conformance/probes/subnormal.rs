@@ -25,7 +25,7 @@ pub fn probes() -> Vec<Probe> {
 
 /// Returns the number, or a zero of its sign if it is subnormal and `flush` is set.
 fn flushed<T: Number>(number: T, flush: bool) -> T {
-    match (flush && number.is_tiny(), number.wide() < 0.0) {
+    match (flush && number.abs().less(T::TINY), number.wide() < 0.0) {
         (false, _) => number,
         (true, false) => T::of(0.0),
         (true, true) => -T::of(0.0),
