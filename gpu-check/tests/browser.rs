@@ -15,7 +15,7 @@ use std::time::Duration;
 
 use cpu::{Config, Scene, Vec3};
 use gpu_check::conformance::csv::Table;
-use gpu_check::conformance::{browser, probes, report::Run};
+use gpu_check::conformance::{browser, probes};
 use gpu_check::difference::difference;
 use gpu_check::kernels::KERNELS;
 use gpu_check::scenes::Case;
@@ -56,9 +56,9 @@ fn main() -> ExitCode {
 /// Checks the verdicts on the browser's compiler and driver against docs/gpu/probes.csv.
 fn conformance(chromium: &Path) -> Result<(), Failed> {
     let probes = probes::all();
-    let (driver, outcomes) = browser::run(chromium, &probes)?;
-    println!("{driver}");
-    documented::check(&Table::default().with(&probes, &[Run { driver, outcomes }]), "google swiftshader");
+    let run = browser::run(chromium, &probes)?;
+    println!("{}", run.driver);
+    documented::check(&Table::default().with(&probes, &[run]), "google swiftshader");
     Ok(())
 }
 

@@ -111,8 +111,7 @@ fn runs(arguments: &Arguments, probes: &[Probe]) -> Result<Vec<Run>, String> {
     }
     if arguments.browser {
         let chromium = chromium::find().ok_or("there is no Chromium in PATH; on Debian: apt-get install chromium")?;
-        let (driver, outcomes) = browser::run(&chromium, probes)?;
-        runs.push(Run { driver, outcomes });
+        runs.push(browser::run(&chromium, probes)?);
     }
     Ok(runs)
 }

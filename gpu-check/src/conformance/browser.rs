@@ -10,7 +10,7 @@ use serde_json::json;
 
 use super::outcome::Outcome;
 use super::probe::Probe;
-use super::report::Driver;
+use super::report::Run;
 use crate::web::chromium::{Browser, INTERVAL, version};
 use crate::web::{Posted, Server};
 
@@ -35,11 +35,11 @@ pub fn data(probes: &[Probe]) -> BTreeMap<String, Vec<u8>> {
     data
 }
 
-/// Runs the probes in a headless browser. Returns its description, and the outcome of each probe.
+/// Runs the probes in a headless browser.
 ///
 /// # Errors
 /// A message for the user: the browser does not start, has no WebGPU, or stops answering.
-pub fn run(chromium: &Path, probes: &[Probe]) -> Result<(Driver, Vec<Outcome>), String> {
+pub fn run(chromium: &Path, probes: &[Probe]) -> Result<Run, String> {
     let broken = |error: std::io::Error| format!("{}: {error}", chromium.display());
     let version = version(chromium, VERSION_PATIENCE).map_err(broken)?;
     let server = Server::new(0, data(probes)).map_err(broken)?;
@@ -53,9 +53,9 @@ pub fn run(chromium: &Path, probes: &[Probe]) -> Result<(Driver, Vec<Outcome>), 
     drop(browser);
     let results = results?;
     let adapter = results.get("adapter").map(|text| String::from_utf8_lossy(text).into_owned()).unwrap_or_default();
-    let name = adapter.lines().next().unwrap_or_default().to_owned();
-    let driver = Driver { adapter: name, driver: "WebGPU of the browser".to_owned(), compiler: version };
-    Ok((driver, probes.iter().map(|probe| outcome(probe, &results)).collect()))
+    let name = adapter.lines().next().unwrap_or_default();
+    let driver = format!("{name}; WebGPU of the browser; {version}");
+    Ok(Run { driver, outcomes: probes.iter().map(|probe| outcome(probe, &results)).collect() })
 }
 
 /// Receives the results of the page by name, until the page is done.

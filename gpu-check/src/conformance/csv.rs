@@ -32,15 +32,15 @@ impl Table {
     /// or are new columns. The other columns stay, without the verdicts on programs that have changed.
     #[must_use]
     pub fn with(&self, probes: &[Probe], runs: &[Run]) -> Self {
-        let own: Vec<_> = runs.iter().map(|run| (run.driver.to_string(), run.verdicts(probes))).collect();
+        let own: Vec<_> = runs.iter().map(|run| (&run.driver, run.verdicts(probes))).collect();
         let mut head = self.0.first().cloned().unwrap_or_else(|| vec!["probe".to_owned(), "program".to_owned()]);
         let new: Vec<_> =
-            own.iter().map(|(driver, _)| driver.clone()).filter(|driver| !head.contains(driver)).collect();
+            own.iter().map(|(driver, _)| (*driver).clone()).filter(|driver| !head.contains(driver)).collect();
         head.extend(new);
         let row = |(index, probe): (usize, &Probe)| {
             let facts = [probe.name.clone(), probe.result.to_owned()];
             let old = self.0.iter().find(|row| row.starts_with(&facts));
-            let verdict = |(column, driver): (usize, &String)| match own.iter().find(|(name, _)| name == driver) {
+            let verdict = |(column, driver): (usize, &String)| match own.iter().find(|(name, _)| *name == driver) {
                 Some((_, verdicts)) => verdicts[index].to_string(),
                 None => old.and_then(|row| row.get(column)).cloned().unwrap_or_default(),
             };
@@ -76,17 +76,12 @@ mod tests {
     use super::*;
     use crate::conformance::outcome::Outcome;
     use crate::conformance::probes;
-    use crate::conformance::report::Driver;
 
     #[test]
     fn a_run_replaces_its_own_column_and_keeps_the_others() {
         let probes = probes::all();
         let run = |adapter: &str, outcome: Outcome| Run {
-            driver: Driver {
-                adapter: adapter.to_owned(),
-                driver: "a \"driver\"".to_owned(),
-                compiler: "naga".to_owned(),
-            },
+            driver: format!("{adapter}; a \"driver\""),
             outcomes: vec![outcome; probes.len()],
         };
         let unwritten = |count| Outcome::Unwritten(count);

@@ -1,11 +1,11 @@
 //! Runs probes through wgpu, on an adapter of this machine.
 
+use shaders::Precision;
+
 use super::outcome::Outcome;
 use super::probe::Probe;
-use super::report::Driver;
 use crate::pipeline::Content;
 use crate::{Error, Gpu, Pipeline};
-use shaders::Precision;
 
 /// The project's lock file, which has the versions of wgpu and naga.
 const LOCK: &str = include_str!("../../../Cargo.lock");
@@ -16,12 +16,11 @@ fn version<'a>(lock: &'a str, package: &str) -> &'a str {
     lock.split_once(&entry).and_then(|(_, rest)| rest.split('"').next()).unwrap_or("unknown")
 }
 
-/// Returns the description of a device, for reports.
+/// Returns the adapter, the driver, the form of the shaders, and the versions of wgpu and naga.
 #[must_use]
-pub fn driver(gpu: &Gpu) -> Driver {
-    let versions = ["wgpu", "naga"].map(|package| format!("{package} {}", version(LOCK, package)));
-    let driver = format!("{}, {}", gpu.driver(), gpu.form(Precision::F32));
-    Driver { adapter: gpu.name().to_owned(), driver, compiler: versions.join(", ") }
+pub fn driver(gpu: &Gpu) -> String {
+    let [wgpu, naga] = ["wgpu", "naga"].map(|package| version(LOCK, package));
+    format!("{}; {}, {}; wgpu {wgpu}, naga {naga}", gpu.name(), gpu.driver(), gpu.form(Precision::F32))
 }
 
 /// Runs a probe.

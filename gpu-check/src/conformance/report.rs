@@ -10,22 +10,11 @@ use super::verdict::Verdict;
 
 pub use details::details;
 
-/// A driver, as reports name it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Driver {
-    /// The name of the adapter.
-    pub adapter: String,
-    /// The name of the driver, with its version.
-    pub driver: String,
-    /// The program that compiles WGSL, with its version.
-    pub compiler: String,
-}
-
 /// The outcomes of all probes on one driver.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// The driver.
-    pub driver: Driver,
+    /// The adapter, the driver and the compiler of WGSL, with their versions.
+    pub driver: String,
     /// The outcome of each probe, in the order of the probes.
     pub outcomes: Vec<Outcome>,
 }
@@ -38,30 +27,27 @@ impl Run {
     }
 }
 
-impl std::fmt::Display for Driver {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}; {}; {}", self.adapter, self.driver, self.compiler)
-    }
-}
-
 /// Returns a table for the terminal: the drivers, a line for each probe with a verdict for each driver, and the numbers
 /// of verdicts.
 #[must_use]
 pub fn table(probes: &[Probe], runs: &[Run]) -> String {
-    let rows: Vec<Vec<String>> = rows(probes, runs);
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..=runs.len()).map(width).collect();
+    let names = probes.iter().map(|probe| probe.name.clone()).collect();
+    let verdicts = |run: &Run| run.verdicts(probes).iter().map(Verdict::to_string).collect();
+    let columns: Vec<Vec<String>> = std::iter::once(names).chain(runs.iter().map(verdicts)).collect();
+    let width = |column: &Vec<String>| column.iter().map(|cell| cell.chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = columns.iter().map(width).collect();
     let mut text = String::new();
     for (number, run) in runs.iter().enumerate() {
         let _ = writeln!(text, "driver {}: {}", number + 1, run.driver);
     }
     let mut group = "";
-    for (probe, row) in probes.iter().zip(&rows) {
+    for (row, probe) in probes.iter().enumerate() {
         if probe.group != group {
             group = probe.group;
             let _ = writeln!(text, "\n{group}");
         }
-        let cells: Vec<_> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+        let cell = |(column, width): (&Vec<String>, &usize)| format!("{:width$}", column[row]);
+        let cells: Vec<_> = columns.iter().zip(&widths).map(cell).collect();
         let _ = writeln!(text, "  {}", cells.join("  ").trim_end());
     }
     text.push('\n');
@@ -74,16 +60,6 @@ pub fn table(probes: &[Probe], runs: &[Run]) -> String {
         }
     }
     text
-}
-
-/// Returns the name of each probe with its verdicts.
-fn rows(probes: &[Probe], runs: &[Run]) -> Vec<Vec<String>> {
-    let verdicts: Vec<_> = runs.iter().map(|run| run.verdicts(probes)).collect();
-    let row = |(index, probe): (usize, &Probe)| {
-        let cells = verdicts.iter().map(|verdicts| verdicts[index].to_string());
-        std::iter::once(probe.name.clone()).chain(cells).collect()
-    };
-    probes.iter().enumerate().map(row).collect()
 }
 
 /// Returns the number of verdicts of each class.
