@@ -59,8 +59,8 @@ pub fn lower_text(path: &str, source: &str, arithmetic: &Arithmetic) -> Result<S
     lower(&Composition::of_file(path, source.to_owned(), Precision::F64), arithmetic)
 }
 
-/// Returns values of a module's overrides as values for `lowered`, the same module after lowering. There, a value of f64
-/// is two words.
+/// Returns values of a module's overrides as values for `lowered`, the same module after lowering. There, each value of
+/// f64 is two words.
 #[must_use]
 pub fn constants(lowered: &Validated, constants: &[(&str, f64)]) -> Vec<(String, f64)> {
     let has =
