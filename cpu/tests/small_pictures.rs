@@ -1,5 +1,5 @@
-//! Renders pictures of 15 pixels, which reach every stage and the acceleration structures for up to some hundred
-//! objects. They must have the reference's pixels with every available instruction set and in both layouts.
+//! Renders pictures of 15 pixels, which reach every stage and every acceleration structure. They must have the
+//! reference's pixels with every available instruction set and in both layouts.
 //!
 //! The properties in the package `tests` check the same for thousands of random scenes. These pictures are so small
 //! that miri, which interprets every instruction, renders them in minutes (`tests/memory.sh miri`).
@@ -21,6 +21,22 @@ fn board(count: usize) -> String {
         match at % 2 {
             0 => format!("sphere: {x} {y} {z} .23 {material}\n"),
             _ => format!("cylinder: {x} {y} {z} .1 .1 .4 .2 {material}\n"),
+        }
+    };
+    (0..count).map(object).collect()
+}
+
+/// Returns the scene's lines for a cube full of `count` objects, which the camera sees from outside. One in 16 is a
+/// cylinder, and some spheres touch.
+fn crowd(count: usize) -> String {
+    let side = (count as f64).cbrt().ceil() as usize;
+    let (step, middle) = (4.0 / side as f64, (side / 2) as f64);
+    let object = |at: usize| {
+        let [x, y, z] = [at % side, at / side % side, at / side / side].map(|place| (place as f64 - middle) * step);
+        let (size, material) = (step * (0.2 + 0.03 * (at % 11) as f64), ["m", "s", "g"][at % 3]);
+        match at % 16 {
+            5 => format!("cylinder: {x} {y} {z} {size} .1 .4 .2 {material}\n"),
+            _ => format!("sphere: {x} {y} {z} {size} {material}\n"),
         }
     };
     (0..count).map(object).collect()
@@ -110,6 +126,18 @@ fn objects_in_a_flat_filter_above_a_dominant_sphere() {
 #[test]
 fn objects_in_a_bvh_above_a_dominant_sphere() {
     check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12..=15, |accel| matches!(accel, Accel::Bvh(_)));
+}
+
+#[test]
+#[cfg_attr(miri, ignore = "it takes too long there")]
+fn many_objects_with_sphere_leaves() {
+    check(&crowd(20_001), 12..=15, |accel| matches!(accel, Accel::Bvh(bvh) if bvh.sphere_leaf_count() > 0));
+}
+
+#[test]
+#[cfg_attr(miri, ignore = "it takes too long there")]
+fn more_objects_in_byte_boxes() {
+    check(&crowd(200_001), 12..=15, |accel| matches!(accel, Accel::LargeBvh(bvh) if bvh.sphere_leaf_count() > 0));
 }
 
 #[test]

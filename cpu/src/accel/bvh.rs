@@ -92,8 +92,8 @@ impl<B: Boxes> Bvh<B> {
     }
 
     /// Returns the number of nodes with bounding spheres.
-    #[cfg(test)]
-    pub(super) fn sphere_leaf_count(&self) -> usize {
+    #[cfg(any(test, feature = "internals"))]
+    pub fn sphere_leaf_count(&self) -> usize {
         self.nodes.iter().filter(|node| node.bounding_spheres().is_some()).count()
     }
 
