@@ -7,8 +7,8 @@ use shaders::as_written::{SpirV, spirv};
 use shaders::lower::{self, Arithmetic};
 use shaders::{Composition, Validated};
 use wgpu::{
-    Device, PassthroughShaderEntryPoint, ShaderModule, ShaderModuleDescriptor, ShaderModuleDescriptorPassthrough,
-    ShaderSource,
+    Device, Limits, PassthroughShaderEntryPoint, ShaderModule, ShaderModuleDescriptor,
+    ShaderModuleDescriptorPassthrough, ShaderSource,
 };
 
 use crate::Error;
@@ -80,6 +80,30 @@ impl Formed {
         Ok(Self { shader, constants, source })
     }
 
+    /// Checks the limits on a workgroup, because wgpu does not check those of words that are passed through.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] that names the limit.
+    pub fn check_limits(&self, limits: &Limits) -> Result<(), Error> {
+        let Source::SpirV(SpirV { workgroup_size: [x, y, z], workgroup_bytes, .. }) = self.source else {
+            return Ok(());
+        };
+        let of_all = u64::from(x) * u64::from(y) * u64::from(z);
+        let checks = [
+            ("invocations along x", u64::from(x), limits.max_compute_workgroup_size_x),
+            ("invocations along y", u64::from(y), limits.max_compute_workgroup_size_y),
+            ("invocations along z", u64::from(z), limits.max_compute_workgroup_size_z),
+            ("invocations", of_all, limits.max_compute_invocations_per_workgroup),
+            ("bytes", workgroup_bytes, limits.max_compute_workgroup_storage_size),
+        ];
+        match checks.into_iter().find(|(_, actual, most)| *actual > u64::from(*most)) {
+            None => Ok(()),
+            Some((what, actual, most)) => {
+                Err(Error::Refused { cause: format!("a workgroup has {actual} {what}, and may have {most}") })
+            }
+        }
+    }
+
     /// Gives the shader, whose name for messages is `name`, to the driver.
     pub fn module(&self, device: &Device, name: &str) -> ShaderModule {
         let label = Some(name);
@@ -87,7 +111,7 @@ impl Formed {
             Source::Wgsl(text) => {
                 device.create_shader_module(ShaderModuleDescriptor { label, source: ShaderSource::Wgsl(text.into()) })
             }
-            Source::SpirV(SpirV { words, entry, workgroup_size: [x, y, z] }) => {
+            Source::SpirV(SpirV { words, entry, workgroup_size: [x, y, z], .. }) => {
                 let entry = PassthroughShaderEntryPoint { name: entry.into(), workgroup_size: (*x, *y, *z) };
                 let words = Some(words.into());
                 pass_through(
@@ -107,8 +131,11 @@ impl Formed {
 /// Gives words of SPIR-V to the driver unseen.
 #[expect(unsafe_code, reason = "wgpu has no safe function for SPIR-V that it did not write itself")]
 fn pass_through(device: &Device, descriptor: ShaderModuleDescriptorPassthrough<'_>) -> ShaderModule {
-    // SAFETY: the driver must get a valid module. naga has validated the module and written the words, with a check of
-    // every index, and `shaders::as_written` has added decorations only, each to a result of an instruction that may
-    // have it. Tests parse the words, and compare with the same shaders as WGSL, which wgpu translates itself.
+    // SAFETY: the driver must get a valid module that fits the pipeline. naga has validated the module and written the
+    // words, with a check of every index, and `shaders::as_written` has added decorations only, each to the result of
+    // an instruction that may have it. All bindings are storage buffers; the layout is made from the same module, and
+    // has the least size of each buffer, which wgpu checks. `check_limits` has checked the workgroup. The features that
+    // the words need are f64 at most, and a device without it gets integers. Tests parse the words, and compare with
+    // the same shaders as WGSL, which wgpu translates itself.
     unsafe { device.create_shader_module_passthrough(descriptor) }
 }

@@ -124,7 +124,7 @@ impl Gpu {
         format!("{driver} {driver_info}, {backend}")
     }
 
-    /// Whether the driver is lavapipe, for which `docs/gpu.md` describes the results.
+    /// Whether the driver is lavapipe, the default.
     #[must_use]
     pub fn is_lavapipe(&self) -> bool {
         self.info.driver == "llvmpipe"
@@ -148,8 +148,8 @@ impl Gpu {
         if composition.is_lowered() { Form::ByIntegers } else { self.form(composition.precision()) }
     }
 
-    /// Returns the form in which this device gets shaders of a precision: the one that was asked for, or integers if
-    /// the device lacks f64, or WGSL if its driver takes no other form.
+    /// Returns the form in which this device gets shaders of a precision: the one that was asked for; integers for f64
+    /// if the device lacks it; WGSL if its driver takes no SPIR-V. Integers replace f64 only: f32 is as written then.
     #[must_use]
     pub fn form(&self, precision: Precision) -> Form {
         let passes_spir_v =

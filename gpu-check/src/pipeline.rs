@@ -82,6 +82,7 @@ impl Pipeline {
     /// The errors of [`Self::new`], and [`Error::Refused`] if the shader does not declare one of the names.
     pub fn with_constants(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<Self, Error> {
         let formed = Formed::new(composition, constants, gpu.form_of(composition))?;
+        formed.check_limits(&gpu.device.limits())?;
         let shader = &formed.shader;
         let constants: Vec<_> = formed.constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let mut entries: Vec<_> = shader.bindings().map(layout_entry).collect();

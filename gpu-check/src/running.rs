@@ -9,14 +9,16 @@
 //! - for `x + y`: `e + f`, plus the rounding error;
 //! - for `x y`: `|x| f + |y| e + e f`, plus the rounding error;
 //! - for `x / y`: `(e + |x / y| f) / (|y| - f)`, plus the rounding error; there is no bound if `f >= |y|`;
-//! - for `sqrt x`: `e / (sqrt x + sqrt(x - e))`, plus the rounding error; there is no bound if `e >= x`.
+//! - for `sqrt x`: `e / (sqrt x + sqrt(x - e))`, plus the rounding error; there is no bound if `e >= x`, unless both
+//!   are 0.
 //!
-//! WGSL asks less of a device ([`Accuracy::Wgsl`]): its quotient may be off by 2.5 units, its root is `1 / inverseSqrt
-//! x`, and it may replace numbers below the normal ones by zero.
+//! WGSL asks less of a device ([`Accuracy::Wgsl`]). It may round sums and products up or down, and replace numbers
+//! below the normal ones by zero. Its quotients may be off by 2.5 units, and its root is `1 / inverseSqrt x`. The
+//! bounds hold for operations that are done as they are written.
 //!
 //! The formulas of `cpu` are generic, so the formula's own code computes the bound. If the operands of a comparison are
 //! closer than their bounds, the comparison may have another result in f32. Then the case is marked and not compared.
-//! The value is computed in f64. The factor `SLACK` covers the rounding errors of f64, `2^-53`.
+//! The value and the bound are computed in f64, whose rounding errors `WIDE_U` and `SLACK` cover.
 
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -31,8 +33,10 @@ const ETA: f64 = f64::from_bits((1023 - 150) << 52);
 const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
 /// The largest divisor for which WGSL bounds the error of a quotient, `2^126`.
 const LARGEST_DIVISOR: f64 = 1.0 / SMALLEST;
-/// A factor that covers the rounding errors of the bound and of the value, which are computed in f64. The part above 1
-/// is about 4,500 times the epsilon of f64.
+/// Half a unit in the last place of f64, in which the value is computed.
+const WIDE_U: f64 = f64::EPSILON / 2.0;
+/// A factor that covers the rounding errors of the bound, which is computed in f64. The part above 1 is about 4,500
+/// times the epsilon of f64.
 const SLACK: f64 = 1.0 + 1e-12;
 /// The largest finite f32. Larger results overflow to infinity.
 const LARGEST: f64 = f32::MAX as f64;
@@ -70,9 +74,9 @@ impl Running {
         Self { value, bound: if may_vanish { value.abs() } else { 0.0 } }
     }
 
-    /// Returns a result that is off by half a unit in the last place at most; see [`Self::off_by`].
+    /// Returns a result that is rounded to the nearest number, or for WGSL up or down; see [`Self::off_by`].
     fn rounded(value: f64, carried: f64) -> Self {
-        Self::off_by(1.0, value, carried)
+        Self::off_by(if ACCURACY.get() == Accuracy::Ieee { 1.0 } else { 2.0 }, value, carried)
     }
 
     /// Returns a result with its bound. `carried` bounds the error that comes from the operands. The error of the
@@ -83,7 +87,7 @@ impl Running {
             Accuracy::Ieee => ETA,
             Accuracy::Wgsl => SMALLEST,
         };
-        let bound = (carried + halves * U * largest + tiny) * SLACK;
+        let bound = (carried + (halves * U + WIDE_U) * largest + tiny) * SLACK;
         // There is no bound if f32 may overflow, or if a number is NaN, for which the comparison is false.
         let known = largest + bound < LARGEST;
         Self { value, bound: if known { bound } else { f64::INFINITY } }
@@ -173,7 +177,7 @@ impl Real for Running {
     }
 
     fn sqrt(self) -> Self {
-        if self.is_exact() && self.value == 0.0 {
+        if self.is_exact() && self.value == 0.0 && ACCURACY.get() == Accuracy::Ieee {
             return self;
         }
         let value = self.value.sqrt();

@@ -1,4 +1,4 @@
-//! Writes SPIR-V whose arithmetic a driver must do as it is written.
+//! Writes SPIR-V whose arithmetic a driver must not contract or reorder.
 //!
 //! WGSL lets a driver calculate as with real numbers: it may contract `a * b + c` into one operation, replace
 //! `(a + b) - a` by `b`, or factor out products. SPIR-V has a decoration that forbids this for one result,
@@ -6,7 +6,7 @@
 
 use naga::back::spv::{BindingInfo, Options, PipelineOptions, WriterFlags, write_vec};
 use naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
-use naga::{ResourceBinding, ShaderStage};
+use naga::{AddressSpace, GlobalVariable, ResourceBinding, ShaderStage};
 use rspirv::binary::Assemble;
 use rspirv::dr::{Instruction, Operand, load_words};
 use rspirv::spirv::{Decoration, Op};
@@ -17,9 +17,8 @@ use crate::{Error, Target, Validated};
 /// The instructions that calculate with floating-point numbers, each with what a driver makes of it without the
 /// decoration.
 ///
-/// Not in this list are instructions that round nothing (comparisons, selections, conversions between types), and those
-/// of the extended set such as `Sqrt`, whose accuracy is the driver's. To `Fma` of the extended set the decoration
-/// means the opposite: a single operation.
+/// Not in this list are instructions that round nothing, conversions, which round once, and those of the extended set
+/// such as `Sqrt`, whose accuracy is the driver's. On `Fma` of that set the decoration demands a single rounding.
 pub const DECORATED: [(Op, &str); 14] = [
     (Op::FNegate, "-(a - b) becomes b - a, which differs in the sign of zero"),
     (Op::FAdd, "(a + b) - a becomes b, and a * b + c one operation"),
@@ -46,6 +45,8 @@ pub struct SpirV {
     pub entry: String,
     /// Number of invocations of a workgroup in each dimension.
     pub workgroup_size: [u32; 3],
+    /// Number of bytes that the invocations of a workgroup share.
+    pub workgroup_bytes: u64,
 }
 
 /// Writes the only entry point of `shader` with every result of [`DECORATED`] decorated. Constants of the shader that
@@ -55,10 +56,16 @@ pub struct SpirV {
 /// the last one, because wgpu adds no checks to words that are passed through.
 ///
 /// # Errors
-/// [`Error::Write`] if `shader` does not have exactly one entry point, does not declare one of the constants, or cannot
-/// be written by naga.
+/// [`Error::Write`] if `shader` does not have exactly one entry point, binds something else than storage buffers, does
+/// not declare one of the constants, or cannot be written by naga.
 pub fn spirv(shader: &Validated, constants: &[(&str, f64)]) -> Result<SpirV, Error> {
     let failed = failed(Target::SpirV);
+    let is_bound_otherwise = |variable: &GlobalVariable| {
+        variable.binding.is_some() && !matches!(variable.space, AddressSpace::Storage { .. })
+    };
+    if shader.module.global_variables.iter().any(|(_, variable)| is_bound_otherwise(variable)) {
+        return Err(failed("it binds something else than storage buffers".to_owned()));
+    }
     let constants = constants.iter().map(|(name, value)| ((*name).to_owned(), *value));
     let (module, info, entry) = with_constants(shader, constants.collect()).map_err(&failed)?;
     let mut numbers: Vec<_> = shader.bindings().map(|binding| binding.number).collect();
@@ -84,7 +91,11 @@ pub fn spirv(shader: &Validated, constants: &[(&str, f64)]) -> Result<SpirV, Err
     let words = write_vec(&module, &info, &options, Some(&stage)).map_err(|error| failed(error.to_string()))?;
     let words = decorated(&words).map_err(failed)?;
     let workgroup_size = module.entry_points.iter().find(|known| known.name == entry).map(|known| known.workgroup_size);
-    Ok(SpirV { words, entry: entry.to_owned(), workgroup_size: workgroup_size.unwrap_or_default() })
+    let shared = module.global_variables.iter().filter(|(_, variable)| variable.space == AddressSpace::WorkGroup);
+    let bytes = |variable: &GlobalVariable| u64::from(module.types[variable.ty].inner.size(module.to_ctx()));
+    let workgroup_bytes = shared.map(|(_, variable)| bytes(variable)).sum();
+    let workgroup_size = workgroup_size.unwrap_or_default();
+    Ok(SpirV { words, entry: entry.to_owned(), workgroup_size, workgroup_bytes })
 }
 
 /// Returns the module in `words` with `NoContraction` on every result of [`DECORATED`].

@@ -1,14 +1,14 @@
-//! Refuses transcendental functions of f64.
+//! Refuses transcendental functions of f64, and its conversions of angles.
 //!
 //! naga accepts them, but SPIR-V has them for 16 and 32 bits only (`docs/upstream/naga-f64-functions.md`). lavapipe
-//! then gives wrong results. NVIDIA's compiler ends for `log` and `pow`, and the device is lost.
+//! then gives wrong results. NVIDIA's compiler crashes for `log` and `pow`, and the device is lost.
 
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{Expression, Function, MathFunction, Module, Scalar, Span};
 
 use crate::{Composition, Diagnostic};
 
-/// Returns the name in WGSL of a transcendental function, or `None` for another function.
+/// Returns the name in WGSL of a function that f64 does not have, or `None` for another function.
 const fn name(function: MathFunction) -> Option<&'static str> {
     Some(match function {
         MathFunction::Sin => "sin",
@@ -29,6 +29,8 @@ const fn name(function: MathFunction) -> Option<&'static str> {
         MathFunction::Log => "log",
         MathFunction::Log2 => "log2",
         MathFunction::Pow => "pow",
+        MathFunction::Radians => "radians",
+        MathFunction::Degrees => "degrees",
         _ => return None,
     })
 }

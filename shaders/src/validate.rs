@@ -12,6 +12,8 @@ pub struct Binding {
     pub number: u32,
     /// Whether the shader writes to the buffer.
     pub written: bool,
+    /// The least number of bytes that the buffer must have. An array without a length counts as one element.
+    pub least_bytes: u64,
 }
 
 /// Returns every buffer that `module` binds.
@@ -21,7 +23,8 @@ pub(crate) fn bindings(module: &Module) -> impl Iterator<Item = Binding> {
             AddressSpace::Storage { access } => access.contains(StorageAccess::STORE),
             _ => false,
         };
-        variable.binding.map(|binding| Binding { number: binding.binding, written })
+        let least_bytes = u64::from(module.types[variable.ty].inner.size(module.to_ctx()));
+        variable.binding.map(|binding| Binding { number: binding.binding, written, least_bytes })
     })
 }
 
@@ -147,7 +150,9 @@ mod tests {
     fn bindings_tell_what_is_written() {
         let composition = Library::standard().compose("kernels/sphere", Precision::F32).expect("it exists");
         let bindings: Vec<_> = composition.validate().expect("it is valid").bindings().collect();
-        assert_eq!(bindings, [Binding { number: 0, written: false }, Binding { number: 1, written: true }]);
+        // A case has ten numbers of four bytes, and so has a result.
+        let binding = |number, written| Binding { number, written, least_bytes: 40 };
+        assert_eq!(bindings, [binding(0, false), binding(1, true)]);
     }
 
     #[test]

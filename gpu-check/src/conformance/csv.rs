@@ -5,7 +5,9 @@ use std::fmt;
 use super::probe::Probe;
 use super::report::Run;
 
-/// Number of columns before those of the drivers: the name of the probe and its program.
+/// The names of the columns before those of the drivers.
+const HEAD: [&str; FACTS] = ["probe", "program"];
+/// Number of these columns.
 const FACTS: usize = 2;
 
 /// A table of verdicts: a line with the names of the columns, and a line for each probe.
@@ -16,16 +18,17 @@ impl Table {
     /// Reads the text of a table, as its `Display` writes it.
     ///
     /// # Errors
-    /// A message for the user if a cell is not quoted.
+    /// A message for the user, if the text is something else.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let cells = |line: &str| {
-            let inner = line.strip_prefix('"')?.strip_suffix('"')?;
-            Some(inner.split("\",\"").map(|cell| cell.replace("\"\"", "\"")).collect())
-        };
-        let rows = (1..)
-            .zip(text.lines())
-            .map(|(number, line)| cells(line).ok_or_else(|| format!("line {number} is not a row of quoted cells")));
-        rows.collect::<Result<_, _>>().map(Self)
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+        let rows: Vec<Vec<String>> =
+            reader.deserialize().collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+        match rows.first() {
+            Some(head) if !head.starts_with(&HEAD.map(str::to_owned)) => {
+                Err("it is not a table of verdicts, whose first line begins with \"probe\",\"program\"".to_owned())
+            }
+            _ => Ok(Self(rows)),
+        }
     }
 
     /// Returns the table with a row for each of `probes`. The verdicts of `runs` replace the columns of their drivers
@@ -33,7 +36,7 @@ impl Table {
     #[must_use]
     pub fn with(&self, probes: &[Probe], runs: &[Run]) -> Self {
         let own: Vec<_> = runs.iter().map(|run| (&run.driver, run.verdicts(probes))).collect();
-        let mut head = self.0.first().cloned().unwrap_or_else(|| vec!["probe".to_owned(), "program".to_owned()]);
+        let mut head = self.0.first().cloned().unwrap_or_else(|| HEAD.map(str::to_owned).to_vec());
         let new: Vec<_> =
             own.iter().map(|(driver, _)| (*driver).clone()).filter(|driver| !head.contains(driver)).collect();
         head.extend(new);
@@ -63,11 +66,10 @@ impl Table {
 
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for row in &self.0 {
-            let cells: Vec<_> = row.iter().map(|cell| format!("\"{}\"", cell.replace('"', "\"\""))).collect();
-            writeln!(f, "{}", cells.join(","))?;
-        }
-        Ok(())
+        let mut writer = csv::WriterBuilder::new().quote_style(csv::QuoteStyle::Always).from_writer(Vec::new());
+        self.0.iter().try_for_each(|row| writer.write_record(row)).map_err(|_| fmt::Error)?;
+        let text = writer.into_inner().map_err(|_| fmt::Error)?;
+        f.write_str(&String::from_utf8_lossy(&text))
     }
 }
 
@@ -94,6 +96,7 @@ mod tests {
         assert_eq!(verdicts("three"), ["not available (f64)"; 3]);
         assert_eq!(table.column("four"), None);
         assert_eq!(table.to_string().lines().count(), 4);
-        assert_eq!(Table::parse("\"a\"\nb\n"), Err("line 2 is not a row of quoted cells".to_owned()));
+        assert!(Table::parse("a,b\nc\n").is_err_and(|message| message.contains("line: 2")));
+        assert!(Table::parse("a,b\n").is_err_and(|message| message.contains("not a table of verdicts")));
     }
 }

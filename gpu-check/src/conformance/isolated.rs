@@ -88,8 +88,11 @@ fn first_outcomes(mut command: Command, probes: &[Probe], patience: Duration) ->
         match receiver.recv_timeout(INTERVAL) {
             Ok(line) => {
                 // Other lines are ignored, because a driver may write them.
-                outcomes.extend(line.strip_prefix(&probe.name).and_then(Outcome::of_line));
-                latest = Instant::now();
+                let outcome = line.strip_prefix(&probe.name).and_then(Outcome::of_line);
+                if outcome.is_some() {
+                    latest = Instant::now();
+                }
+                outcomes.extend(outcome);
             }
             Err(RecvTimeoutError::Timeout) if latest.elapsed() < patience && !stop::requested() => {}
             Err(RecvTimeoutError::Timeout) => outcomes.push(late()),

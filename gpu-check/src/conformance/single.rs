@@ -7,7 +7,7 @@ use crate::Gpu;
 use crate::running::Accuracy;
 
 /// The probes of what WGSL does not demand to be as IEEE 754 defines it.
-const PROBES: [&str; 5] = ["divide", "root", "subnormal-sum", "subnormal-product", "subnormal-less"];
+const PROBES: [&str; 7] = ["sum", "product", "divide", "root", "subnormal-sum", "subnormal-product", "subnormal-less"];
 
 /// Returns the accuracy of the f32 arithmetic of a device: that of IEEE 754 if all its results for the probes are.
 #[must_use]

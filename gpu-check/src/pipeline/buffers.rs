@@ -1,7 +1,7 @@
 //! Creates and fills the buffers of a kernel, and waits until the device has written them.
 
 use wgpu::{
-    BindGroupLayoutEntry, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, PollType,
+    BindGroupLayoutEntry, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferSize, BufferUsages, PollType,
     ShaderStages,
 };
 
@@ -23,7 +23,7 @@ pub fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
         ty: BindingType::Buffer {
             ty: BufferBindingType::Storage { read_only: !binding.written },
             has_dynamic_offset: false,
-            min_binding_size: None,
+            min_binding_size: BufferSize::new(binding.least_bytes),
         },
         count: None,
     }

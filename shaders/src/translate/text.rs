@@ -30,7 +30,7 @@ impl Input<'_> {
     pub fn msl(&self) -> Result<String, String> {
         let mut slots = msl::EntryPointResources::default();
         let mut last = 0;
-        for (key, Binding { number, written }) in self.bindings() {
+        for (key, Binding { number, written, .. }) in self.bindings() {
             let slot = number as msl::Slot;
             last = last.max(slot);
             slots.resources.insert(key, msl::BindTarget { buffer: Some(slot), mutable: written, ..Default::default() });
