@@ -19,6 +19,9 @@ use crate::{
 /// in a `u64`.
 pub const CAPACITY: usize = u64::BITS as usize;
 
+/// A cylinder is slender if its bounding sphere's radius is more than this multiple of its own radius.
+const SLENDER: f64 = 2.0;
+
 /// The structure for up to 64 spheres and 64 cylinders. Its data are stored in lanes, whatever the layout of the
 /// objects, because they only decide which objects are intersected.
 #[derive(Debug)]
@@ -29,6 +32,9 @@ pub struct FlatFilter {
     pub(super) overlapping: Option<Vec<ObjectId>>,
     spheres: Vec<BoundingSpheres>,
     cylinders: Vec<(BoundingSpheres, InfiniteCylinders)>,
+    /// Whether the infinite cylinders are tested after the bounding spheres: most cylinders are slender. Most rays that
+    /// hit the bounding sphere of a slender cylinder miss the cylinder. Other cylinders nearly fill their spheres.
+    pub(super) tests_infinite: bool,
     /// A bit for each lane of `spheres`, which is 1 if the lane holds an object. `cylinder_lanes` has the bits for the
     /// lanes of `cylinders`.
     sphere_lanes: u64,
@@ -48,9 +54,11 @@ impl FlatFilter {
             overlapping: dominant.overlapping(objects, extent),
             spheres: blocks(objects.sphere_count(), BoundingSpheres::EMPTY)?,
             cylinders: blocks(objects.cylinder_count(), (BoundingSpheres::EMPTY, InfiniteCylinders::EMPTY))?,
+            tests_infinite: false,
             sphere_lanes: 0,
             cylinder_lanes: 0,
         };
+        let mut slender = 0;
         for id in (0..count(objects) as ObjectId).filter(|&id| !dominant.is(id)) {
             match ObjectRef::of(objects, id) {
                 ObjectRef::Sphere(index) => {
@@ -66,9 +74,12 @@ impl FlatFilter {
                     spheres.set(lane, center, target.bounding_radius_squared);
                     cylinders.set(lane, center, &target);
                     filter.cylinder_lanes |= 1 << index;
+                    let is_slender = SLENDER * SLENDER * target.radius_squared < target.bounding_radius_squared;
+                    slender += usize::from(is_slender);
                 }
             }
         }
+        filter.tests_infinite = objects.cylinder_count() < 2 * slender;
         Ok(filter)
     }
 
@@ -87,7 +98,11 @@ impl FlatFilter {
         for (spheres, cylinders) in self.cylinders.iter().rev() {
             for at in (0..BLOCK).step_by(S::F32::LANES).rev() {
                 let spheres = filter_ray.spheres(spheres, at);
-                let missed = misses(spheres.miss.max(filter_ray.cylinders(&spheres, cylinders, at)));
+                let missed = misses(if self.tests_infinite {
+                    spheres.miss.max(filter_ray.cylinders(&spheres, cylinders, at))
+                } else {
+                    spheres.miss
+                });
                 missed_cylinders = missed_cylinders << S::F32::LANES | u64::from(missed);
             }
         }

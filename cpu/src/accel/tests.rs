@@ -159,7 +159,7 @@ fn boxes_of_bytes_give_the_closest_hits() {
         }
     }
     for scale in [1e-4, 1.6e8] {
-        let mut objects = ring(100, scale);
+        let mut objects = ring(100, scale, 1.0);
         let extent = Extent { max_coordinate: 6.0 * scale, moderate: true };
         let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent, None).expect("it fits"));
         agrees_for_directions_of_any_length(&accel, &objects, 6.0 * scale);
@@ -185,7 +185,7 @@ fn bounding_spheres_give_the_closest_hits() {
         }
     }
     for scale in [1e-4, 1.6e8] {
-        for (accel, objects) in with_bounding_spheres(spheres_of(&ring_text(100, scale)), 6.0 * scale) {
+        for (accel, objects) in with_bounding_spheres(spheres_of(&ring_text(100, scale, 1.0)), 6.0 * scale) {
             agrees_for_directions_of_any_length(&accel, &objects, 6.0 * scale);
         }
     }
@@ -314,19 +314,20 @@ fn directions_of_any_length_give_the_closest_hit() {
     }
 }
 
-/// Returns a ring of spheres and cylinders around the origin, with radius `5 scale`, and a cylinder in its middle.
-fn ring(count: usize, scale: f64) -> AosObjects {
-    parsed(&ring_text(count, scale))
+/// Returns a ring of spheres and cylinders around the origin, with radius `5 scale`, and a cylinder in its middle. The
+/// cylinders of the ring are about `height` radii high.
+fn ring(count: usize, scale: f64, height: f64) -> AosObjects {
+    parsed(&ring_text(count, scale, height))
 }
 
-fn ring_text(count: usize, scale: f64) -> String {
+fn ring_text(count: usize, scale: f64, height: f64) -> String {
     let mut text = format!("matte: m 1 1 1\ncylinder: 0 0 0 {} 0 {scale} 0 m\n", 0.01 * scale);
     for index in 0..count {
         let angle = index as f64 / count as f64 * std::f64::consts::TAU;
         let (x, z) = (5.0 * scale * angle.cos(), 5.0 * scale * angle.sin());
         let radius = scale * 3.0 / count as f64;
         if index % 3 == 0 {
-            text += &format!("cylinder: {x} 0 {z} {radius} 0 {radius} {radius} m\n");
+            text += &format!("cylinder: {x} 0 {z} {radius} 0 {} {radius} m\n", height * radius);
         } else {
             text += &format!("sphere: {x} 0 {z} {radius} m\n");
         }
@@ -337,8 +338,10 @@ fn ring_text(count: usize, scale: f64) -> String {
 #[test]
 fn scenes_of_every_size_give_the_closest_hits() {
     for count in [3, 9, 60, 100] {
-        for scale in [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8] {
-            let mut objects = ring(count, scale);
+        for (scale, height) in
+            [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8].into_iter().flat_map(|scale| [(scale, 1.0), (scale, 6.0)])
+        {
+            let mut objects = ring(count, scale, height);
             let accel =
                 Accel::new(&mut objects, &Extent { max_coordinate: 6.0 * scale, moderate: true }).expect("it fits");
             let is_filter = matches!(accel, Accel::FlatFilter(_));
@@ -347,6 +350,9 @@ fn scenes_of_every_size_give_the_closest_hits() {
                 (9..100).contains(&count) && 6.0 * scale <= crate::accel::may_hit::filter_ray::MAX_COORDINATE,
                 "{count}, {scale}"
             );
+            if let Accel::FlatFilter(filter) = &accel {
+                assert_eq!(filter.tests_infinite, height > 1.0, "{count}, {height}");
+            }
             agrees_for_directions_of_any_length(&accel, &objects, 5.0 * scale);
         }
     }
