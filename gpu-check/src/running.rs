@@ -80,7 +80,7 @@ impl Running {
     }
 
     /// Returns a result with its bound. `carried` bounds the error that comes from the operands. The error of the
-    /// operation is added here: `halves` halves of a unit in the last place.
+    /// operation itself is added here; it is `halves` times half a unit in the last place.
     fn off_by(halves: f64, value: f64, carried: f64) -> Self {
         let largest = value.abs() + carried;
         let tiny = match ACCURACY.get() {

@@ -10,6 +10,8 @@ use shaders::module::MODULES;
 #[test]
 fn every_mutant_is_noticed() {
     let gpu = common::gpu();
+    // The examiner follows it, so it must be right.
+    common::accuracy(&gpu);
     let examiner = Examiner::new(&gpu).unwrap_or_else(|error| panic!("{error}"));
     let (mut count, mut survivors) = (0, Vec::new());
     for mutant in mutants::all() {
@@ -27,6 +29,8 @@ fn every_mutant_is_noticed() {
 #[test]
 fn nothing_is_noticed_without_a_fault() {
     let gpu = common::gpu();
+    // The examiner follows it, so it must be right.
+    common::accuracy(&gpu);
     let examiner = Examiner::new(&gpu).unwrap_or_else(|error| panic!("{error}"));
     for module in MODULES {
         let noticed = examiner.examine(&Library::standard(), module.name).unwrap_or_else(|error| panic!("{error}"));
