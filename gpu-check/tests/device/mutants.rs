@@ -1,11 +1,11 @@
 //! Tests the checks themselves: they must notice every deliberate error in the WGSL, and report nothing if there is
 //! none.
 
-mod common;
-
 use gpu_check::mutants::{self, Examiner};
 use shaders::Library;
 use shaders::module::MODULES;
+
+use crate::common;
 
 #[test]
 fn every_mutant_is_noticed() {

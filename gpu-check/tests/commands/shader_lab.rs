@@ -1,14 +1,9 @@
 //! Runs the program `shader-lab` as a user does.
 
-mod common;
-#[path = "shader_lab/documentation.rs"]
 mod documentation;
-#[path = "shader_lab/samples.rs"]
 mod samples;
 #[cfg(unix)]
-#[path = "shader_lab/unix.rs"]
 mod unix;
-#[path = "shader_lab/watching.rs"]
 mod watching;
 
 use std::fs;
@@ -21,6 +16,8 @@ use gpu_check::shader_lab::TEMPLATE;
 use shaders::Library;
 use shaders::module::MODULES;
 use test_support::folder::Folder;
+
+use crate::common;
 
 fn command(folder: &Path, arguments: &str) -> Command {
     let config = folder.join("config.txt");

@@ -1,13 +1,13 @@
 //! Runs the program `stress` as a user does. Checks its help, and that it writes only into the given folder.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
 use gpu_check::scenes::repository;
 use test_support::folder::Folder;
+
+use crate::common;
 
 fn stress(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stress"))

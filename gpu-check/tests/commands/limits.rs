@@ -1,8 +1,6 @@
 //! Tests of the limits on memory and time for compiling and running a shader. A small limit must end the work, and a
 //! larger one must not. The tests check only which limit ends the work, and no times.
 
-mod common;
-
 use std::path::Path;
 use std::time::Duration;
 
@@ -11,6 +9,8 @@ use gpu_check::pipeline::Content;
 use gpu_check::shader_lab::guard::check_within;
 use gpu_check::{Error, Form, Gpu, Pipeline};
 use shaders::{Composition, Precision};
+
+use crate::common;
 
 fn check(limits: Limits, text: String) -> Result<(), Error> {
     let program = Path::new(env!("CARGO_BIN_EXE_shader-lab"));

@@ -1,14 +1,14 @@
 //! Tests that a pipeline specialised to its scene gives the bits of the general pipeline. The last test prints the
 //! times of both.
 
-mod common;
-
 use std::time::Duration;
 
 use gpu_check::difference::difference;
 use gpu_check::scenes::{self, Case};
 use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::{Features, Library};
+
+use crate::common;
 
 /// Number of random scenes that are compared, in addition to the repository's scenes and the edge cases.
 const RANDOM_SCENES: u64 = 12;

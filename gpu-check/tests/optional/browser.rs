@@ -2,14 +2,9 @@
 //! Tint and the driver SwiftShader.
 //!
 //! The page `web/jobs.html` computes every formula and one picture, and posts each result to the server of this test.
-//! `tests/run --browser` installs Chromium. Without Chromium the test is shown as ignored.
-
-#[path = "common/documented.rs"]
-mod documented;
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
@@ -20,13 +15,15 @@ use gpu_check::difference::difference;
 use gpu_check::kernels::KERNELS;
 use gpu_check::scenes::Case;
 use gpu_check::web::Server;
-use gpu_check::web::chromium::{self, Browser};
+use gpu_check::web::chromium::Browser;
 use gpu_check::web::formulas::{add_formulas, cases, expected};
 use gpu_check::web::jobs::Jobs;
 use gpu_check::{Float, Gpu, Picture, Renderer, check, features_of};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::Failed;
 use shaders::Library;
 use test_support::folder::Folder;
+
+use crate::documented;
 
 /// Time limit for the next result of the page.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -34,27 +31,8 @@ const PATIENCE: Duration = Duration::from_secs(120);
 const SCENE: &str = "matte: grey .5 .5 .5\nmetal: mirror .9 .9 .9 0\nrefractive: glass 1.5\n\
     sphere: 0 -100 0 99 grey\nsphere: 0 0 0 1 glass\ncylinder: 2 0 0 .5 0 2 0 mirror\n";
 
-fn main() -> ExitCode {
-    let chromium = chromium::find();
-    let required = std::env::var_os("BROWSER_REQUIRED").is_some();
-    let ignored = chromium.is_none() && !required;
-    if ignored {
-        println!("there is no Chromium, so nothing is compared with it; tests/run --browser installs it");
-    }
-    let test = |name: &str, run: fn(&Path) -> Result<(), Failed>| {
-        let chromium = chromium.clone();
-        let run = move || run(&chromium.ok_or("there is no Chromium")?);
-        Trial::test(name, run).with_ignored_flag(ignored)
-    };
-    let trials = vec![
-        test("tint_and_lavapipe_and_rust_agree", tint),
-        test("the_verdicts_in_the_browser_are_the_documented_ones", conformance),
-    ];
-    libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
-}
-
 /// Checks the verdicts on the browser's compiler and driver against docs/gpu/probes.csv.
-fn conformance(chromium: &Path) -> Result<(), Failed> {
+pub fn conformance(chromium: &Path) -> Result<(), Failed> {
     let probes = probes::all();
     let run = browser::run(chromium, &probes)?;
     println!("{}", run.driver);
@@ -74,7 +52,7 @@ fn results(chromium: &Path, jobs: Jobs) -> Result<BTreeMap<String, Vec<u8>>, Fai
 }
 
 /// Compares the formulas and a picture.
-fn tint(chromium: &Path) -> Result<(), Failed> {
+pub fn tint(chromium: &Path) -> Result<(), Failed> {
     let gpu = Gpu::open()?;
     println!("native: {gpu}");
     let (config, scene) = (Config { image_width: 64, ..Config::default() }, Scene::parse(SCENE.as_bytes())?);

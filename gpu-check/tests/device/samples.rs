@@ -4,19 +4,17 @@
 //! `RENDER_SAMPLED_PICTURES=all` renders the repository's scenes in full size, which tests/extensive does. By default
 //! those with many objects or samples are smaller.
 
-mod common;
-#[path = "samples/draws.rs"]
 mod draws;
-#[path = "common/sampled.rs"]
-mod sampled;
 
 use gpu_check::difference::{Difference, difference};
 use gpu_check::running::Accuracy;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use gpu_check::scenes::{self, Case};
 use gpu_check::{Gpu, Picture, features_of};
-use sampled::{Pipelines, Tally, is_everything, record};
 use shaders::{Features, Library};
+
+use crate::common;
+use crate::sampled::{Pipelines, Tally, is_everything, record};
 
 const RANDOM_SCENES: u64 = 200;
 /// Limit on the number of samples times objects of one picture; see [`Case::within`].

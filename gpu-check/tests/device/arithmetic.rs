@@ -1,10 +1,10 @@
 //! Tests the comparison of f64 by integers with Rust's f64: it must notice every deliberate error of the arithmetic,
 //! and report nothing if there is none.
 
-mod common;
-
 use gpu_check::lowered::mutants::{MUTANTS, cases, notice};
 use shaders::lower::Arithmetic;
+
+use crate::common;
 
 #[test]
 fn every_mutant_of_the_arithmetic_is_noticed() {

@@ -1,8 +1,6 @@
 //! Compares whole pictures in WGSL with pictures in Rust, in deterministic mode: every scene of the repository, random
 //! scenes, and edge cases.
 
-mod common;
-
 use std::path::Path;
 
 use cpu::{Scatter, Vec3, reference};
@@ -11,6 +9,8 @@ use gpu_check::running::{self, Accuracy, Running};
 use gpu_check::scenes::{self, Case};
 use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
+
+use crate::common;
 
 const RANDOM_SCENES: u64 = 60;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].

@@ -3,11 +3,11 @@
 //!
 //! `RENDER_EXACT_CASES` sets the number of cases of each kind.
 
-mod common;
-
 use gpu_check::Gpu;
 use gpu_check::exact::{CYLINDER, ExactKernel, MUL_ADD, SPHERE};
 use shaders::Library;
+
+use crate::common;
 
 /// Number of cases of each kind, unless the variable sets another one.
 const CASES: usize = 20_000;

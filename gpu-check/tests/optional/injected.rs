@@ -1,4 +1,8 @@
-//! Renders with a tiny module, with every kind of disturbance.
+//! Tests `shader-lab` while it writes its pictures: a system call fails, or a signal comes during a call.
+//!
+//! The driver needs much time to start. So only two calls of each name that concern the pictures are disturbed, and no
+//! calls of the driver. With `RENDER_INJECTIONS=all`, every call that concerns the pictures is disturbed. The module
+//! that is rendered is a tiny one. If `strace` cannot run, these tests are shown as ignored.
 
 use std::ffi::OsString;
 use std::fs;
@@ -36,11 +40,11 @@ const CASES: [(Disturbance, Option<&str>, &str); 6] = [
 pub fn trials() -> Vec<Trial> {
     let trial = |(disturbance, old, name): (Disturbance, Option<&'static str>, &str)| {
         let missing = unavailable(disturbance);
-        let trial = Trial::test(name, move || disturb(disturbance, old));
+        let trial = Trial::test(format!("injected::{name}"), move || disturb(disturbance, old));
         trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
     };
     let missing = unavailable(Disturbance::Errors);
-    let sync = Trial::test("both_pictures_and_their_folder_are_synced_except_with_no_sync", sync);
+    let sync = Trial::test("injected::both_pictures_and_their_folder_are_synced_except_with_no_sync", sync);
     let sync = sync.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some());
     CASES.into_iter().map(trial).chain([sync]).collect()
 }

@@ -1,7 +1,5 @@
 //! Tests of the device: the message if there is none, its faults as errors, and the forms of its shaders.
 
-mod common;
-
 use std::process::Command;
 
 use gpu_check::conformance::verdict::Verdict;
@@ -9,6 +7,8 @@ use gpu_check::conformance::{native, probes};
 use gpu_check::pipeline::{Content, Pipeline};
 use gpu_check::{Error, Form, Formulas, Gpu, Kernel, Picture, Renderer, check, kernels};
 use shaders::{Composition, Features, Library, Precision};
+
+use crate::common;
 
 fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
     let kernel = &kernels::KERNELS[0];
@@ -39,7 +39,7 @@ fn the_device_names_its_driver_and_whether_it_has_f64() {
 #[test]
 fn without_a_driver_the_suite_fails_with_the_line_that_says_what_to_install() {
     let nowhere = [("VK_DRIVER_FILES", "/nowhere.json"), ("VK_ICD_FILENAMES", "/nowhere.json")];
-    let (passed, output) = test_with("the_device_names_its_driver_and_whether_it_has_f64", &nowhere);
+    let (passed, output) = test_with("gpu::the_device_names_its_driver_and_whether_it_has_f64", &nowhere);
     assert!(!passed, "{output}");
     let line = output.lines().find(|line| line.starts_with("no GPU adapter")).unwrap_or_else(|| panic!("{output}"));
     assert!(line.contains("apt-get install mesa-vulkan-drivers") && line.contains("WGPU_ADAPTER_NAME"), "{line}");
@@ -47,7 +47,7 @@ fn without_a_driver_the_suite_fails_with_the_line_that_says_what_to_install() {
 
 #[test]
 fn another_adapter_can_be_asked_for_and_the_message_names_a_missing_one() {
-    let name = "the_device_names_its_driver_and_whether_it_has_f64";
+    let name = "gpu::the_device_names_its_driver_and_whether_it_has_f64";
     let (passed, output) = test_with(name, &[("WGPU_ADAPTER_NAME", "no such adapter")]);
     assert!(!passed && output.contains("no GPU adapter has [no such adapter] in its name"), "{output}");
     if !common::gpu().is_lavapipe() {

@@ -3,8 +3,6 @@
 //! `RENDER_HIERARCHY=all` compares all pictures in full size and more rays, and renders a million objects, which
 //! tests/extensive does. `RENDER_HIERARCHY_RAYS` sets the number of random rays.
 
-mod common;
-#[path = "hierarchy/large.rs"]
 mod large;
 
 use cpu::internals::sampling::uniform::Uniform;
@@ -16,6 +14,8 @@ use gpu_check::scenes::{self, Case};
 use gpu_check::steps::{Follower, Step, first_difference};
 use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
+
+use crate::common;
 
 /// Number of random rays, and their number if everything is compared, unless the variable sets another one.
 const RAYS: usize = 1 << 17;

@@ -8,7 +8,7 @@ use gpu_check::scenes::{self, Case};
 use gpu_check::{Float, Form, Picture, Renderer, features_of};
 use shaders::Library;
 
-use crate::{is_everything, render};
+use super::{is_everything, render};
 
 /// Number of spheres of the largest scene, if everything is rendered. By default it has 70,000, which are more than the
 /// iterations of a loop.

@@ -1,11 +1,9 @@
 //! Runs f64 by integers in headless Chromium, where WebGPU has no f64, and compares the results with Rust's f64.
 //!
 //! The variable `LOWERED_CASES` sets the number of cases of each operation. With `LOWERED_PICTURES=all` pictures
-//! of matte and of metal spheres are rendered, not only one picture. `tests/run --browser` installs Chromium. Without
-//! Chromium the test is shown as ignored.
+//! of matte and of metal spheres are rendered, not only one picture.
 
 use std::path::Path;
-use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
@@ -14,11 +12,11 @@ use gpu_check::difference::difference;
 use gpu_check::features_of;
 use gpu_check::lowered::{Tally, operands::draw, operations};
 use gpu_check::scenes::{self, Case};
-use gpu_check::web::chromium::{self, Browser};
+use gpu_check::web::chromium::Browser;
 use gpu_check::web::formulas::{add_formulas, cases as formula_cases, expected};
 use gpu_check::web::{Posted, Server, jobs::Jobs, lowered::add_operations};
 use gpu_check::{Float, kernels::KERNELS};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::Failed;
 use shaders::{Features, Library, lower::Arithmetic};
 use test_support::folder::Folder;
 
@@ -35,15 +33,6 @@ const TESTS: usize = 200_000;
 /// How long to wait for the next result of the page. The largest shader is compiled before its first result, by
 /// Chromium's software renderer in 23 s on an idle machine. The limit leaves room for a busy one.
 const PATIENCE: Duration = Duration::from_secs(600);
-
-fn main() -> ExitCode {
-    let chromium = chromium::find();
-    let required = std::env::var_os("BROWSER_REQUIRED").is_some();
-    let ignored = chromium.is_none() && !required;
-    let name = "integers_give_the_bits_of_rusts_f64_in_a_browser";
-    let trial = Trial::test(name, move || run(&chromium.ok_or("there is no Chromium")?));
-    libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
-}
 
 /// Returns scenes for the browser, made small, with the features of their pipelines. They have spheres alone, of one
 /// kind of material, matte or metal: SwiftShader compiles other shaders for more than eight minutes, or not at all. By
@@ -66,7 +55,8 @@ fn pictures() -> Result<Vec<(Case, Features)>, Failed> {
     Ok(pictures)
 }
 
-fn run(chromium: &Path) -> Result<(), Failed> {
+/// Compares the results of operations, formulas and pictures.
+pub fn compare(chromium: &Path) -> Result<(), Failed> {
     let count = std::env::var("LOWERED_CASES").map_or(Ok(CASES), |text| text.parse())?;
     let cases: Vec<_> = (0..count).map(|index| draw(32, index)).collect();
     let operations: Vec<_> = operations::all().collect();

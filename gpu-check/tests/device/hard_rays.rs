@@ -1,7 +1,5 @@
 //! Compares the intersections in WGSL with exact arithmetic, with fewer rays than the program `stress`.
 
-mod common;
-
 use gpu_check::methods::{self, PLAIN, PLAIN_SINGLE, PROJECTED};
 use gpu_check::running::Accuracy;
 use stability::case::Case;
@@ -9,6 +7,8 @@ use stability::measure::{Judged, Row};
 use stability::methods::{Answer, Method};
 use stability::regimes::{CYLINDERS, Regime, SPHERES};
 use stability::run;
+
+use crate::common;
 
 const SEED: u64 = 5;
 const RAYS: usize = 20_000;

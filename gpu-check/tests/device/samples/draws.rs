@@ -6,7 +6,7 @@ use gpu_check::pipeline::Content;
 use rand_mt::Mt64;
 use shaders::{Library, Precision};
 
-use super::common;
+use crate::common;
 
 /// Returns words at which the conversion to f64 rounds up, down and to even, at every number of significant bits, and
 /// words that round to 2^64.

@@ -1,8 +1,6 @@
 //! Tests the search for the first difference with the suite's mutants: it must name the function that is wrong. With
 //! `FIRST_DIFFERENCES=all` all mutants are tried.
 
-mod common;
-
 use std::time::Duration;
 
 use gpu_check::first_difference::report::{Places, report};
@@ -10,6 +8,8 @@ use gpu_check::first_difference::{FirstDifference, of_pixel};
 use gpu_check::mutants::{self, Examiner, Mutant};
 use gpu_check::{Picture, features_of, scenes};
 use shaders::Library;
+
+use crate::common;
 
 /// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a case or a
 /// pixel that differs takes seconds.

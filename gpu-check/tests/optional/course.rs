@@ -9,10 +9,6 @@
 //! here. What the shader shares with the renderer is the parser, the camera's window, the records of objects, and the
 //! crate of the generator.
 
-mod common;
-#[path = "common/sampled.rs"]
-mod sampled;
-
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::iter;
@@ -23,12 +19,15 @@ use gpu_check::difference::difference;
 use gpu_check::sampled::{Convention, Recording, SampledRendering};
 use gpu_check::scenes::Case;
 use gpu_check::{Form, features_of};
-use libtest_mimic::{Arguments, Failed, Trial};
-use sampled::{Pipelines, Tally, is_everything, record};
+use libtest_mimic::{Failed, Trial};
 use shaders::Library;
 use test_support::golden::{self, Golden};
 
-fn main() {
+use crate::common;
+use crate::sampled::{Pipelines, Tally, is_everything, record};
+
+/// Returns a trial for each of the pictures.
+pub fn trials() -> Vec<Trial> {
     let folder = golden::reference_folder();
     let missing = (!folder.is_dir()).then(|| format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()));
     let goldens = golden::reference(&folder).into_iter();
@@ -36,7 +35,7 @@ fn main() {
         let is_quick = ["published/1.ppm", "published/2.ppm"].contains(&&*golden.name);
         let trial = |form: Form, is_default: bool, golden: Golden| {
             let not_all = (!is_default && !is_everything()).then(|| "needs RENDER_SAMPLED_PICTURES=all".to_owned());
-            let trial = Trial::test(format!("{}, {form}", golden.name), move || compare(&golden, form));
+            let trial = Trial::test(format!("course::{}, {form}", golden.name), move || compare(&golden, form));
             match missing.clone().or(not_all) {
                 Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
                 None => trial,
@@ -47,8 +46,8 @@ fn main() {
         let others: Vec<_> = other_forms.map(|form| trial(form, false, golden.clone())).collect();
         iter::once(trial(Form::AsWritten, is_quick, golden)).chain(others)
     });
-    let bytes = Trial::test("a byte is the truncated power", a_byte_is_the_truncated_power);
-    libtest_mimic::run(&Arguments::from_args(), pictures.chain([bytes]).collect()).exit();
+    let bytes = Trial::test("course::a byte is the truncated power", a_byte_is_the_truncated_power);
+    pictures.chain([bytes]).collect()
 }
 
 /// Returns the text of the P3 file.

@@ -2,8 +2,6 @@
 //!
 //! The variable `LOWERED_CASES` sets the number of cases of each operation.
 
-mod common;
-
 use std::time::Duration;
 
 use cpu::{Scatter, reference};
@@ -17,6 +15,8 @@ use gpu_check::scenes;
 use gpu_check::{Error, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
+
+use crate::common;
 
 /// Number of cases of each operation, unless `LOWERED_CASES` sets another.
 const CASES: usize = 1_000_000;
@@ -107,7 +107,7 @@ fn every_picture_is_the_references_to_the_bit() {
 
 /// Runs a module with every construct, and returns its results and the time of the device.
 fn run_everything(gpu: &Gpu, is_lowered: bool, items: &[u8], count: usize) -> Result<Vec<u64>, Error> {
-    let source = include_str!("../../shaders/tests/lowered/everything.wgsl").to_owned();
+    let source = include_str!("../../../shaders/tests/lowered/everything.wgsl").to_owned();
     let composition = Composition::of_file("everything.wgsl", source, Precision::F64);
     let composition = if is_lowered { composition.lowered(&Arithmetic::standard())? } else { composition };
     let pipeline = Pipeline::new(gpu, &composition, None)?;

@@ -1,10 +1,6 @@
 //! Runs all probes on lavapipe, compares the verdicts with docs/gpu/probes.csv, and runs the program `conformance` as
 //! a user does.
 
-mod common;
-#[path = "common/documented.rs"]
-mod documented;
-
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -16,6 +12,9 @@ use gpu_check::conformance::report::{self, Run};
 use gpu_check::conformance::{isolated, native, probes};
 use gpu_check::scenes::repository;
 use test_support::folder::Folder;
+
+use crate::common;
+use crate::documented;
 
 /// The reports that are ready to be sent, each with the probes whose programs it contains.
 const REPORTS: [(&str, &[&str]); 2] = [

@@ -1,0 +1,13 @@
+//! Runs the programs `shader-lab`, `conformance`, `stress` and `lower-f64` as a user does.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod conformance;
+#[path = "../common/documented.rs"]
+mod documented;
+mod limits;
+#[cfg(target_os = "linux")]
+mod little_memory;
+mod lower_f64;
+mod shader_lab;
+mod stress;

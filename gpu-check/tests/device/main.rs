@@ -1,0 +1,17 @@
+//! Tests that run shaders on the device. A module of this program is run alone by its name, such as `hierarchy::`.
+
+mod arithmetic;
+#[path = "../common/mod.rs"]
+mod common;
+mod exact;
+mod features;
+mod first_difference;
+mod gpu;
+mod hard_rays;
+mod hierarchy;
+mod images;
+mod lowered;
+mod mutants;
+#[path = "../common/sampled.rs"]
+mod sampled;
+mod samples;
