@@ -21,8 +21,7 @@ use test_support::folder::Folder;
 const EVALUATED: [&str; 2] = ["render-aos", "render-soa"];
 
 /// Programs that do nothing without the name of a file or folder.
-const NEED_FILES: [&str; 7] =
-    ["compare", "counted", "nearest_chart", "read_scene", "reference", "shader-lab", "stress"];
+const NEED_FILES: [&str; 6] = ["charts", "compare", "read_scene", "reference", "shader-lab", "stress"];
 
 /// A binary or an example of the workspace.
 #[derive(Debug)]

@@ -45,10 +45,8 @@ impl Case {
 
     /// Returns the object's centre.
     pub fn center(&self) -> Vec3 {
-        match self.shape {
-            Shape::Sphere(sphere) => sphere.center,
-            Shape::Cylinder(cylinder) => cylinder.center,
-        }
+        let (Shape::Sphere(Sphere { center, .. }) | Shape::Cylinder(Cylinder { center, .. })) = self.shape;
+        center
     }
 
     /// Returns the size `S` of the case: the sum of the origin's distance from the centre, the radius and the height.

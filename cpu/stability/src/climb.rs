@@ -4,10 +4,6 @@
 //! error of lambda falls. The largest error found is a lower bound of the true maximum, so it must be below the bound
 //! that docs/accuracy.md proves.
 
-use cpu::internals::exact;
-use cpu::internals::exact::error_bound::Decision;
-use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::Shape;
 
 use crate::case::Case;
@@ -16,44 +12,14 @@ use crate::oracle;
 use crate::random::Random;
 use crate::regimes::Regime;
 
-/// Returns the lambda and the part of the exact intersection of a case, with all fallbacks. Returns `None` for a miss.
-#[must_use]
-pub fn exact_answer(case: &Case) -> Option<(f64, CylinderPart)> {
-    match &case.shape {
-        Shape::Sphere(sphere) => {
-            let record = SphereRecord::new(sphere.center, sphere.radius);
-            exact::sphere::intersect(&record, &case.ray).map(|lambda| (lambda, CylinderPart::Side))
-        }
-        Shape::Cylinder(cylinder) => {
-            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            exact::cylinder::intersect(&record, &cylinder.axis, &case.ray)
-        }
-    }
-}
-
-/// Whether the answer is computed in f64, by the plain formulas or the compensated root. If it is not, double-double
-/// computes it, whose error is negligible.
-fn is_answered_in_f64(case: &Case) -> bool {
-    match &case.shape {
-        Shape::Sphere(sphere) => {
-            let record = SphereRecord::new(sphere.center, sphere.radius);
-            exact::sphere::filtered(&record, &case.ray) != Decision::Uncertain
-                || exact::sphere_compensated::compensated(&record, &case.ray).certain
-        }
-        Shape::Cylinder(cylinder) => {
-            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            exact::cylinder::filtered(&record, &case.ray) != Decision::Uncertain
-        }
-    }
-}
-
-/// Returns the relative error of lambda. It is 0 if double-double or dyadic arithmetic decides, and `None` if a
-/// decision in f64 is wrong.
+/// Returns the relative error of lambda. It is 0 if double-double or dyadic arithmetic decides, whose error is
+/// negligible, and `None` if a decision in f64 is wrong.
 fn error(case: &Case) -> Option<f64> {
-    if !is_answered_in_f64(case) {
+    let (record, ray) = case.of();
+    if record.needs_double_double(&ray) {
         return Some(0.0);
     }
-    lambda_error(&oracle::judge(case), exact_answer(case), f64::EPSILON / 2.0)
+    lambda_error(&oracle::judge(case), record.exact(&ray), f64::EPSILON / 2.0)
 }
 
 /// Returns the case with about a third of its numbers changed. The relative change is from 10^-16 to 10^-1.

@@ -1,17 +1,14 @@
 //! Measures the errors of an implementation in a regime, and how often it is wrong.
 
 use cpu::Vec3;
-use cpu::internals::exact;
 use cpu::internals::exact::error_bound::Decision;
-use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::internals::input::scene::Shape;
+use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::internals::math::double_double::DoubleDouble;
-use cpu::internals::math::real::Real;
 
 use crate::case::Case;
 use crate::methods::{Failure, Method};
 use crate::oracle::{self, Judgement, big, to_f64};
+use crate::record::Found;
 
 /// The measured errors and times of one implementation in one regime. In the comments, `u` is the unit roundoff, and
 /// `S` the size of a case.
@@ -111,11 +108,17 @@ impl Judged {
     /// arithmetic.
     #[must_use]
     pub fn fallbacks(&self) -> [f64; 2] {
-        let cases = &self.cases[0];
-        let share = |needs_it: fn(&Case) -> bool| {
-            cases.iter().filter(|case| needs_it(case)).count() as f64 / cases.len() as f64
+        let needs_double_double = |case: &&Case| {
+            let (record, ray) = case.of();
+            record.needs_double_double(&ray)
         };
-        [share(is_uncertain), share(|case| is_uncertain(case) && is_uncertain_in_double_double(case))]
+        let needs_dyadic = |case: &&&Case| {
+            let (record, ray) = case.of::<DoubleDouble>();
+            record.filtered(&ray) == Decision::Uncertain
+        };
+        let uncertain: Vec<_> = self.cases[0].iter().filter(needs_double_double).collect();
+        [uncertain.len(), uncertain.iter().filter(needs_dyadic).count()]
+            .map(|count| count as f64 / self.cases[0].len() as f64)
     }
 }
 
@@ -138,7 +141,7 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
 /// Returns the relative error of lambda, or `None` if the decision is wrong. For a right miss the error is 0. An
 /// `answer` is a lambda and a part.
 #[must_use]
-pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, unit_roundoff: f64) -> Option<f64> {
+pub fn lambda_error(judgement: &Judgement, answer: Found, unit_roundoff: f64) -> Option<f64> {
     match (&judgement.truth, answer) {
         (None, None) => Some(0.0),
         (Some(truth), Some((lambda, part))) if truth.part == part => {
@@ -159,10 +162,7 @@ pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, 
 /// origin, and of the radius.
 fn largest(case: &Case, point: Vec3) -> f64 {
     let reach = |vector: Vec3| vector.to_array().iter().fold(0.0_f64, |most, component| most.max(component.abs()));
-    let radius = match case.shape {
-        Shape::Sphere(sphere) => sphere.radius,
-        Shape::Cylinder(cylinder) => cylinder.radius,
-    };
+    let (Shape::Sphere(Sphere { radius, .. }) | Shape::Cylinder(Cylinder { radius, .. })) = case.shape;
     reach(point).max(reach(case.ray.origin)).max(radius)
 }
 
@@ -172,35 +172,4 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
     }
     values.sort_by(f64::total_cmp);
     values[((values.len() - 1) as f64 * share).round() as usize]
-}
-
-/// Whether the formulas in f64 are uncertain for a case, so that it needs double-double arithmetic.
-fn is_uncertain(case: &Case) -> bool {
-    match &case.shape {
-        Shape::Sphere(sphere) => {
-            let record = SphereRecord::new(sphere.center, sphere.radius);
-            exact::sphere::filtered(&record, &case.ray) == Decision::Uncertain
-                && !exact::sphere_compensated::compensated(&record, &case.ray).certain
-        }
-        Shape::Cylinder(cylinder) => {
-            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            exact::cylinder::filtered(&record, &case.ray) == Decision::Uncertain
-        }
-    }
-}
-
-fn is_uncertain_in_double_double(case: &Case) -> bool {
-    let wide = |vector: Vec3| vector.map(DoubleDouble::of);
-    let ray = cpu::Ray { origin: wide(case.ray.origin), direction: wide(case.ray.direction) };
-    match &case.shape {
-        Shape::Sphere(sphere) => {
-            let record = SphereRecord::new(wide(sphere.center), DoubleDouble::of(sphere.radius));
-            exact::sphere::filtered(&record, &ray) == Decision::Uncertain
-        }
-        Shape::Cylinder(cylinder) => {
-            let record =
-                CylinderRecord::new(wide(cylinder.center), DoubleDouble::of(cylinder.radius), wide(cylinder.axis));
-            exact::cylinder::filtered(&record, &ray) == Decision::Uncertain
-        }
-    }
 }

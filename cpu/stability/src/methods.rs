@@ -3,7 +3,6 @@
 //! To add an implementation, such as a shader, implement [`Method`]: it gets cases, and returns a hit or a miss for
 //! each.
 
-mod formulas;
 mod host;
 pub mod projected;
 
@@ -11,11 +10,11 @@ use std::error::Error;
 use std::time::Duration;
 
 use cpu::Vec3;
-use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::reference::intersect::{Exact, Plain};
+use cpu::internals::exact;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
 
 use crate::case::Case;
-use formulas::{InDouble, PlainSingle, ProjectedSingle, Resolved};
 use host::Host;
 
 /// The hit that an implementation finds for a case.
@@ -43,9 +42,7 @@ pub trait Method {
     fn name(&self) -> &'static str;
 
     /// Returns the unit roundoff of the implementation's numbers.
-    fn unit_roundoff(&self) -> f64 {
-        f64::EPSILON / 2.0
-    }
+    fn unit_roundoff(&self) -> f64;
 
     /// Returns the hit of each case, or `None` for a miss. A call gets all cases, so that a device can compute them
     /// together. The objects must be all spheres or all cylinders.
@@ -65,10 +62,19 @@ pub trait Method {
 #[must_use]
 pub fn all() -> Vec<Box<dyn Method>> {
     vec![
-        Box::new(Host::<InDouble<Plain>>::new(PLAIN)),
-        Box::new(Host::<InDouble<Exact>>::new(EXACT)),
-        Box::new(Host::<PlainSingle>::new(PLAIN_SINGLE)),
-        Box::new(Host::<ProjectedSingle>::new(PROJECTED)),
+        Box::new(Host::new(PLAIN, DOUBLE, SphereRecord::<f64>::intersect, |record: &CylinderRecord, _, ray| {
+            record.intersect(ray)
+        })),
+        Box::new(Host::new(EXACT, DOUBLE, exact::sphere::intersect, exact::cylinder::intersect)),
+        Box::new(Host::new(
+            PLAIN_SINGLE,
+            SINGLE,
+            SphereRecord::<f32>::intersect,
+            |record: &CylinderRecord<f32>, _, ray| record.intersect(ray),
+        )),
+        Box::new(Host::new(PROJECTED, SINGLE, projected::sphere::<f32>, |record: &CylinderRecord<f32>, _, ray| {
+            projected::cylinder(record, ray)
+        })),
     ]
 }
 
@@ -77,8 +83,13 @@ pub fn all() -> Vec<Box<dyn Method>> {
 /// interest.
 #[must_use]
 pub fn resolved() -> Box<dyn Method> {
-    Box::new(Host::<InDouble<Resolved>>::new(RESOLVED))
+    Box::new(Host::new(RESOLVED, DOUBLE, exact::sphere::precise, exact::cylinder::precise))
 }
+
+/// Unit roundoff of `f64`.
+const DOUBLE: f64 = f64::EPSILON / 2.0;
+/// Unit roundoff of `f32`.
+const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
 
 /// Name of the specification's plain formulas in f64.
 pub const PLAIN: &str = "plain f64";

@@ -1,6 +1,6 @@
 //! Exact intersections that count the filter's decisions while a whole picture is rendered.
 
-use std::cell::Cell;
+use std::cell::RefCell;
 
 use cpu::internals::exact;
 use cpu::internals::exact::error_bound::Decision;
@@ -8,6 +8,8 @@ use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::reference::intersect::{Exact, Intersect};
 use cpu::{Ray, Vec3};
+
+use crate::record::Found;
 
 /// Counts of the intersections in one picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,8 +27,6 @@ pub struct Counts {
 }
 
 impl Counts {
-    const NONE: Self = Self { tests: 0, uncertain: 0, hits: 0, same_bits: 0, other_decision: 0 };
-
     /// Returns the sum of these counts and `other`.
     #[must_use]
     pub fn with(&self, other: &Self) -> Self {
@@ -39,16 +39,17 @@ impl Counts {
         }
     }
 
-    fn record<A>(&mut self, plain: Option<f64>, truth: Option<f64>, same_part: bool, decision: &Decision<A>) {
+    /// Counts a test with the hits of the plain formulas and of the exact ones.
+    fn record<A>(&mut self, plain: Found, truth: Found, decision: &Decision<A>) {
         self.tests += 1;
         self.uncertain += u64::from(matches!(decision, Decision::Uncertain));
         self.hits += u64::from(truth.is_some());
         match (plain, truth) {
-            (Some(lambda), Some(truth)) => {
+            (Some((lambda, part)), Some((truth, right_part))) => {
                 self.same_bits += u64::from(lambda == truth);
                 // A relative difference above 10^-3 means that lambda is another root. The two roots of one surface are
                 // nearer to each other only if the ray is nearly tangent.
-                self.other_decision += u64::from(!same_part || (lambda - truth).abs() > 1e-3 * truth);
+                self.other_decision += u64::from(part != right_part || (lambda - truth).abs() > 1e-3 * truth);
             }
             (None, None) => {}
             _ => self.other_decision += 1,
@@ -56,24 +57,13 @@ impl Counts {
     }
 }
 
-/// The counts for spheres (first) and for cylinders (second).
-pub type Both = [Counts; 2];
-
 thread_local! {
-    static COUNTS: Cell<Both> = const { Cell::new([Counts::NONE; 2]) };
+    static COUNTS: RefCell<Counts> = RefCell::default();
 }
 
 /// Returns the counts of this thread since the last call, and resets them to 0.
-pub fn take_counts() -> Both {
+pub fn take_counts() -> Counts {
     COUNTS.take()
-}
-
-fn update(kind: usize, change: impl FnOnce(&mut Counts)) {
-    COUNTS.with(|cell| {
-        let mut both = cell.get();
-        change(&mut both[kind]);
-        cell.set(both);
-    });
 }
 
 /// The [`Exact`] intersections, which also count the filter's decisions for [`take_counts`].
@@ -82,18 +72,15 @@ pub enum Observed {}
 
 impl Intersect for Observed {
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-        let truth = Exact::sphere(record, ray);
-        let decision = exact::sphere::filtered(record, ray);
-        update(0, |counts| counts.record(record.intersect(ray), truth, true, &decision));
+        let (plain, truth) = (record.intersect(ray), Exact::sphere(record, ray));
+        let [plain, found] = [plain, truth].map(|lambda| lambda.map(|lambda| (lambda, CylinderPart::Side)));
+        COUNTS.with_borrow_mut(|counts| counts.record(plain, found, &exact::sphere::filtered(record, ray)));
         truth
     }
 
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Found {
         let (plain, truth) = (record.intersect(ray), Exact::cylinder(record, axis, ray));
-        let decision = exact::cylinder::filtered(record, ray);
-        let same_part = plain.map(|(_, part)| part) == truth.map(|(_, part)| part);
-        let lambda = |hit: (f64, CylinderPart)| hit.0;
-        update(1, |counts| counts.record(plain.map(lambda), truth.map(lambda), same_part, &decision));
+        COUNTS.with_borrow_mut(|counts| counts.record(plain, truth, &exact::cylinder::filtered(record, ray)));
         truth
     }
 }

@@ -7,7 +7,6 @@ use crate::climb::largest_error;
 use crate::measure::{Judged, Row};
 use crate::methods::{self, Failure, Method, PLAIN};
 use crate::observed::{Observed, take_counts};
-use crate::plot::{COLORS, Plot, Series};
 use crate::regimes::{Regime, large};
 use crate::report::{Picture, Section};
 
@@ -38,32 +37,10 @@ pub fn picture(name: &str, config: &Config, scene: &Scene, scatter: Scatter) -> 
     type Pixels = <Aos as Layout>::Image;
     let _ = take_counts();
     let exact: Pixels = cpu::reference::render_with::<_, Observed>(config, scene, scatter)?;
-    let [spheres, cylinders] = take_counts();
+    let counts = take_counts();
     let plain: Pixels = cpu::reference::render_with::<_, Plain>(config, scene, scatter)?;
     let same_bytes = (0..exact.size().pixels()).all(|index| exact.pixel(index) == plain.pixel(index));
-    Ok(Picture { name: name.into(), counts: spheres.with(&cylinders), same_bytes })
-}
-
-/// Returns a plot of one figure for every regime and implementation. `figure` takes this figure from a row.
-#[must_use]
-pub fn plot(title: &str, axis: &str, decades: (i32, i32), sections: &[Section], figure: impl Fn(&Row) -> f64) -> Plot {
-    let rows = sections.first().map_or(&[][..], |section| &section.rows);
-    let names: Vec<_> = rows.iter().map(|row| row.method).collect();
-    let values = |index: usize| {
-        let value = |section: &Section| Some(figure(&section.rows[index])).filter(|&value| value > 0.0);
-        sections.iter().map(value).collect()
-    };
-    let series = (0..names.len()).map(|index| series(&names, index, values(index))).collect();
-    let categories = sections.iter().filter_map(|section| Some(section.rows.first()?.regime.to_string())).collect();
-    Plot { title: title.into(), axis: axis.into(), decades, categories, series, joined: false }
-}
-
-/// Returns the series of implementation number `index`. If it is in WGSL, its marks are rings around the marks of the
-/// implementation with its formulas in Rust.
-fn series(names: &[&str], index: usize, values: Vec<Option<f64>>) -> Series {
-    let name = names[index];
-    let around = name.strip_prefix(WGSL).and_then(|twin| names.iter().position(|name| *name == twin));
-    Series { name: name.into(), color: COLORS[around.unwrap_or(index) % COLORS.len()], values, around }
+    Ok(Picture { name: name.into(), counts, same_bytes })
 }
 
 /// The prefix in the name of an implementation in WGSL. The name of the implementation with its formulas in Rust
@@ -108,25 +85,6 @@ impl LargeSpheres {
         let shares = self.wrong.iter().find(|(name, _)| *name == method).map(|(_, shares)| shares.as_slice());
         let good = shares.unwrap_or_default().iter().take_while(|&&wrong| wrong <= share).count();
         good.checked_sub(1).map_or(0.0, |last| self.radii[last])
-    }
-
-    /// Returns a plot of the shares of wrong decisions against the radii.
-    #[must_use]
-    pub fn plot(&self) -> Plot {
-        let name =
-            |radius: &f64| if radius.log10().fract() < 0.1 { format!("r = {radius:.0e}") } else { String::new() };
-        let names: Vec<_> = self.wrong.iter().map(|(name, _)| *name).collect();
-        let values = |shares: &[f64]| shares.iter().map(|&share| Some(share.max(1e-9))).collect();
-        let shares = (0..).zip(&self.wrong);
-        let series = shares.map(|(index, (_, shares))| series(&names, index, values(shares))).collect();
-        Plot {
-            title: "Rays that leave a sphere: wrong decisions over its radius (at the bottom: none)".into(),
-            axis: "share of rays".into(),
-            decades: (-6, 0),
-            categories: self.radii.iter().map(name).collect(),
-            series,
-            joined: true,
-        }
     }
 }
 

@@ -50,7 +50,7 @@ fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
 }
 
 #[test]
-fn tables_and_plots_are_written_into_the_folder_alone() {
+fn tables_are_written_into_the_folder_alone() {
     common::gpu();
     let folder = Folder::new();
     let before = fs::read(repository("docs/accuracy/errors.csv")).expect("it is committed");
@@ -68,6 +68,6 @@ fn tables_and_plots_are_written_into_the_folder_alone() {
         assert!(text(table).contains(row), "{table}: {}", text(table));
     }
     let files = fs::read_dir(folder.path()).expect("it is there").count();
-    assert_eq!(files, 4 + 5 + 1, "tables, plots and run.txt");
+    assert_eq!(files, 4 + 1, "tables and run.txt");
     assert_eq!(fs::read(repository("docs/accuracy/errors.csv")).ok(), Some(before), "the project's own file stays");
 }

@@ -1,5 +1,5 @@
 //! `stress --out FOLDER`: runs the whole stress test of the intersections, in Rust and in WGSL, and writes its tables
-//! and plots into a folder. `stress --help` lists all options.
+//! into a folder. `stress --help` lists all options.
 
 mod tables;
 
@@ -19,7 +19,7 @@ use stability::regimes;
 use stability::report::{self, Picture, Section};
 use stability::run::{self, LargeSpheres};
 
-/// Compares the intersections, in Rust and in WGSL, with exact arithmetic, and writes tables and plots of the results.
+/// Compares the intersections, in Rust and in WGSL, with exact arithmetic, and writes tables of the results.
 #[derive(Debug, Parser)]
 #[command(
     name = "stress",
@@ -30,13 +30,14 @@ Examples:
   stress --out /tmp/accuracy --rays 2000     seconds, to see what it writes
   stress --out docs/accuracy --case case-1 ../shared/reference/config1.txt ../shared/reference/scene1.txt ...
                                              rewrites the tables there; name every case that pictures.csv has
+  cargo run --release -p lab --example charts docs/accuracy      draws the tables
 
 Exit status: 0 no decision of the exact intersection is wrong, and its errors are within the proven bounds
              1 a decision is wrong, or an error is beyond its bound; the tables are written all the same
              2 an error, such as a file that cannot be written"
 )]
 struct Arguments {
-    /// Folder for the results: tables (CSV), plots (SVG), and run.txt, which says how they were made
+    /// Folder for the results: tables (CSV), and run.txt, which says how they were made
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
     /// Rays of each regime of spheres; a regime of cylinders gets three fifths of it
@@ -121,24 +122,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let kinds: [(&str, &[Section]); 2] = [("sphere", &spheres), ("cylinder", &cylinders)];
     tables::put(&folder.join("errors.csv"), &report::errors(&kinds))?;
     tables::put(&folder.join("costs.csv"), &report::costs(&kinds))?;
-    for (name, kind, sections) in [("sphere", "Spheres", &spheres), ("cylinder", "Cylinders", &cylinders)] {
-        let wrong =
-            run::plot(&format!("{kind}: wrong decisions (no mark: none)"), "share of rays", (-5, 0), sections, |row| {
-                row.wrong as f64 / row.cases as f64
-            });
-        tables::put(&folder.join(format!("{name}-wrong.svg")), &wrong.svg())?;
-        let errors = run::plot(
-            &format!("{kind}: largest relative error of lambda where the decision is right"),
-            "relative error",
-            (-17, 3),
-            sections,
-            |row| row.lambda_error[2],
-        );
-        tables::put(&folder.join(format!("{name}-lambda.svg")), &errors.svg())?;
-    }
-
     let large = LargeSpheres::new(&methods, seed, rays)?;
-    tables::put(&folder.join("large-spheres.svg"), &large.plot().svg())?;
     tables::put(&folder.join("large-spheres.csv"), &report::large_spheres(&large.radii, &large.wrong))?;
     for method in [PROJECTED, gpu_check::methods::PROJECTED, EXACT] {
         let (never, seldom) = (large.limit(method, 0.0), large.limit(method, 1e-3));

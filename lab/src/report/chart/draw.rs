@@ -5,7 +5,7 @@ use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{Chart, LEFT, LEGEND_ROW, Point, Series, TITLE};
+use super::{Chart, LEFT, LEGEND_ROW, LETTER, Point, Series, TITLE};
 use crate::report::axis::{Logarithmic, range};
 use crate::report::style::{GRID, INK, SERIES};
 
@@ -73,18 +73,21 @@ impl Chart {
         let ends = self.series.iter().flat_map(|series| &series.points).flat_map(Point::ends);
         let x = range(ends.map(|(x, _)| x), 1.15);
         let count = self.rows.len() as f64;
+        let longest = self.rows.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+        // The names of the report's rows fit in 150 pixels.
+        let names = 150.max(LETTER * longest as i32);
         let mut chart = ChartBuilder::on(area)
             .margin_left(12)
             .margin_right(36)
             .margin_top(6)
             .x_label_area_size(48)
-            .y_label_area_size(150)
+            .y_label_area_size(names)
             .build_cartesian_2d(Logarithmic(x), count + 0.5..0.5)?;
         self.draw_mesh(&mut chart)?;
         for (index, name) in self.rows.iter().enumerate() {
             let (_, y) = chart.backend_coord(&(1.0, index as f64 + 1.0)).relative_to(area);
             let style = ("sans-serif", FONT).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Center));
-            area.draw(&Text::new(name.clone(), (154, y), style))?;
+            area.draw(&Text::new(name.clone(), (names + 4, y), style))?;
         }
         for (index, series) in self.series.iter().enumerate() {
             // Each series has its own height within a row, so that no marker covers another.

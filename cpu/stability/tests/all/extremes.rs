@@ -3,16 +3,14 @@
 //!
 //! The variable RENDER_REGIME_RAYS sets the number of rays for each regime, and RENDER_REGIME_SEED sets another seed.
 
-use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::geometry::ray::LAMBDA_MIN;
-use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::{Cylinder, Shape};
-use cpu::reference::intersect::{Exact, Intersect};
 use cpu::{Ray, Vec3};
 use stability::case::Case;
-use stability::climb::exact_answer;
 use stability::measure::lambda_error;
 use stability::oracle;
+use stability::record::Found;
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, SPHERES};
 use stability::run::{self, PROVEN_ERRORS};
 
@@ -21,6 +19,12 @@ const RAYS: u64 = 5_000;
 
 fn number(variable: &str, default: u64) -> u64 {
     std::env::var(variable).map_or(default, |text| text.parse().expect("the variable is a number"))
+}
+
+/// Returns the exact intersection of a case, with all fallbacks.
+fn exact_answer(case: &Case) -> Found {
+    let (record, ray) = case.of();
+    record.exact(&ray)
 }
 
 fn hex(bits: u64) -> f64 {
@@ -75,24 +79,21 @@ fn a_plane_is_skipped_by_the_exact_slope_where_the_axis_has_no_square() {
     };
     let axis = Vec3::new(hex(0x1e60_8e56_3277_847e), 0.0, 0.0);
     let cylinder = Cylinder { center: Vec3::ZERO, radius: 1.0, axis };
-    let record = CylinderRecord::new(cylinder.center, cylinder.radius, axis);
+    let case = Case::cylinder(cylinder, ray.origin, ray.direction);
     // The slope is 9.8e-9, below the limit of 1e-8 for rays parallel to a cap, so the caps are skipped.
     assert!(ray.direction.x < 1e-8);
-    assert!(oracle::judge(&Case::cylinder(cylinder, ray.origin, ray.direction)).truth.is_none());
-    assert_eq!(Exact::cylinder(&record, &axis, &ray), None);
+    assert!(oracle::judge(&case).truth.is_none());
+    assert_eq!(exact_answer(&case), None);
 }
 
 #[test]
 fn a_coefficient_that_cancels_to_zero_leaves_the_root_its_size() {
     let far = Vec3::new(0.0, 0.0, hex(0x6fb0_7d45_7124_123d));
-    let ray = Ray { origin: far, direction: Vec3::new(1.0, 0.0, 0.25) };
-    let axis = Vec3::new(0.0, 0.0, 2.0);
-    let cylinder = Cylinder { center: far, radius: 1.0, axis };
-    let record = CylinderRecord::new(cylinder.center, cylinder.radius, axis);
-    assert_eq!(Exact::cylinder(&record, &axis, &ray), Some((1.0, CylinderPart::Side)));
-    let sphere = SphereRecord::new(far, 2.0);
-    let ray = Ray { direction: Vec3::new(0.0, 4.0, 0.0), ..ray };
-    assert_eq!(Exact::sphere(&sphere, &ray), Some(0.5));
+    let cylinder = Cylinder { center: far, radius: 1.0, axis: Vec3::new(0.0, 0.0, 2.0) };
+    let case = Case::cylinder(cylinder, far, Vec3::new(1.0, 0.0, 0.25));
+    assert_eq!(exact_answer(&case), Some((1.0, CylinderPart::Side)));
+    let case = Case::sphere(far, 2.0, far, Vec3::new(0.0, 4.0, 0.0));
+    assert_eq!(exact_answer(&case), Some((0.5, CylinderPart::Side)));
 }
 
 #[test]

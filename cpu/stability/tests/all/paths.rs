@@ -1,13 +1,13 @@
 //! Tests of secondary rays: a ray that leaves a surface must not hit it again from the wrong side.
 
 use cpu::internals::Hit;
-use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::geometry::ray::LAMBDA_MIN;
-use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::reference::intersect::{Exact, Intersect, Plain};
 use cpu::{Ray, Vec3};
 use stability::random::Random;
+use stability::record::Record;
 
 const SHAPES: usize = 1_000;
 const RAYS: usize = 1_000;
@@ -22,21 +22,13 @@ fn starts_in_noise(origin: Vec3, slope: f64) -> bool {
     slope.abs() * LAMBDA_MIN < 16.0 * f64::EPSILON * largest
 }
 
-fn intersect<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(f64, Hit)> {
-    let (lambda, outward) = match shape {
-        Shape::Sphere(sphere) => {
-            let record = SphereRecord::new(sphere.center, sphere.radius);
-            let lambda = P::sphere(&record, ray)?;
-            (lambda, record.outward(ray.at(lambda)))
-        }
-        Shape::Cylinder(cylinder) => {
-            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            let (lambda, part) = P::cylinder(&record, &cylinder.axis, ray)?;
-            let outward = record.outward(part, ray.at(lambda));
-            (lambda, if part == CylinderPart::Side { outward.unit() } else { outward })
-        }
-    };
-    Some((lambda, Hit::facing(ray.direction, ray.at(lambda), outward)))
+fn intersect<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<Hit> {
+    let record = Record::new(shape);
+    let (lambda, part) = record.by(ray, P::sphere, P::cylinder)?;
+    let outward = record.outward(part, ray.at(lambda));
+    // Only the normal of a cylinder's side has another length than one.
+    let is_side = matches!(shape, Shape::Cylinder(_)) && part == CylinderPart::Side;
+    Some(Hit::facing(ray.direction, ray.at(lambda), if is_side { outward.unit() } else { outward }))
 }
 
 /// Returns the length of the chord through a sphere, for a ray whose angle to the surface has the sine `slope`. Returns
@@ -64,7 +56,7 @@ fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: 
     for _ in 0..RAYS {
         let origin = aim + random.unit() * distance;
         let ray = Ray { origin, direction: aim + random.cube(0.5) - origin };
-        let Some((_, hit)) = intersect::<P>(shape, &ray) else { continue };
+        let Some(hit) = intersect::<P>(shape, &ray) else { continue };
         let outward = if hit.front { hit.normal } else { -hit.normal };
         let slope = random.sign() * random.decades(LEAST_SLOPE_DECADE, 0.0);
         let scattered = random.perpendicular(outward) + outward * slope;
@@ -79,7 +71,7 @@ fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: 
             outcome.entered += 1;
             // A ray inside must hit the surface from inside. No hit is right if the chord is shorter than the least
             // lambda.
-            let lost = again.map_or(chord(shape, slope) > 2.0 * LAMBDA_MIN, |(_, hit)| hit.front);
+            let lost = again.map_or(chord(shape, slope) > 2.0 * LAMBDA_MIN, |hit| hit.front);
             outcome.lost_inside += usize::from(lost);
         }
     }

@@ -2,12 +2,9 @@
 //! oracle's answer is exact.
 
 use cpu::Vec3;
-use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::Cylinder;
-use cpu::reference::intersect::{Exact, Intersect};
 use stability::case::Case;
-use stability::oracle::{self, to_f64};
+use stability::oracle::{self, Judgement, to_f64};
 use stability::random::Random;
 
 const CASES: usize = 200_000;
@@ -31,8 +28,10 @@ fn scales(random: &mut Random) -> [f64; 2] {
     [(); 2].map(|()| 2.0_f64.powi(random.below(41) as i32 - 20))
 }
 
-fn agrees(case: &Case, answer: Option<(f64, CylinderPart)>) -> bool {
-    let judgement = oracle::judge(case);
+/// Whether the exact intersection hits. It must agree with the oracle's answer.
+fn hits(case: &Case, judgement: &Judgement) -> bool {
+    let (record, ray) = case.of();
+    let answer = record.exact(&ray);
     match (&judgement.truth, answer) {
         (Some(truth), Some((lambda, part))) => {
             assert_eq!(part, truth.part, "{case:?}");
@@ -48,24 +47,24 @@ fn agrees(case: &Case, answer: Option<(f64, CylinderPart)>) -> bool {
 #[test]
 fn spheres_of_small_numbers_are_met_rightly() {
     let mut random = Random::new(3);
-    let (mut hits, mut tangents) = (0, 0);
+    let (mut met, mut tangents) = (0, 0);
     for _ in 0..CASES {
         let [scale, length] = scales(&mut random);
         let (center, radius) = (whole(&mut random, 6) * scale, (random.below(6) + 1) as f64 * scale);
         let (origin, direction) = (whole(&mut random, 6) * scale, some_direction(&mut random, 4) * length);
         let case = Case::sphere(center, radius, origin, direction);
-        let lambda = Exact::sphere(&SphereRecord::new(center, radius), &case.ray);
-        hits += usize::from(agrees(&case, lambda.map(|lambda| (lambda, CylinderPart::Side))));
-        let crossings = oracle::judge(&case).crossings;
+        let judgement = oracle::judge(&case);
+        met += usize::from(hits(&case, &judgement));
+        let crossings = judgement.crossings;
         tangents += usize::from(crossings.len() == 2 && crossings[0] == crossings[1]);
     }
-    assert!(hits > CASES / 20 && tangents > CASES / 1000, "{hits} hits, {tangents} tangents");
+    assert!(met > CASES / 20 && tangents > CASES / 1000, "{met} hits, {tangents} tangents");
 }
 
 #[test]
 fn cylinders_of_small_numbers_are_met_rightly() {
     let mut random = Random::new(5);
-    let (mut hits, mut ties) = (0, 0);
+    let (mut met, mut ties) = (0, 0);
     for _ in 0..CASES {
         let [scale, length] = scales(&mut random);
         let radius = (random.below(4) + 1) as f64 * scale;
@@ -79,10 +78,10 @@ fn cylinders_of_small_numbers_are_met_rightly() {
         let cylinder = Cylinder { center: whole(&mut random, 4) * scale, radius, axis: axis * scale };
         let (origin, direction) = (whole(&mut random, 5) * scale, some_direction(&mut random, 3) * length);
         let case = Case::cylinder(cylinder, origin, direction);
-        let record = CylinderRecord::new(cylinder.center, radius, cylinder.axis);
-        hits += usize::from(agrees(&case, Exact::cylinder(&record, &cylinder.axis, &case.ray)));
-        let crossings = oracle::judge(&case).crossings;
+        let judgement = oracle::judge(&case);
+        met += usize::from(hits(&case, &judgement));
+        let crossings = judgement.crossings;
         ties += usize::from(crossings.len() == 4 && crossings[..2].iter().any(|side| crossings[2..].contains(side)));
     }
-    assert!(hits > CASES / 20 && ties > CASES / 200, "{hits} hits, {ties} rims");
+    assert!(met > CASES / 20 && ties > CASES / 200, "{met} hits, {ties} rims");
 }

@@ -1,0 +1,86 @@
+//! Tests that rays in lanes get the answers that each ray gets alone, and that certain answers are those of the plain
+//! formulas.
+
+use cpu::internals::simd::portable::Portable;
+use cpu::internals::simd::{LaneMask, Simd, SimdF64};
+
+use super::*;
+use crate::regimes::{CYLINDERS, Regime, SPHERES};
+
+type Lanes = <Portable as Simd>::F64;
+const LANES: usize = Lanes::LANES;
+
+const SEED: u64 = 11;
+const CASES: usize = 4_000;
+
+fn lanes(numbers: [f64; LANES]) -> Lanes {
+    Lanes::load(&numbers)
+}
+
+fn vectors(vectors: [Vec3; LANES]) -> Vec3<Lanes> {
+    Vec3::from([0, 1, 2].map(|axis| lanes(vectors.map(|vector| vector.to_array()[axis]))))
+}
+
+/// Returns the answers of the filter in lanes. The objects must be all spheres or all cylinders.
+fn filtered_in_lanes(cases: [Case; LANES]) -> [Decision<Found>; LANES] {
+    let center = vectors(cases.map(|case| case.center()));
+    let ray = Ray {
+        origin: vectors(cases.map(|case| case.ray.origin)),
+        direction: vectors(cases.map(|case| case.ray.direction)),
+    };
+    let parts = cases.map(|case| match case.shape {
+        Shape::Sphere(sphere) => (sphere.radius, Vec3::ZERO),
+        Shape::Cylinder(cylinder) => (cylinder.radius, cylinder.axis),
+    });
+    let radius = lanes(parts.map(|(radius, _)| radius));
+    let none = Lanes::of(0.0).less(Lanes::of(0.0));
+    let (lambda, certain, bottom, top) = if let Shape::Sphere(_) = cases[0].shape {
+        let view = SphereRecord::new(center, radius).seen_from(ray.origin);
+        let hits = exact::sphere::filtered_from(&view, ray.direction, ray.direction.dot(ray.direction));
+        (hits.lambda, hits.certain, none, none)
+    } else {
+        let record = CylinderRecord::new(center, radius, vectors(parts.map(|(_, axis)| axis)));
+        let side = exact::cylinder::SideLanes::new(&record, &record.seen_from(ray.origin), &ray);
+        let hits = side.with_caps(&record, &ray);
+        (hits.lambda, hits.certain, hits.bottom, hits.top)
+    };
+    let mut lambdas = [0.0; LANES];
+    lambda.store(&mut lambdas);
+    let [certain, bottom, top] = [certain, bottom, top].map(LaneMask::bits);
+    std::array::from_fn(|lane| {
+        let has = |mask: u32| mask >> lane & 1 == 1;
+        let part = match (has(bottom), has(top)) {
+            (true, _) => CylinderPart::Bottom,
+            (false, true) => CylinderPart::Top,
+            (false, false) => CylinderPart::Side,
+        };
+        let found = (lambdas[lane] < f64::INFINITY).then_some((lambdas[lane], part));
+        if has(certain) { Decision::Certain(found) } else { Decision::Uncertain }
+    })
+}
+
+/// Compares the filter in lanes with the filter for one ray, and certain answers with those of the plain formulas.
+fn check(regimes: &[Regime]) {
+    let mut certain = [0; 2];
+    for cases in regimes.iter().flat_map(|regime| regime.cases(SEED, CASES).as_chunks().0.to_vec()) {
+        for (case, in_lanes) in cases.iter().zip(filtered_in_lanes(cases)) {
+            let (record, ray) = case.of();
+            assert_eq!(in_lanes, record.filtered(&ray), "{case:?}");
+            if let Decision::Certain(answer) = in_lanes {
+                assert_eq!(answer, record.plain(&ray), "{case:?}");
+            }
+            certain[usize::from(in_lanes != Decision::Uncertain)] += 1;
+        }
+    }
+    assert!(certain[0] > CASES / 2 && certain[1] > 2 * CASES, "both kinds of rays must come: {certain:?}");
+}
+
+#[test]
+fn spheres_in_lanes_are_as_alone_and_certain_answers_are_the_plain_ones() {
+    check(&SPHERES);
+}
+
+#[test]
+fn cylinders_in_lanes_are_as_alone_and_certain_answers_are_the_plain_ones() {
+    check(&CYLINDERS);
+}

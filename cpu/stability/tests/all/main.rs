@@ -1,0 +1,10 @@
+//! Holds the exact intersections, the tangent and the power against arithmetic of another library, and whole pictures
+//! against what is known of them.
+
+mod extremes;
+mod functions;
+mod furnaces;
+mod paths;
+mod pictures;
+mod small_numbers;
+mod stress;

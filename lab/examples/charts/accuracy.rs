@@ -1,0 +1,96 @@
+//! The charts of the stress test: wrong decisions and errors of lambda in every regime, and wrong decisions over the
+//! radius of a sphere. The implementations in WGSL are left out, because they have the figures of those in Rust.
+
+use std::path::Path;
+
+use lab::report::chart::{Axis, Chart, Point, Series};
+use lab::report::style::{power_of_ten, short};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+/// The columns of `errors.csv` that are drawn.
+#[derive(Deserialize)]
+struct Row {
+    object: String,
+    regime: String,
+    implementation: String,
+    cases: f64,
+    wrong: f64,
+    lambda_max: f64,
+}
+
+/// The columns of `large-spheres.csv`.
+#[derive(Deserialize)]
+struct Large {
+    implementation: String,
+    radius: f64,
+    wrong_share: f64,
+}
+
+/// Returns the five charts of the tables in `folder`.
+pub fn charts(folder: &Path) -> Result<Vec<Chart>, String> {
+    let rows: Vec<Row> = read(&folder.join("errors.csv"))?;
+    let mut charts = Vec::new();
+    for object in ["sphere", "cylinder"] {
+        let its = || rows.iter().filter(|row| row.object == object);
+        let title = format!("Wrong decisions of {object}s (no mark: none)");
+        let wrong = its().map(|row| (row, row.wrong / row.cases));
+        charts.push(by_regime(format!("{object}-wrong"), title, "share of rays", wrong));
+        let title = format!("Largest error of lambda of {object}s, decided rightly");
+        let errors = its().map(|row| (row, row.lambda_max));
+        charts.push(by_regime(format!("{object}-lambda"), title, "relative error", errors));
+    }
+    let large: Vec<Large> = read(&folder.join("large-spheres.csv"))?;
+    let mut series = Vec::new();
+    for row in &large {
+        add(&mut series, &row.implementation, row.radius, row.wrong_share);
+    }
+    charts.push(Chart {
+        name: "large-spheres".to_owned(),
+        title: "Wrong decisions of rays that leave a sphere".to_owned(),
+        x: Axis { label: "radius", format: power_of_ten },
+        y: Axis { label: "share of rays (no mark: none)", format: power_of_ten },
+        series,
+        rows: Vec::new(),
+    });
+    Ok(charts)
+}
+
+/// Returns a chart with a row for each regime, and a dot for each implementation that has a positive figure there.
+fn by_regime<'a>(
+    name: String,
+    title: String,
+    label: &'static str,
+    figures: impl Iterator<Item = (&'a Row, f64)>,
+) -> Chart {
+    let (mut rows, mut series) = (Vec::new(), Vec::new());
+    for (row, figure) in figures {
+        if rows.last() != Some(&row.regime) {
+            rows.push(row.regime.clone());
+        }
+        add(&mut series, &row.implementation, figure, rows.len() as f64);
+    }
+    let (x, y) = (Axis { label, format: power_of_ten }, Axis { label: "", format: short });
+    Chart { name, title, x, y, series, rows }
+}
+
+/// Adds a point to the series of an implementation in Rust, unless one of its coordinates is 0.
+fn add(series: &mut Vec<Series>, implementation: &str, x: f64, y: f64) {
+    if implementation.starts_with("WGSL") {
+        return;
+    }
+    let at = series.iter().position(|series| series.name == implementation).unwrap_or(series.len());
+    if at == series.len() {
+        // The first colour is that of guides.
+        let color = at + 1;
+        series.push(Series { name: implementation.to_owned(), color, is_guide: false, points: Vec::new() });
+    }
+    if x > 0.0 && y > 0.0 {
+        series[at].points.push(Point { x, y, bounds: None });
+    }
+}
+
+fn read<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, String> {
+    let rows = csv::Reader::from_path(path).and_then(|mut table| table.deserialize().collect());
+    rows.map_err(|error| format!("{}: {error}", path.display()))
+}
