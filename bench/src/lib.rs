@@ -6,6 +6,23 @@
 pub mod kernels;
 pub mod nearest;
 
+use std::process::ExitCode;
+
+use clap::Parser;
+
+/// Parses the command line of a program and runs it. The exit status is 0 if `run` returns true, 1 if it returns false,
+/// and 2 for an error, whose message is printed.
+pub fn main<O: Parser>(run: impl FnOnce(&O) -> Result<bool, String>) -> ExitCode {
+    match run(&O::parse()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(message) => {
+            eprintln!("Error: {message}");
+            ExitCode::from(2)
+        }
+    }
+}
+
 /// Returns the instruction set that the renderer uses. If `RENDER_INSTRUCTION_SET` names none of this machine, prints a
 /// message and ends the program with status 2, so that no other set is measured.
 #[must_use]

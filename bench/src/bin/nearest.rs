@@ -3,65 +3,68 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::str::FromStr;
 
 use bench::nearest::embree;
 use bench::nearest::measure::{Options, Results};
 use bench::nearest::scene::Setting;
 use bench::nearest::table::markdown;
+use clap::Parser;
 use cpu::internals::InstructionSet;
 use output::Output;
 
-const USAGE: &str = "\
-nearest [--sizes N,...] [--rounds N] [--rays N] [--set avx512|avx2] [--json FILE]
-Compares the time of a nearest hit of an incoherent ray with Embree 3: the structure that the renderer chooses, with
-the hits of exact arithmetic in double precision, and rtcIntersect1 in single precision with a structure of high
-quality. The scenes are spheres in a cube, sparse and dense, on a ground and without one. The rays start on surfaces,
-or anywhere (free). As in a picture, the record of the sphere on which a ray starts is in a near cache.
-
-Prints two tables in Markdown: the median user time of a ray, and the time and memory of each structure. Without
-Embree (Debian: libembree-dev) only our side is measured. The status is 1 if less than 99.99 % of the rays of a row hit
-the same object on both sides. Embree's self-hits are left out of this share and counted: by rounding, its ray hits the
-object on which it starts.
-
-  --sizes   numbers of spheres; by default 33 to 1000000
-  --rounds  measurements of each time, in turn; by default 9
-  --rays    rays in each measurement, each at another place; by default 200000
-  --set     one instruction set; by default all of this machine
-  --json    a file for the results
-
+/// Compares the time of a nearest hit of an incoherent ray with Embree 3.
+///
+/// Ours is the structure that the renderer chooses, with the hits of exact arithmetic in double precision. Embree's is
+/// rtcIntersect1 in single precision with a structure of high quality. The scenes are spheres in a cube, sparse and
+/// dense, on a ground and without one. The rays start on surfaces, or anywhere (free). As in a picture, the record of
+/// the sphere on which a ray starts is in a near cache.
+///
+/// Prints two tables in Markdown: the median user time of a ray, and the time and memory of each structure. Without
+/// Embree (Debian: libembree-dev) only our side is measured. The status is 1 if less than 99.99 % of the rays of a row
+/// hit the same object on both sides. Embree's self-hits are left out of this share and counted: by rounding, its ray
+/// hits the object on which it starts.
+#[derive(Parser)]
+#[command(
+    name = "nearest",
+    max_term_width = 120,
+    after_help = "\
 Examples:
   cargo run --release -p bench --bin nearest
-  cargo run --release -p bench --bin nearest -- --sizes 33,1000 --rounds 3 --set avx2";
-
-/// The sizes without `--sizes`.
-const SIZES: [usize; 10] = [33, 100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
-
+  cargo run --release -p bench --bin nearest -- --sizes 33,1000 --rounds 3 --set avx2"
+)]
 struct CommandLine {
+    /// Numbers of spheres
+    #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = number,
+          default_value = "33,100,300,1000,3000,10000,30000,100000,300000,1000000")]
     sizes: Vec<usize>,
-    options: Options,
+    /// Measurements of each time, in turn
+    #[arg(long, value_name = "N", default_value = "9", value_parser = number)]
+    rounds: usize,
+    /// Rays in each measurement, each at another place
+    #[arg(long, value_name = "N", default_value = "200000", value_parser = number)]
+    rays: usize,
+    /// One instruction set, avx512 or avx2; all of this machine without it
+    #[arg(long, value_name = "NAME")]
+    set: Option<String>,
+    /// A file for the results
+    #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
 
 fn main() -> ExitCode {
-    let arguments: Vec<_> = std::env::args().skip(1).collect();
-    if arguments.iter().any(|argument| argument == "--help") {
-        println!("{USAGE}");
-        return ExitCode::SUCCESS;
-    }
-    match parse(&arguments).and_then(|command| run(&command)) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(error) => {
-            eprintln!("Error: {error}");
-            ExitCode::from(2)
-        }
-    }
+    bench::main(run)
 }
 
 /// Measures and prints. Returns whether enough hits agree in every row.
 fn run(command: &CommandLine) -> Result<bool, String> {
     InstructionSet::named()?;
+    let mut sets = sets();
+    sets.retain(|(name, _)| command.set.as_ref().is_none_or(|set| set == name));
+    if sets.is_empty() {
+        return Err("this machine has no such instruction set; see --help".to_owned());
+    }
+    let (rounds, rays) = (command.rounds, command.rays);
+    let options = Options { rounds, rays, sets, embree: embree::missing().is_none() };
     // A file that cannot be written is found before the measurement.
     let open = |path: &PathBuf| Output::open(path, output::Options::default()).map_err(|error| error.to_string());
     let json = command.json.as_ref().map(open).transpose()?;
@@ -72,7 +75,7 @@ fn run(command: &CommandLine) -> Result<bool, String> {
     let mut results = Results::default();
     for (index, &setting) in settings.iter().enumerate() {
         eprintln!("scene {} of {}", index + 1, settings.len());
-        results.add(setting, &command.options)?;
+        results.add(setting, &options)?;
     }
     print!("{}", markdown(&results));
     if let Some(file) = json {
@@ -85,33 +88,10 @@ fn run(command: &CommandLine) -> Result<bool, String> {
     Ok(results.disagreements().next().is_none())
 }
 
-fn parse(arguments: &[String]) -> Result<CommandLine, String> {
-    let options = Options { rounds: 9, rays: 200_000, sets: sets(), embree: embree::missing().is_none() };
-    let mut command = CommandLine { sizes: SIZES.to_vec(), options, json: None };
-    let mut rest = arguments.iter();
-    while let Some(option) = rest.next() {
-        let value = rest.next().ok_or(format!("[{option}] is not an option with a value; see --help"))?;
-        match option.as_str() {
-            "--sizes" => {
-                command.sizes = value.split(',').map(|size| number(option, size)).collect::<Result<_, _>>()?;
-            }
-            "--rounds" => command.options.rounds = number(option, value)?,
-            "--rays" => command.options.rays = number(option, value)?,
-            "--set" => command.options.sets.retain(|(name, _)| name == value),
-            "--json" => command.json = Some(value.into()),
-            _ => return Err(format!("[{option}] is not an option; see --help")),
-        }
-    }
-    if command.options.sets.is_empty() {
-        return Err("this machine has no such instruction set; see --help".to_owned());
-    }
-    Ok(command)
-}
-
 /// Returns a whole number from 1 to 10,000,000.
-fn number(option: &str, text: &str) -> Result<usize, String> {
-    let number = usize::from_str(text).ok().filter(|number| (1..=10_000_000).contains(number));
-    number.ok_or(format!("[{text}] for {option} is no whole number from 1 to 10000000; see --help"))
+fn number(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|number| (1..=10_000_000).contains(number));
+    number.ok_or_else(|| "a whole number from 1 to 10000000 is needed".to_owned())
 }
 
 /// Returns the instruction sets that both sides have on this machine, by Embree's names. With AVX-512 ours is the one

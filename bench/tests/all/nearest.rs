@@ -9,25 +9,23 @@ use bench::nearest::ours::Ours;
 use bench::nearest::scene::{Setting, free_rays, surface_rays};
 use bench::nearest::{NO_PLACE, table};
 use cpu::internals::InstructionSet;
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::Trial;
+
+use crate::trial;
 
 const SIZES: [usize; 2] = [33, 1_000];
 
-fn main() {
-    let mut trials = vec![
-        Trial::test("our hits are those of every object", || our_hits_are_right().map_err(Failed::from)),
-        Trial::test("without Embree the tables have a row for each scene, and empty cells", || {
-            check_tables(false).map_err(Failed::from)
-        }),
-    ];
-    let with_embree = [
-        Trial::test("the hits agree with Embree's", || hits_agree().map_err(Failed::from)),
-        Trial::test("with Embree the tables have no empty cell", || check_tables(true).map_err(Failed::from)),
-    ];
+/// Returns the trials.
+pub fn trials() -> Vec<Trial> {
     let is_missing = embree::missing().is_some();
     let needs = |trial: Trial| trial.with_kind(if is_missing { "needs libembree-dev" } else { "" });
-    trials.extend(with_embree.map(|trial| needs(trial).with_ignored_flag(is_missing)));
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    let with_embree = |trial: Trial| needs(trial).with_ignored_flag(is_missing);
+    vec![
+        trial("our hits are those of every object", our_hits_are_right),
+        trial("without Embree the tables have a row for each scene, and empty cells", || check_tables(false)),
+        with_embree(trial("the hits agree with Embree's", hits_agree)),
+        with_embree(trial("with Embree the tables have no empty cell", || check_tables(true))),
+    ]
 }
 
 /// Calls `check` with every scene of the sizes, and with its rays from surfaces and free rays.

@@ -1,0 +1,16 @@
+//! Tests of the programs that measure. What needs a library that is missing is shown as ignored.
+
+mod compare;
+mod nearest;
+
+use libtest_mimic::{Arguments, Failed, Trial};
+
+/// Returns a trial with this name.
+fn trial(name: &str, test: fn() -> Result<(), String>) -> Trial {
+    Trial::test(name, move || test().map_err(Failed::from))
+}
+
+fn main() {
+    let trials = compare::trials().into_iter().chain(nearest::trials()).collect();
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
