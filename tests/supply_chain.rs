@@ -1,19 +1,25 @@
-//! Checks the locked dependencies: they must come from crates.io, have a licence, and need no newer compiler than the
-//! project.
+//! Checks the locked dependencies: they come from crates.io, have a licence, and need no newer compiler than the
+//! project. The evaluated programs depend only on packages of this project and on the random generator, and building
+//! them runs no code of any package.
 
+use std::collections::BTreeSet;
 use std::process::Command;
 
 use serde_json::Value;
 
+/// Runs cargo in `folder` of the project, and returns what it prints.
+fn cargo(folder: &str, arguments: &[&str]) -> String {
+    let mut command = Command::new(env!("CARGO"));
+    command.args(arguments).arg("--locked").current_dir(test_support::project_root().join(folder));
+    let output = command.output().expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("names are text")
+}
+
 /// Returns cargo's metadata of every package that a build on Linux may compile.
 fn packages(folder: &str) -> Vec<Value> {
-    let output = Command::new(env!("CARGO"))
-        .args(["metadata", "--locked", "--format-version", "1", "--filter-platform", "x86_64-unknown-linux-gnu"])
-        .current_dir(test_support::project_root().join(folder))
-        .output()
-        .expect("cargo runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let metadata: Value = serde_json::from_slice(&output.stdout).expect("cargo writes JSON");
+    let metadata = ["metadata", "--format-version", "1", "--filter-platform", "x86_64-unknown-linux-gnu"];
+    let metadata: Value = serde_json::from_str(&cargo(folder, &metadata)).expect("cargo writes JSON");
     metadata["packages"].as_array().expect("there are packages").clone()
 }
 
@@ -25,13 +31,11 @@ fn version(text: &str) -> [u64; 2] {
 
 #[test]
 fn no_dependency_needs_a_newer_compiler_than_the_project() {
-    let packages = packages("");
-    let own = packages.iter().find(|package| package["name"] == "cpu").expect("it is ours");
-    let promised = own["rust_version"].as_str().expect("the workspace has one");
+    let promised = version(env!("CARGO_PKG_RUST_VERSION"));
     let mut checked = 0;
-    for package in &packages {
+    for package in &packages("") {
         if let Some(needed) = package["rust_version"].as_str() {
-            assert!(version(needed) <= version(promised), "{} needs Rust {needed}", package["id"]);
+            assert!(version(needed) <= promised, "{} needs Rust {needed}", package["id"]);
             checked += 1;
         }
     }
@@ -48,4 +52,22 @@ fn every_dependency_is_licensed_and_comes_from_the_one_registry() {
         registered += 1;
     }
     assert!(registered > 100, "only {registered} dependencies");
+}
+
+#[test]
+fn the_programs_depend_only_on_the_renderer_and_its_random_generator_and_building_them_runs_no_code() {
+    // Dependencies of build scripts, and those for other systems, are among them.
+    let edges = ["tree", "-p", "cli", "-e", "normal,build", "--target", "all", "--prefix", "none", "--format", "{p}"];
+    let tree = cargo("", &edges);
+    let names: BTreeSet<_> = tree.lines().filter_map(|line| line.split(' ').next()).collect();
+    assert_eq!(names, BTreeSet::from(["cli", "cpu", "output", "rand_mt"]));
+    // A build script, or a macro that runs in the compiler.
+    let runs_code = |package: &&Value| {
+        let mut targets = package["targets"].as_array().expect("a package has targets").iter();
+        targets.any(|target| target["kind"][0] == "custom-build" || target["kind"][0] == "proc-macro")
+    };
+    let packages = packages("");
+    let running: Vec<_> = packages.iter().filter(runs_code).filter_map(|package| package["name"].as_str()).collect();
+    assert!(running.len() > 10, "other packages of the workspace run code, {running:?} were found");
+    assert!(running.iter().all(|name| !names.contains(name)), "{running:?}");
 }

@@ -1,14 +1,13 @@
 //! Tests that end the programs by signals at random moments.
 
-use std::fs::{self, Permissions};
-use std::os::unix::fs::PermissionsExt;
+use std::fs;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 use cpu::internals::sampling::uniform::Uniform;
 use nix::sys::signal::Signal;
 
-use crate::workshop::{PROGRAMS, Running, Workshop, send, signal_of, wait_until};
+use crate::workshop::{PROGRAMS, Running, Workshop, send, signal_of};
 
 /// A configuration for a picture of the background alone. A large part of its time is spent on writing.
 const CONFIG: &str = "image_width: 500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
@@ -78,68 +77,6 @@ fn after_a_request_to_stop_nothing_else_is_left() {
         let [old, _, left] = killed(program, Signal::SIGTERM, 11 + seed as u64);
         assert!(old > 0, "no request came before the end");
         assert_eq!(left, 0);
-    }
-}
-
-#[test]
-fn every_request_to_stop_in_the_middle_of_writing_removes_the_half_picture() {
-    let config = "image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
-    let workshop = Workshop::new(config, "");
-    let out = workshop.file("d/out.ppm");
-    let mut killed_runs = 0;
-    let requests = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP, Signal::SIGQUIT, Signal::SIGXCPU, Signal::SIGABRT];
-    let others = [Signal::SIGALRM, Signal::SIGUSR1, Signal::SIGUSR2, Signal::SIGVTALRM, Signal::SIGPROF];
-    #[cfg(target_os = "linux")]
-    let linux = [Signal::SIGPWR, Signal::SIGIO, Signal::SIGSTKFLT];
-    #[cfg(not(target_os = "linux"))]
-    let linux = [];
-    for signal in requests.into_iter().chain(others).chain(linux) {
-        for program in PROGRAMS {
-            fs::write(&out, "old").expect("the folder is writable");
-            let mut child = Running::start(&mut workshop.command(program));
-            wait_until("a half picture", || workshop.half(&child).is_some_and(|file| file.len() > 1 << 16));
-            send(&child, signal);
-            let status = child.wait().expect("it ends");
-            assert_eq!(workshop.outputs(), ["out.ppm"], "{signal}");
-            if signal_of(status) == Some(signal) {
-                assert_eq!(fs::read(&out).expect("it stands"), b"old");
-                killed_runs += 1;
-            }
-        }
-    }
-    assert!(killed_runs > 0, "no request came in the middle of writing");
-}
-
-#[test]
-fn a_signal_that_is_ignored_stays_ignored() {
-    let workshop = Workshop::new("image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n", "");
-    let mut shell = std::process::Command::new("bash");
-    // The shell ignores SIGHUP and the program inherits that, as under nohup.
-    shell.args(["-c", "trap '' HUP; exec \"$@\"", "ignoring", PROGRAMS[0], "config.txt", "scene.txt", "d/out.ppm"]);
-    let mut child = Running::start(shell.current_dir(workshop.file("")));
-    wait_until("a half picture", || workshop.half(&child).is_some());
-    send(&child, Signal::SIGHUP);
-    assert!(child.wait().expect("it ends").success());
-    assert_eq!(workshop.outputs(), ["out.ppm"]);
-}
-
-#[test]
-fn a_private_picture_is_private_while_it_is_written() {
-    let workshop = Workshop::new("image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n", "");
-    let out = workshop.file("d/out.ppm");
-    for program in PROGRAMS {
-        fs::write(&out, "old").expect("the folder is writable");
-        fs::set_permissions(&out, Permissions::from_mode(0o600)).expect("it is ours");
-        let mut child = Running::start(&mut workshop.command(program));
-        let mut modes = Vec::new();
-        wait_until("a half picture", || {
-            let half = workshop.half(&child);
-            modes.extend(half.iter().map(|file| file.permissions().mode() & 0o777));
-            half.is_some_and(|file| file.len() > 1 << 16)
-        });
-        assert!(child.wait().expect("it ends").success());
-        modes.push(fs::metadata(&out).expect("it stands").permissions().mode() & 0o777);
-        assert!(modes.iter().all(|&mode| mode == 0o600), "{modes:?}");
     }
 }
 

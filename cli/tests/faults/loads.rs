@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use nix::sys::signal::Signal;
 
-use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused, send, signal_of};
+use crate::workshop::{NAMES, PROGRAMS, Running, Workshop, assert_refused, send, signal_of};
 
 /// Returns the text of a scene with `count` spheres in a cube.
 fn spheres(count: usize) -> String {
@@ -78,8 +78,7 @@ fn a_picture_one_pixel_too_large_is_refused_before_any_memory_is_taken() {
     // A picture may have up to 2^30 pixels. Larger ones are refused, however much memory the machine has.
     let workshop = Workshop::new("image_width: 32769\naspect_ratio: 32769 32768\n", "");
     for program in PROGRAMS {
-        let names = ["config.txt", "scene.txt", "d/out.ppm"];
-        let output = workshop.limited(64_000, program, names).output().expect("the program runs");
+        let output = workshop.limited(64_000, program, NAMES).output().expect("the program runs");
         assert_refused(&output, "Invalid configuration [config.txt]: the image is too large to hold: 32769 x 32768");
     }
 }
@@ -90,9 +89,8 @@ fn renders_within(kilobytes: u64, config: &str, scene: &str) -> u64 {
     let workshop = Workshop::new(config, scene);
     let mut length = 0;
     for program in PROGRAMS {
-        let names = ["config.txt", "scene.txt", "d/out.ppm"];
         let start = Instant::now();
-        let output = workshop.limited(kilobytes, program, names).output().expect("the program runs");
+        let output = workshop.limited(kilobytes, program, NAMES).output().expect("the program runs");
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         println!("{program}: {:?} within {kilobytes} kB", start.elapsed());
         length = fs::metadata(workshop.file("d/out.ppm")).expect("it was written").len();

@@ -7,7 +7,5 @@ mod inputs;
 mod kills;
 mod loads;
 mod memory;
-mod places;
-mod stack;
 mod together;
 mod workshop;

@@ -4,7 +4,6 @@ use std::fs;
 use std::ops::{Deref, DerefMut};
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, ExitStatus, Output, Stdio};
-use std::time::{Duration, Instant};
 
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -12,6 +11,9 @@ use test_support::folder::Folder;
 
 /// Paths of the two programs.
 pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
+
+/// The arguments of a run.
+pub const NAMES: [&str; 3] = ["config.txt", "scene.txt", "d/out.ppm"];
 
 /// A temporary folder with `config.txt`, `scene.txt`, and an empty folder `d` for the picture.
 pub struct Workshop(Folder);
@@ -36,19 +38,9 @@ impl Workshop {
         self.names_in("d")
     }
 
-    /// Returns the metadata of the unfinished picture that the process `child` is writing, or `None` if it has no file
-    /// open in folder `d`. The function looks at the open files of the process, since this file may have no name.
-    pub fn half(&self, child: &Child) -> Option<fs::Metadata> {
-        let folder = fs::canonicalize(self.file("d")).expect("it is there");
-        let descriptors = fs::read_dir(format!("/proc/{}/fd", child.id())).ok()?;
-        let links = descriptors.filter_map(|entry| Some(entry.ok()?.path()));
-        let mut files = links.filter(|link| fs::read_link(link).is_ok_and(|file| file.parent() == Some(&*folder)));
-        files.find_map(|link| fs::metadata(link).ok())
-    }
-
     /// Returns the command `program config.txt scene.txt d/out.ppm`, with this folder as its working folder.
     pub fn command(&self, program: &str) -> Command {
-        self.command_with(program, ["config.txt", "scene.txt", "d/out.ppm"])
+        self.command_with(program, NAMES)
     }
 
     pub fn command_with(&self, program: &str, names: [&str; 3]) -> Command {
@@ -57,28 +49,17 @@ impl Workshop {
         command
     }
 
-    /// Returns the command `program` with the arguments `names`, limited to `kilobytes` of address space.
-    pub fn limited(&self, kilobytes: u64, program: &str, names: [&str; 3]) -> Command {
+    /// Returns the command of [`Self::command_with`] in a shell, after the shell command `limit`.
+    pub fn after(&self, limit: &str, program: &str, names: [&str; 3]) -> Command {
         let mut shell = Command::new("bash");
-        shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", program]).args(names);
+        shell.args(["-c", &format!("{limit}; exec \"$@\""), "limited", program]).args(names);
         shell.current_dir(self.path());
         shell
     }
 
-    /// Returns the command of [`Self::command`] in a shell, after the shell command `limit`.
-    pub fn after(&self, limit: &str, program: &str) -> Command {
-        let mut shell = Command::new("bash");
-        shell.args([
-            "-c",
-            &format!("{limit}; exec \"$@\""),
-            "limited",
-            program,
-            "config.txt",
-            "scene.txt",
-            "d/out.ppm",
-        ]);
-        shell.current_dir(self.path());
-        shell
+    /// Returns the command of [`Self::command_with`], limited to `kilobytes` of address space.
+    pub fn limited(&self, kilobytes: u64, program: &str, names: [&str; 3]) -> Command {
+        self.after(&format!("ulimit -v {kilobytes}"), program, names)
     }
 
     /// Renders the picture with the first program, removes its file and returns its bytes.
@@ -131,15 +112,6 @@ pub fn send(child: &Child, signal: Signal) {
 /// Returns the signal that ended a process, or `None` if the process exited.
 pub fn signal_of(status: ExitStatus) -> Option<Signal> {
     status.signal().map(|number| Signal::try_from(number).expect("it is a signal"))
-}
-
-/// Calls `holds` again and again until it returns true. Panics after two minutes, with `what` in the message.
-pub fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
-    let start = Instant::now();
-    while !holds() {
-        assert!(start.elapsed() < Duration::from_secs(120), "waited in vain for: {what}");
-        std::thread::sleep(Duration::from_micros(200));
-    }
 }
 
 /// Checks that a program ended with status 1, wrote nothing to standard output, and wrote this message to standard

@@ -11,21 +11,16 @@ use super::*;
 /// be refused before rendering.
 const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
 
-pub fn trials(is_root: bool, can_mount: bool) -> Vec<Trial> {
-    let can_append = is_root && append_only_is_known();
-    let trial = |name: &str, test: fn() -> Result<(), Failed>, can: bool, needs: &str| {
-        Trial::test(name, test).with_kind(if can { "" } else { needs }).with_ignored_flag(!can)
-    };
-    let root = "needs root";
+pub fn trials(root: Option<&str>, mount: Option<&str>) -> Vec<Trial> {
+    let append = root.or_else(|| (!append_only_is_known()).then_some("needs chattr +a"));
     vec![
-        trial("another_users_file_in_a_sticky_folder_is_refused_at_once", sticky, is_root, root),
-        trial("another_users_link_in_a_sticky_folder_is_refused_at_once", sticky_link, is_root, root),
-        trial("a_mounted_file_is_refused_at_once", mounted, can_mount, "needs the right to mount"),
-        trial("a_device_without_permission_is_refused_at_once", device, is_root, root),
-        trial("a_pipe_without_permission_is_refused_at_once", pipe, is_root, root),
-        trial("in_a_folder_for_appends_only_nothing_but_a_new_picture_is_left", appends, can_append, "needs chattr +a"),
-        trial("another_users_set_user_id_bit_goes", set_user_id, is_root, root),
-        trial("root_leaves_a_file_its_owner", owner, is_root, root),
+        trial("another_users_file_in_a_sticky_folder_is_refused_at_once", root, sticky),
+        trial("another_users_link_in_a_sticky_folder_is_refused_at_once", root, sticky_link),
+        trial("a_mounted_file_is_refused_at_once", mount, mounted),
+        trial("a_device_or_pipe_without_permission_is_refused_at_once", root, special),
+        trial("in_a_folder_for_appends_only_nothing_but_a_new_picture_is_left", append, appends),
+        trial("another_users_set_user_id_bit_goes", root, set_user_id),
+        trial("root_leaves_a_file_its_owner", root, owner),
     ]
 }
 
@@ -34,10 +29,6 @@ fn promptly(command: &Command, as_nobody: bool) -> std::io::Result<Output> {
     let mut limited = Command::new("timeout");
     limited.arg("60").arg(command.get_program()).args(command.get_args());
     without_rights(limited, as_nobody).output()
-}
-
-fn set_mode(path: &Path, mode: u32) -> std::io::Result<()> {
-    fs::set_permissions(path, Permissions::from_mode(mode))
 }
 
 /// Checks that the programs refuse `out` for `reason` before rendering. If `as_nobody` is true, the user nobody runs
@@ -52,9 +43,7 @@ fn refuse_at_once(place: &Place, out: &Path, reason: &str, as_nobody: bool) -> R
 
 fn sticky() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.file("d"))?;
-    set_mode(&place.file("d"), 0o1777)?;
-    let out = place.file("d/out.ppm");
+    let out = place.folder("d", 0o1777)?.join("out.ppm");
     fs::write(&out, "old")?;
     // All users may write to the file, but in this folder only its owner may replace it.
     set_mode(&out, 0o666)?;
@@ -66,11 +55,8 @@ fn sticky() -> Result<(), Failed> {
 /// refuses to open such a link only if the setting `fs.protected_symlinks` is on.
 fn sticky_link() -> Result<(), Failed> {
     let place = Place::new()?;
-    for name in ["d", "own"] {
-        fs::create_dir(place.file(name))?;
-    }
-    set_mode(&place.file("d"), 0o1777)?;
-    let link = place.file("d/link.ppm");
+    let link = place.folder("d", 0o1777)?.join("link.ppm");
+    place.folder("own", 0o755)?;
     for target in ["out.ppm", "missing.ppm"] {
         let target = place.file("own").join(target);
         fs::write(place.file("own/out.ppm"), "old")?;
@@ -93,8 +79,7 @@ fn sticky_link() -> Result<(), Failed> {
 
 fn mounted() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.file("d"))?;
-    let out = place.file("d/out.ppm");
+    let out = place.folder("d", 0o755)?.join("out.ppm");
     // Two mounts are tested over the output: a file of this file system, and a file of another file system.
     let disk = Disk::mount(place.file("disk"))?;
     for source in [place.file("source"), disk.0.join("source")] {
@@ -108,21 +93,16 @@ fn mounted() -> Result<(), Failed> {
     Ok(())
 }
 
-fn device() -> Result<(), Failed> {
+/// Tries the device of `/dev/null` under another name, and a named pipe. Only root may write to them.
+fn special() -> Result<(), Failed> {
     let place = Place::new()?;
-    // The device of `/dev/null` under another name. Only root may write to it.
-    let out = place.file("null");
-    run("mknod", [out.as_os_str(), "c".as_ref(), "1".as_ref(), "3".as_ref()])?;
-    set_mode(&out, 0o600)?;
-    refuse_at_once(&place, &out, "Permission denied", true)
-}
-
-fn pipe() -> Result<(), Failed> {
-    let place = Place::new()?;
-    let out = place.file("pipe");
-    run("mkfifo", [&out])?;
-    set_mode(&out, 0o600)?;
-    refuse_at_once(&place, &out, "Permission denied", true)
+    for (name, arguments) in [("null", &["c", "1", "3"][..]), ("pipe", &["p"])] {
+        let out = place.file(name);
+        run("mknod", [out.as_os_str()].into_iter().chain(arguments.iter().map(OsStr::new)))?;
+        set_mode(&out, 0o600)?;
+        refuse_at_once(&place, &out, "Permission denied", true)?;
+    }
+    Ok(())
 }
 
 /// Checks an output in an append-only folder: a new file can be created there, but no file can be replaced, renamed or
@@ -150,9 +130,7 @@ fn appends() -> Result<(), Failed> {
 
 fn set_user_id() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.file("d"))?;
-    set_mode(&place.file("d"), 0o777)?;
-    let out = place.file("d/out.ppm");
+    let out = place.folder("d", 0o777)?.join("out.ppm");
     for program in PROGRAMS {
         let _ = fs::remove_file(&out);
         fs::write(&out, "old")?;

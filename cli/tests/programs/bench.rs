@@ -50,7 +50,7 @@ impl Bench {
             let output = self.command(program, "out.ppm").output().expect("the program runs");
             assert_succeeded(&output);
             assert_eq!(self.outputs(), ["out.ppm"]);
-            let picture = fs::read(self.file("out.ppm")).expect("it was written");
+            let picture = self.read("out.ppm");
             fs::remove_file(self.file("out.ppm")).expect("it is ours");
             picture
         });
@@ -76,23 +76,15 @@ impl Bench {
         let stderr = [b"Error: ", message, b"\n"].concat();
         for program in PROGRAMS {
             for old in [None, Some("old")] {
-                if let Some(content) = old {
-                    fs::write(self.file("out.ppm"), content).expect("the folder is writable");
-                }
+                old.into_iter().for_each(|old| drop(self.write("out.ppm", old)));
                 let output = self.command(program, "out.ppm").output().expect("the program runs");
                 assert_failed(&output);
-                assert_eq!(
-                    String::from_utf8_lossy(&output.stderr),
-                    String::from_utf8_lossy(&stderr),
-                    "{program}, and byte for byte"
-                );
-                assert_eq!(output.stderr, stderr);
+                let [actual, expected] = [&output.stderr, &stderr].map(|bytes| bytes.escape_ascii().to_string());
+                assert_eq!(actual, expected, "{program}");
+                assert_eq!(fs::read(self.file("out.ppm")).ok(), old.map(Vec::from));
                 assert_eq!(self.outputs().len(), usize::from(old.is_some()));
-                if let Some(content) = old {
-                    assert_eq!(fs::read(self.file("out.ppm")).expect("it is still there"), content.as_bytes());
-                    fs::remove_file(self.file("out.ppm")).expect("it is ours");
-                }
             }
+            fs::remove_file(self.file("out.ppm")).expect("it is ours");
         }
     }
 }

@@ -65,58 +65,6 @@ fn gigantic_numbers_are_invalid_and_long_ones_are_read() {
 }
 
 #[test]
-fn a_line_without_end_is_refused_without_filling_the_memory() {
-    let bench = Bench::new(vec![b' '; (1 << 20) + 1], "");
-    bench.refuses(b"Cannot read file [config.txt]: line 1 is longer than 1048576 bytes");
-}
-
-#[test]
-fn a_missing_file_is_named() {
-    for name in ["config.txt", "scene.txt"] {
-        let bench = Bench::new(SMALL, "");
-        fs::remove_file(bench.file(name)).expect("it is ours");
-        let message = bench.message();
-        assert!(message.starts_with(&format!("Error: Cannot read file [{name}]: ")), "{message}");
-        assert!(bench.outputs().is_empty());
-    }
-}
-
-#[test]
-fn a_folder_is_not_a_file() {
-    for name in ["config.txt", "scene.txt"] {
-        let bench = Bench::new(SMALL, "");
-        fs::remove_file(bench.file(name)).expect("it is ours");
-        fs::create_dir(bench.file(name)).expect("the folder is writable");
-        let message = bench.message();
-        assert!(message.starts_with(&format!("Error: Cannot read file [{name}]: ")), "{message}");
-        assert!(bench.outputs().is_empty());
-    }
-}
-
-#[cfg(unix)]
-#[test]
-fn input_may_come_through_a_pipe() {
-    use std::io::Write;
-    use std::process::{Command, Stdio};
-
-    let bench = Bench::new("", "");
-    let expected = Bench::new(SMALL, "").render();
-    for program in PROGRAMS {
-        let mut child = Command::new(program)
-            .current_dir(bench.file(""))
-            .args(["/dev/stdin", "scene.txt", "out.ppm"])
-            .stdin(Stdio::piped())
-            .spawn()
-            .expect("the program runs");
-        let mut input = child.stdin.take().expect("it is piped");
-        input.write_all(SMALL.as_bytes()).expect("the program reads");
-        drop(input);
-        assert!(child.wait().expect("it ends").success());
-        assert!(fs::read(bench.file("out.ppm")).expect("it was written") == expected);
-    }
-}
-
-#[test]
 fn faults_of_the_configuration_are_reported_first() {
     let bench = Bench::new("width", "triangle");
     bench.refuses(b"Unknown configuration key: [width:]");
@@ -124,5 +72,19 @@ fn faults_of_the_configuration_are_reported_first() {
         let output = bench.command(program, "no/such/folder.ppm").output().expect("the program runs");
         assert_failed(&output);
         assert!(output.stderr.starts_with(b"Error: Unknown configuration key"), "{output:?}");
+    }
+}
+
+#[test]
+fn a_file_that_is_missing_or_a_folder_is_named() {
+    for (name, is_folder) in [("config.txt", false), ("scene.txt", false), ("config.txt", true), ("scene.txt", true)] {
+        let bench = Bench::new(SMALL, "");
+        fs::remove_file(bench.file(name)).expect("it is ours");
+        if is_folder {
+            fs::create_dir(bench.file(name)).expect("the folder is writable");
+        }
+        let message = bench.message();
+        assert!(message.starts_with(&format!("Error: Cannot read file [{name}]: ")), "{message}");
+        assert!(bench.outputs().is_empty());
     }
 }

@@ -5,8 +5,9 @@
 
 mod arguments;
 mod bench;
-mod configuration_errors;
 mod input_files;
+mod messages;
 mod outputs;
 mod pictures;
-mod scene_errors;
+#[cfg(target_os = "linux")]
+mod symbols;

@@ -1,47 +1,90 @@
 //! The functions of the fuzz targets, with their oracles.
 //!
-//! Each function of [`TARGETS`] takes any bytes, and panics if the code under test breaks a promise. The programs in
-//! the folder `targets` pass the functions to libFuzzer. `tests/smoke.rs` calls them with any toolchain. It uses the
-//! committed seeds, and thousands of seeded [mutations](mutate) of the seeds.
+//! Each function of [`TARGETS`] takes any bytes, and panics if the code under test breaks a promise. The program in the
+//! folder `targets` passes the functions to libFuzzer. `tests/smoke.rs` calls them with any toolchain. It uses the
+//! [`inputs`] of a target, and thousands of seeded [mutations](mutate) of them.
 //!
 //! An oracle is never the code under test. The parsers are compared with the [`plain`] parsers, which are written from
 //! docs/specification.md alone. The fast renderer is compared with `cpu::reference`. The reader of pictures is compared
 //! with a plain reader, and must read what the writers have written.
 
-pub mod config;
 pub mod mutate;
 pub mod picture;
 pub mod plain;
 pub mod render;
-pub mod scene;
+pub mod texts;
 pub mod wgsl;
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+use cpu::internals::sampling::uniform::Uniform;
 
 /// A fuzz target: its name, and the function that checks an input and panics if it finds an error.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All fuzz targets, with their names.
 pub const TARGETS: [Target; 5] = [
-    ("config", config::check),
-    ("scene", scene::check),
+    ("config", texts::config),
+    ("scene", texts::scene),
     ("render", render::check),
     ("picture", picture::check),
     ("wgsl", wgsl::check),
 ];
 
-/// Returns the inputs of a target in the folder `seeds` or `regressions`: path and content, sorted by path.
+/// The most bytes of an input of `tests/fuzz/run`. Longer inputs find nothing more.
+const LONGEST: usize = 8192;
+
+/// Checks an input of the target `target`.
 ///
 /// # Panics
-/// If the folder, or a file in it, cannot be read.
+/// If a check fails, or there is no such target.
+pub fn check(target: &str, bytes: &[u8]) {
+    let found = TARGETS.into_iter().find(|(name, _)| *name == target);
+    found.unwrap_or_else(|| panic!("there is no target {target}")).1(bytes);
+}
+
+/// Returns the inputs that a target begins with: the empty input, its seeds, and the inputs that once failed.
+///
+/// The seeds of `config` and `scene` are the files of `tests/cases` and `scenes`, those of `render` are random bytes,
+/// and the others are in the folder `seeds`.
+///
+/// # Panics
+/// If a file cannot be read.
 #[must_use]
-pub fn inputs(folder: &str, target: &str) -> Vec<(PathBuf, Vec<u8>)> {
-    let folder = fuzz_folder().join(folder).join(target);
-    let Ok(entries) = fs::read_dir(&folder) else { panic!("{} cannot be read", folder.display()) };
+pub fn inputs(target: &str) -> Vec<Vec<u8>> {
+    let mut inputs = vec![Vec::new()];
+    match target {
+        "config" | "scene" => {
+            let root = test_support::project_root();
+            let folders = ["tests/cases", "scenes"].map(|folder| paths(&root.join(folder))).concat();
+            let files = folders.iter().map(|folder| folder.join(format!("{target}.txt"))).filter(|file| file.exists());
+            inputs.extend(files.map(|file| read(&file)).filter(|text| text.len() <= LONGEST));
+        }
+        "render" => {
+            let mut random = Uniform::new(1);
+            let lengths = [40, 60, 90, 130, 200, 260, 400];
+            inputs.extend(lengths.map(|length| (0..length).map(|_| mutate::below(&mut random, 256) as u8).collect()));
+        }
+        _ => inputs.extend(paths(&fuzz_folder().join("seeds").join(target)).iter().map(|path| read(path))),
+    }
+    let failed = fuzz_folder().join("regressions").join(target);
+    if failed.is_dir() {
+        inputs.extend(paths(&failed).iter().map(|path| read(path)));
+    }
+    inputs
+}
+
+/// Returns the paths of what is in a folder, sorted.
+fn paths(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let mut paths: Vec<_> = entries.map(|entry| entry.expect("the folder is readable").path()).collect();
     paths.sort();
-    paths.into_iter().map(|path| (path.clone(), fs::read(path).expect("it is readable"))).collect()
+    paths
+}
+
+fn read(path: &Path) -> Vec<u8> {
+    fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// Returns the tokens of a target's dictionary. The dictionary has libFuzzer's format: one quoted text on each line, in
@@ -52,7 +95,7 @@ pub fn inputs(folder: &str, target: &str) -> Vec<(PathBuf, Vec<u8>)> {
 #[must_use]
 pub fn dictionary(target: &str) -> Vec<Vec<u8>> {
     let path = fuzz_folder().join("dictionaries").join(format!("{target}.dict"));
-    let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let text = String::from_utf8(read(&path)).expect("a dictionary is text");
     let lines = text.lines().filter(|line| !line.trim().is_empty() && !line.starts_with('#'));
     lines.map(|line| unquote(line).unwrap_or_else(|| panic!("{}: {line}", path.display()))).collect()
 }
@@ -62,26 +105,12 @@ fn fuzz_folder() -> PathBuf {
 }
 
 fn unquote(line: &str) -> Option<Vec<u8>> {
-    let mut rest = line.trim().strip_prefix('"')?.strip_suffix('"')?.as_bytes();
-    let mut token = Vec::new();
-    while let Some((&byte, after)) = rest.split_first() {
-        rest = after;
-        if byte != b'\\' {
-            token.push(byte);
-            continue;
-        }
-        match rest {
-            [b'x', digits @ ..] if digits.len() >= 2 => {
-                let digits = std::str::from_utf8(&rest[1..3]).ok()?;
-                token.push(u8::from_str_radix(digits, 16).ok()?);
-                rest = &rest[3..];
-            }
-            [escaped @ (b'\\' | b'"'), after @ ..] => {
-                token.push(*escaped);
-                rest = after;
-            }
-            _ => return None,
-        }
+    let mut parts = line.trim().strip_prefix('"')?.strip_suffix('"')?.split('\\');
+    let mut token = parts.next()?.as_bytes().to_vec();
+    for part in parts {
+        let (digits, rest) = part.strip_prefix('x')?.split_at_checked(2)?;
+        token.push(u8::from_str_radix(digits, 16).ok()?);
+        token.extend(rest.as_bytes());
     }
     Some(token)
 }
@@ -92,7 +121,7 @@ mod unit {
 
     #[test]
     fn tokens_of_dictionaries_are_unquoted() {
-        assert_eq!(unquote(r#""a\x0d\"\\ b""#), Some(b"a\r\"\\ b".to_vec()));
+        assert_eq!(unquote(r#""a\x0d\x5c b""#), Some(b"a\r\\ b".to_vec()));
         for line in ["a", "\"", r#""\n""#, r#""\x1""#, r#""\xg0""#] {
             assert_eq!(unquote(line), None, "{line}");
         }
@@ -101,7 +130,7 @@ mod unit {
     #[test]
     fn every_target_has_seeds_and_a_dictionary() {
         for (name, _) in TARGETS {
-            assert!(inputs("seeds", name).len() >= 3, "{name}");
+            assert!(inputs(name).len() >= 5, "{name}");
             assert!(dictionary(name).len() >= 10, "{name}");
         }
     }

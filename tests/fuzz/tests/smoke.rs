@@ -1,11 +1,12 @@
-//! Runs every fuzz target with its seeds, with its regressions, and with thousands of mutations of both.
+//! Runs every fuzz target with the inputs that it begins with, and with thousands of mutations of them.
 //!
 //! The variable `RENDER_SMOKE_CASES` sets the number of mutations for each target. `RENDER_SMOKE_SEED` sets their seed.
 
-use fuzz_oracles::mutate::{Random, mutate};
-use fuzz_oracles::{TARGETS, dictionary, inputs};
+use cpu::internals::sampling::uniform::Uniform;
+use fuzz_oracles::mutate::{below, mutate};
+use fuzz_oracles::{check, dictionary, inputs};
 
-/// The name of a target and an input. It prints the input if it is dropped during a panic, so that the input can be
+/// A description of an input and the input. It prints both if it is dropped during a panic, so that the input can be
 /// kept as a regression.
 struct Tried<'a>(&'a str, &'a [u8]);
 
@@ -17,31 +18,23 @@ impl Drop for Tried<'_> {
     }
 }
 
-fn smoke(name: &str, cases: usize) {
-    let (_, check) = TARGETS.into_iter().find(|(target, _)| *target == name).expect("it is a target");
-    let mut kept = inputs("seeds", name);
-    kept.extend(inputs("regressions", name));
-    for (path, bytes) in &kept {
-        let name = path.to_string_lossy();
-        let _shown = Tried(&name, bytes);
-        check(bytes);
-    }
-    let kept: Vec<_> = kept.into_iter().map(|(_, bytes)| bytes).collect();
-    let tokens = dictionary(name);
+fn smoke(target: &str, cases: usize) {
+    let try_one = |what: &str, input: &[u8]| {
+        let _shown = Tried(what, input);
+        check(target, input);
+    };
+    let (kept, tokens) = (inputs(target), dictionary(target));
+    kept.iter().for_each(|input| try_one("an input that it begins with", input));
     let seed = from_environment("RENDER_SMOKE_SEED").unwrap_or(1);
-    let mut random = Random::new(seed as u64);
+    let mut random = Uniform::new(seed as u64);
     let cases = from_environment("RENDER_SMOKE_CASES").unwrap_or(cases);
-    let mut tried = 0;
+    assert!(cases > 0, "nothing would be tried");
     for case in 0..cases {
-        let input = &kept[random.below(kept.len())];
+        let input = &kept[below(&mut random, kept.len())];
         let input = mutate(&mut random, input, &kept, &tokens);
-        let number = format!("mutation {case} of seed {seed}");
-        let _shown = Tried(&number, &input);
-        check(&input);
-        tried += 1;
+        try_one(&format!("mutation {case} of seed {seed}"), &input);
     }
-    assert!(tried > 0, "nothing was tried");
-    println!("{tried} mutations of {} inputs", kept.len());
+    println!("{cases} mutations of {} inputs", kept.len());
 }
 
 fn from_environment(name: &str) -> Option<usize> {
@@ -61,7 +54,7 @@ fn scenes_are_read_as_the_plain_parser_reads_them() {
 
 #[test]
 fn tiny_scenes_are_rendered_as_the_reference_renders_them() {
-    smoke("render", 5_000);
+    smoke("render", 2_000);
 }
 
 #[test]

@@ -31,3 +31,15 @@ pub fn ppm(image: &impl cpu::Image) -> Vec<u8> {
     cpu::internals::image::ppm::write_ppm(image, &mut bytes).expect("memory takes all bytes");
     bytes
 }
+
+/// Returns a trial with this name. If the machine lacks something that the test needs, `missing` says what, and the
+/// trial is shown as ignored.
+#[cfg(feature = "programs")]
+pub fn trial(
+    name: impl Into<String>,
+    missing: Option<&str>,
+    test: impl FnOnce() -> Result<(), libtest_mimic::Failed> + Send + 'static,
+) -> libtest_mimic::Trial {
+    let trial = libtest_mimic::Trial::test(name, test);
+    trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
+}

@@ -17,17 +17,12 @@ pub fn lines(text: &[u8]) -> Vec<&[u8]> {
 #[must_use]
 pub fn tokens(line: &[u8]) -> Vec<(usize, usize)> {
     let mut places = Vec::new();
-    let mut start = None;
-    for (place, byte) in line.iter().chain([&b' ']).enumerate() {
-        match (byte, start) {
-            (b' ' | b'\t', Some(begun)) => {
-                places.push((begun, place));
-                start = None;
-            }
-            (b' ' | b'\t', None) => {}
-            (_, None) => start = Some(place),
-            (_, Some(_)) => {}
+    let mut start = 0;
+    for part in line.split(|byte| b" \t".contains(byte)) {
+        if !part.is_empty() {
+            places.push((start, start + part.len()));
         }
+        start += part.len() + 1;
     }
     places
 }

@@ -1,10 +1,10 @@
 //! The evaluated programs call no function of the system's mathematical library: its last bits differ between systems.
 
-#![cfg(target_os = "linux")]
-
 use std::collections::BTreeSet;
 
 use object::{Object, ObjectSymbol};
+
+use crate::bench::PROGRAMS;
 
 /// The names of functions that are not correctly rounded in every library. Names that end in `f` are for `f32`.
 const INACCURATE: [&str; 25] = [
@@ -27,7 +27,7 @@ fn is_inaccurate(name: &str) -> bool {
 
 #[test]
 fn no_function_of_the_mathematical_library_is_called() {
-    for program in [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")] {
+    for program in PROGRAMS {
         let imports = imports(program);
         assert!(imports.contains("write") && imports.contains("malloc"), "{imports:?}");
         let inaccurate: Vec<_> = imports.iter().filter(|name| is_inaccurate(name)).collect();

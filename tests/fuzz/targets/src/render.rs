@@ -1,5 +1,0 @@
-//! The libFuzzer program that calls `fuzz_oracles::render::check`.
-
-#![no_main]
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fuzz_oracles::render::check(bytes));
