@@ -26,7 +26,7 @@
 
 pub mod cylinder;
 pub(crate) mod cylinder_exact;
-pub(crate) mod cylinder_parts;
+pub mod cylinder_parts;
 pub mod error_bound;
 pub mod sphere;
 pub mod sphere_compensated;

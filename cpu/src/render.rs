@@ -19,7 +19,7 @@ pub(crate) mod boxed;
 pub mod camera_rays;
 pub(crate) mod fallback;
 pub mod frustum;
-pub(crate) mod hit_lanes;
+pub mod hit_lanes;
 pub(crate) mod lane_numbers;
 pub mod limits;
 pub(crate) mod lookahead;

@@ -18,6 +18,7 @@ use crate::accel::{
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
 use crate::layout::Objects;
+use crate::math::rounding::MulAdd;
 
 /// If the dot product `p` of a ray's direction `d` and a cylinder's axis exceeds this in magnitude, and `p^2` exceeds
 /// `STEEP_SHARE |d|^2`, the ray is certainly not parallel to the caps: `|p|` is not below [`PARALLEL`], whatever its
@@ -57,13 +58,15 @@ impl ConservativeRay<f64> {
         let is_steep = slope.abs() > STEEP && slope * slope > self.length_squared * STEEP_SHARE;
         self.starts_within(&across) & is_between_caps & is_steep
     }
+}
 
+impl<T: MulAdd> ConservativeRay<T> {
     /// Whether the quadratic is certainly negative at the smallest lambda in range.
     #[inline(always)]
-    fn starts_within(&self, &Quadratic { a, h, c, size }: &Quadratic<f64>) -> bool {
+    pub fn starts_within(&self, &Quadratic { a, h, c, size }: &Quadratic<T>) -> T::Mask {
         const SQUARED: f64 = LAMBDA_MIN * LAMBDA_MIN;
-        let most_c = c + (size + self.length_squared * SQUARED) * MARGIN;
-        a * SQUARED - h * (2.0 * LAMBDA_MIN) + most_c < 0.0
+        let most_c = c + (size + self.length_squared * T::of(SQUARED)) * T::of(MARGIN);
+        (a * T::of(SQUARED) - h * T::of(2.0 * LAMBDA_MIN) + most_c).less(T::of(0.0))
     }
 }
 

@@ -14,10 +14,10 @@ use crate::geometry::{
 };
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// The constants of the error bound for cylinders. The error constant is 192: `docs/accuracy.md` derives that 132 is
-/// enough, and the rest is a margin. The condition limit, 65,536, decides the accuracy. With it, the relative error of
-/// lambda is proven to be at most 1.6e-10 on the side and 6.2e-10 on a cap. The largest error that `stress` finds is
-/// 2.0e-11 (docs/accuracy).
+/// The constants of the error bound for cylinders. The error constant is 192: `cpu/stability/src/proof.rs` proves that
+/// 138 is enough, and the rest is a margin. The condition limit, 65,536, decides the accuracy. With it, the relative
+/// error of lambda is proven to be at most 1.7e-10 on the side and 6.2e-10 on a cap. The largest error that `stress`
+/// finds is 2.0e-11 (docs/accuracy).
 pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 65536.0 };
 
 /// The quadratic of one ray and an infinite cylinder, with its error bound.
@@ -163,7 +163,7 @@ pub(super) fn filtered_cap<T: Rounding<Mask = bool>>(
 }
 
 /// The plane of a cap and one ray, with what is certain before lambda is computed.
-pub(super) struct Plane<T: Rounding> {
+pub struct Plane<T: Rounding> {
     center: Vec3<T>,
     /// The distance from the ray's origin to the plane, measured along the axis. It is positive if the plane lies in
     /// the direction of the axis.

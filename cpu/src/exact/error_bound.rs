@@ -60,7 +60,7 @@ impl Limits {
 }
 
 /// The constant that covers underflow, 2^-600. It is added to terms whose products may underflow.
-pub(super) const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
+pub const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
 /// The limit of `M`, 2^1000. If `M` is smaller, its products cannot overflow.
 pub(super) const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
 /// The smallest squared length of a direction that is in scale, 2^-300. Underflow in its computation is negligible.

@@ -12,7 +12,7 @@ use crate::{
 /// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`, for the ray `O + lambda d`
 /// and an object with centre `C` and radius `r`. It is `1024 u` with `u = EPSILON / 2`, at least five times the error
 /// constants of the filters.
-const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
+pub const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
 
 /// A cylinder and its axis in the scene file.
 type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);

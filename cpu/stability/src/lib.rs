@@ -11,6 +11,7 @@ pub mod measure;
 pub mod methods;
 pub mod observed;
 pub mod oracle;
+pub mod proof;
 pub mod random;
 pub mod record;
 pub mod regimes;

@@ -16,7 +16,7 @@ use crate::math::{real::Real, rounding::MulAdd, vec3::Vec3};
 /// magnitudes of the terms of `c` ([`Quadratic::size`]). It is `1024 u`: room for about 1,000 roundings, each with a
 /// relative error of at most `u = EPSILON / 2`. The tests and the exact formulas together need a quarter of this, so
 /// rounding never discards an object that the ray hits (docs/margins.md).
-pub(in crate::accel) const MARGIN: f64 = 512.0 * f64::EPSILON;
+pub const MARGIN: f64 = 512.0 * f64::EPSILON;
 
 /// The smallest squared length of a direction for which the tests are valid. With it the margins exceed 10^-31, so
 /// underflow is negligible, in single precision too.
@@ -45,9 +45,12 @@ pub struct ConservativeRay<T> {
 
 /// The coefficients of `a lambda^2 - 2 h lambda + c`.
 #[derive(Clone, Copy)]
-pub(in crate::accel) struct Quadratic<T> {
+pub struct Quadratic<T> {
+    /// The coefficient of the square of lambda.
     pub a: T,
+    /// Half of the linear coefficient, negated.
     pub h: T,
+    /// The constant term.
     pub c: T,
     /// The sum of the magnitudes of the terms of `c`, or a bound of it.
     pub size: T,
@@ -83,7 +86,7 @@ impl<T: MulAdd> ConservativeRay<T> {
 
     /// Returns the quadratic of ray and sphere.
     #[inline(always)]
-    pub(in crate::accel) fn sphere_quadratic(&self, target: &Target<T>) -> Quadratic<T> {
+    pub fn sphere_quadratic(&self, target: &Target<T>) -> Quadratic<T> {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (c, size) = (q - target.radius_squared, q + target.radius_squared);
@@ -106,7 +109,7 @@ impl<T: MulAdd> ConservativeRay<T> {
     /// Returns the quadratic of the ray and the infinite cylinder. Then it returns the components along the axis of two
     /// vectors: the direction, and the vector from the ray's origin to the centre.
     #[inline(always)]
-    pub(in crate::accel) fn cylinder_quadratic(&self, target: &Target<T>) -> (Quadratic<T>, T, T) {
+    pub fn cylinder_quadratic(&self, target: &Target<T>) -> (Quadratic<T>, T, T) {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));

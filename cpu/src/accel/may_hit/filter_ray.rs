@@ -35,10 +35,10 @@ pub const BLOCK: usize = 16;
 /// Half a unit in the last place of 1: the relative error of one rounding to single precision.
 const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
 /// The margin by which a bounding sphere's `c` is lowered, relative to `|C|^2 + |O|^2 + R^2`.
-const SPHERE_MARGIN: f64 = 128.0 * ROUNDING;
+pub const SPHERE_MARGIN: f64 = 128.0 * ROUNDING;
 /// The margin by which an infinite cylinder's discriminant is increased, relative to `a (|C|^2 + |O|^2 + R^2)`. It is
 /// larger than [`SPHERE_MARGIN`], because the terms have lost digits in one more cancellation.
-const CYLINDER_MARGIN: f64 = 384.0 * ROUNDING;
+pub const CYLINDER_MARGIN: f64 = 384.0 * ROUNDING;
 
 /// One number for each object of a block.
 type Row = [f32; BLOCK];

@@ -6,5 +6,6 @@ mod functions;
 mod furnaces;
 mod paths;
 mod pictures;
+mod proofs;
 mod small_numbers;
 mod stress;

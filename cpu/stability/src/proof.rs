@@ -1,0 +1,19 @@
+//! Proves margins from the formulas themselves.
+//!
+//! The formulas of `cpu` are generic over their number. Here they run over a number that carries bounds in place of a
+//! value: of its exact size and of its rounding error, as polynomials of the magnitudes of the inputs. So no formula is
+//! written a second time, and what the code leaves out is missing here too.
+
+pub mod bounded;
+pub mod exact;
+pub mod filters;
+pub mod lanes;
+mod operations;
+pub mod polynomial;
+pub mod row;
+
+/// Returns the rows of all margins.
+#[must_use]
+pub fn rows() -> Vec<row::Row> {
+    [exact::rows(), filters::rows()].concat()
+}

@@ -1,0 +1,194 @@
+//! The margins of the exact intersections: quadratics of spheres and cylinders, and the planes of caps.
+
+use std::slice;
+
+use cpu::internals::exact::cylinder::SideLanes;
+use cpu::internals::exact::cylinder_parts::{self, Plane};
+use cpu::internals::exact::{error_bound::Limits, error_bound::UNDERFLOW, sphere_filter};
+use cpu::internals::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
+use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
+use cpu::{Ray, Vec3};
+
+use super::bounded::{Arithmetic, Bounded, begin, compared};
+use super::polynomial::Polynomial;
+use super::row::{Domain, Row, added, enlarged, family::*, length, relative_to_sizes, squared};
+
+/// The unit roundoff.
+pub const U: f64 = Arithmetic::F64.roundoff;
+
+/// The error of an axis's components: `V / |V|` has a length that is accurate to 2.5 u, and one more rounding.
+pub const AXIS_ERROR: f64 = 3.5;
+
+/// The directions that are in scale, with any object.
+const IN_SCALE: Domain = Domain { direction: f64::from_bits((1023 - 150) << 52), size: 0.0, underflow: UNDERFLOW / U };
+
+/// The errors of a quadratic `a lambda^2 - 2 h lambda + c` and of its discriminant, in units of `u`.
+struct Quadratic {
+    limits: Limits,
+    /// The constant in the code for the error of the discriminant, and its file.
+    constant: f64,
+    file: &'static str,
+    /// Relative to `|d|^2` for a sphere, and to `|d| |d'|` for a cylinder, where `d'` is the part of `d` across the
+    /// axis.
+    a: f64,
+    /// Relative to `|d| |O - C|`.
+    h: f64,
+    /// Relative to `|O - C|^2`, and to `r^2`.
+    c: [f64; 2],
+    /// Relative to `M = |d|^2 (|O - C|^2 + r^2)`.
+    discriminant: f64,
+}
+
+/// Returns the rows of all margins.
+#[must_use]
+pub fn rows() -> Vec<Row> {
+    let (sphere, cylinder) = (sphere(), cylinder());
+    let [sphere_lambda, side_lambda] = [sphere.lambda(0.0), cylinder.lambda(cylinder.a / 2.0 * 2.0_f64.sqrt())];
+    let mut rows = Vec::new();
+    for (quadratic, lambda, names) in [
+        (&sphere, sphere_lambda, ["discriminant of a sphere", "numerator of a sphere's root", "lambda of a sphere"]),
+        (&cylinder, side_lambda, ["discriminant of a cylinder", "numerator of a side's root", "lambda of a side"]),
+    ] {
+        let Quadratic { limits, constant, file, discriminant, .. } = *quadratic;
+        // A third of the margin of lambda is for lambda's own error.
+        let of_lambda = limits.lambda_error::<f64>() / 3.0 / U;
+        let margins = [
+            (constant, discriminant, "u M"),
+            (constant, quadratic.numerator(), "u M / sqrt(D)"),
+            (of_lambda, lambda, "u lambda"),
+        ];
+        let named = names.into_iter().zip(margins);
+        rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
+    }
+    // A ray is steep enough if `|d|^2 <= 64 k^2 |d'|^2`.
+    let steep = 8.0 * cylinder.limits.condition_limit;
+    let constant = cylinder.limits.lambda_error::<f64>() / U;
+    let (what, file) = ("a of a steep ray and a side", cylinder.file);
+    rows.push(Row { what, file, constant, need: cylinder.a * steep, unit: "u a" });
+    let (what, file, constant) = ("all rays miss, in lanes", "render/hit_lanes.rs", DISCRIMINANT_ERROR / U);
+    rows.push(Row { what, file, constant, need: cylinder.discriminant, unit: "u M" });
+    rows.extend(cap());
+    rows
+}
+
+impl Quadratic {
+    /// Returns what the numerator `n = h -+ sqrt(D)` needs, times `sqrt(D)`, relative to `M`.
+    ///
+    /// `sqrt(D) <= |d| r` and `sqrt(D) <= sqrt(M)`. The error of `h` times `sqrt(D)` is at most `e |d|^2 |O - C| r <= e
+    /// M / 2`. The error of the root times `sqrt(D)` is at most that of `D`, and one rounding. The rounding of the
+    /// difference is at most `|h| sqrt(D) + D <= (1/2 + 1) M`.
+    fn numerator(&self) -> f64 {
+        self.discriminant + 1.0 + self.h / 2.0 + 1.5
+    }
+
+    /// Returns the largest relative error of an accepted lambda, where `M + 4 n^2 < k n sqrt(D)`.
+    ///
+    /// The errors of the coefficients move a root by at most `(lambda^2 Ea + 2 lambda Eh + Ec) / (2 sqrt(D))`. Its
+    /// evaluation adds `(h^2 + a |c| + D) / (2 sqrt(D)) + sqrt(D) + 2 n` roundings. Relative to lambda, and times `n
+    /// sqrt(D)`, the sum is at most `A M + B n sqrt(M) + C n^2`, plus `2 n sqrt(D)`. By the condition it is at most `k`
+    /// times the largest value of `(A + B t + C t^2) / (1 + 4 t^2)`, plus 2.
+    ///
+    /// `h^2 + a |c| + 3 D` is `4 D <= 4 a r^2` if `c < 0`, and otherwise `2 h^2 + 2 D <= 2 a (|O - C|^2 + r^2)`. For a
+    /// cylinder `Ea` is relative to `|d| |d'|`. As `n <= |d'| (|O - C| + r)`, `Ea` adds to `B`, and not to `C`:
+    /// `across` is what it adds.
+    fn lambda(&self, across: f64) -> f64 {
+        let [q, p] = self.c.map(|error| error / 2.0);
+        let a = (q + 1.0).max(p + 2.0);
+        let (b, c) = if across > 0.0 { (self.h + across, 0.0) } else { (self.h, self.a / 2.0) };
+        // The smallest s with A + B t + C t^2 <= s (1 + 4 t^2) for all t has B^2 = 4 (s - A) (4 s - C).
+        let (sum, product) = (a + c / 4.0, a * c / 4.0 - b * b / 16.0);
+        let largest = (sum + (sum * sum - 4.0 * product).sqrt()) / 2.0;
+        largest * self.limits.condition_limit + 2.0
+    }
+}
+
+fn ray() -> Ray<Bounded> {
+    Ray { origin: Bounded::vector(ORIGIN, 0.0), direction: Bounded::vector(DIRECTION, 0.0) }
+}
+
+/// States that a vector is the exact one of `family`, up to the errors that are known of it.
+fn is(vector: Vec3<Bounded>, family: u8) {
+    for (component, number) in (0..).zip(vector.to_array()) {
+        number.assume(Polynomial::of([(family, component)]));
+    }
+}
+
+fn quadratic(limits: Limits, file: &'static str, [a, h, c, discriminant]: [Bounded; 4]) -> Quadratic {
+    let margin = limits.error_constant * U;
+    let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
+    let pairs = compared();
+    let [error, _] = pairs.iter().find(|pair| pair[1] == discriminant).expect("a filter compares the discriminant");
+    let relative = |number: Bounded, size: &Polynomial| IN_SCALE.relative(&number.bounds().error, size, margin);
+    let c = enlarged(&c.bounds().error);
+    Quadratic {
+        limits,
+        constant: added(*error, &size, margin, U),
+        file,
+        a: relative(a, &squared(DIRECTION)),
+        h: relative(h, &length(DIRECTION).times(&length(TO_CENTER))),
+        c: [TO_CENTER, RADIUS].map(|family| c.coefficient(&squared(family))),
+        discriminant: relative(discriminant, &size),
+    }
+}
+
+fn sphere() -> Quadratic {
+    let limits = sphere_filter::LIMITS;
+    begin(Arithmetic::F64, limits.error_constant * U);
+    let (ray, center) = (ray(), Bounded::vector(CENTER, 0.0));
+    is(center - ray.origin, TO_CENTER);
+    let view = SphereRecord::new(center, Bounded::number(RADIUS, 0.0)).seen_from(ray.origin);
+    let a = ray.direction.dot(ray.direction);
+    let (h, discriminant) = view.quadratic(ray.direction, a);
+    _ = sphere_filter::filtered_from(&view, ray.direction, a);
+    quadratic(limits, "exact/sphere_filter.rs", [a, h, view.c, discriminant])
+}
+
+/// Returns the record of a cylinder whose unit axis and half height are rounded.
+fn record() -> CylinderRecord<Bounded> {
+    let (center, axis) = (Bounded::vector(CENTER, 0.0), Bounded::vector(AXIS, AXIS_ERROR));
+    let (radius, half_height) = (Bounded::number(RADIUS, 0.0), Bounded::number(HALF_HEIGHT, AXIS_ERROR - 1.0));
+    CylinderRecord::with_unit_axis(center, radius, axis, half_height)
+}
+
+fn cylinder() -> Quadratic {
+    let limits = cylinder_parts::LIMITS;
+    begin(Arithmetic::F64, limits.error_constant * U);
+    let (ray, record) = (ray(), record());
+    is(ray.origin - record.center, TO_CENTER);
+    is((ray.origin - record.center).perpendicular_to(record.axis), TO_CENTER_ACROSS);
+    is(ray.direction.perpendicular_to(record.axis), DIRECTION_ACROSS);
+    let view = record.seen_from(ray.origin);
+    let (a, h, discriminant) = record.quadratic(&view, ray.direction);
+    _ = SideLanes::new(&record, &view, &ray);
+    quadratic(limits, "exact/cylinder_parts.rs", [a, h, view.c, discriminant])
+}
+
+/// Returns the rows of a cap's plane: the dot product of direction and axis, relative to `|d|_1`, and the distance from
+/// the origin to the plane, relative to the extent of cylinder and distance.
+fn cap() -> [Row; 2] {
+    let file = "exact/cylinder_parts.rs";
+    let plane = |margin: f64| {
+        begin(Arithmetic::F64, margin);
+        let (ray, record) = (ray(), record());
+        is(record.top - ray.origin, TO_CENTER);
+        _ = Plane::new(&record, &ray, record.top);
+        let compared = compared();
+        (compared[0], compared[2])
+    };
+    let ([steep, _], _) = plane(8.0 * U);
+    let sum = |parts: &[Polynomial]| parts.iter().fold(Polynomial::default(), |sum, part| sum.plus(part));
+    let components = |family: u8| sum(&[0, 1, 2].map(|component| Polynomial::of([(family, component)])));
+    let direction = components(DIRECTION);
+    // Each component of the axis is at most 1.
+    let need = relative_to_sizes(&steep.raw().error, 8.0 * U, slice::from_ref(&direction), IN_SCALE.direction);
+    let constant = added(steep, &direction, 8.0 * U, U);
+    let slope = Row { what: "slope of a ray along an axis", file, constant, need, unit: "u abs(d)" };
+    let (_, [distance, _]) = plane(16.0 * U);
+    let lengths = sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length));
+    // A vector's length is at most the sum of its components' magnitudes.
+    let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT), length(RADIUS)]);
+    let sizes = [lengths, extent.clone()];
+    let need = relative_to_sizes(&distance.bounds().error, 16.0 * U, &sizes, 2.0_f64.powi(-300));
+    let constant = added(distance, &extent, 16.0 * U, U);
+    [slope, Row { what: "distance of a cap's plane", file, constant, need, unit: "u X" }]
+}

@@ -1,0 +1,169 @@
+//! The margins of the conservative tests, in `f64` and in `f32`.
+
+use std::slice;
+
+use cpu::internals::accel::may_hit::conservative::{ConservativeRay, MARGIN};
+use cpu::internals::accel::may_hit::filter_ray::{
+    BoundingSpheres, CYLINDER_MARGIN, FilterRay, InfiniteCylinders, SPHERE_MARGIN,
+};
+use cpu::internals::accel::may_hit::target::Target;
+use cpu::internals::geometry::ray::LAMBDA_MIN;
+use cpu::{Ray, Vec3};
+
+use super::bounded::{Arithmetic, Bounded, begin, compared};
+use super::exact::{AXIS_ERROR, U};
+use super::lanes::{Lane, name};
+use super::polynomial::Polynomial;
+use super::row::{Domain, Row, added, family::*, length, relative_to_sizes, squared};
+
+/// The directions that are not too short, and the scenes of moderate extent.
+const MODERATE: Domain = Domain { direction: 1e-7, size: 1e-6, underflow: 0.0 };
+
+/// Returns the rows of all tests.
+#[must_use]
+pub fn rows() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for is_sphere in [true, false] {
+        rows.extend(conservative(is_sphere));
+    }
+    rows.extend(flat_filter());
+    rows
+}
+
+/// Returns `|O - C|^2 + R^2`.
+fn size_of_c() -> Polynomial {
+    squared(TO_CENTER).plus(&squared(RADIUS))
+}
+
+/// Returns the rows of a conservative test: the discriminant, the quadratic at the smallest lambda `t`, and the same
+/// for rays that are certainly inside.
+fn conservative(is_sphere: bool) -> [Row; 3] {
+    begin(Arithmetic::F64, MARGIN);
+    let ray = Ray { origin: Bounded::vector(ORIGIN, 0.0), direction: Bounded::vector(DIRECTION, 0.0) };
+    let target = Target {
+        center: Bounded::vector(CENTER, 0.0),
+        axis: Bounded::vector(AXIS, AXIS_ERROR),
+        radius_squared: Bounded::of_size(DERIVED, squared(RADIUS), 1.0),
+        // The sum of two rounded squares, of which one has a rounded root.
+        bounding_radius_squared: Bounded::of_size(DERIVED + 1, squared(RADIUS), 2.0 * AXIS_ERROR + 2.0),
+        half_height: Bounded::number(HALF_HEIGHT, AXIS_ERROR),
+    };
+    for (component, number) in (0..).zip((target.center - ray.origin).to_array()) {
+        number.assume(Polynomial::of([(TO_CENTER, component)]));
+    }
+    let test = ConservativeRay::new(ray);
+    let quadratic = if is_sphere {
+        _ = test.sphere(&target);
+        test.sphere_quadratic(&target)
+    } else {
+        _ = test.cylinder(&target);
+        test.cylinder_quadratic(&target).0
+    };
+    let [[discriminant, _], _, [_, at_first]] = compared()[..3] else { unreachable!("a test compares three numbers") };
+    _ = test.starts_within(&quadratic);
+    let [inside, _] = compared()[compared().len() - 1];
+    let size = squared(DIRECTION).times(&size_of_c());
+    let need = MODERATE.relative(&discriminant.bounds().error, &size, MARGIN);
+    let names = if is_sphere {
+        ["the line misses a sphere", "the ray has passed a sphere", "the ray starts in a sphere"]
+    } else {
+        ["the line misses a cylinder", "the ray has passed a cylinder", "the ray starts in a cylinder"]
+    };
+    let [misses, passed, starts] = names;
+    let row = |what, file, number, size: &Polynomial, need, unit| {
+        let constant = added(number, size, MARGIN, U);
+        Row { what, file, constant, need, unit }
+    };
+    let conservative = "accel/may_hit/conservative.rs";
+    let passed_need = relative_to_sizes(&in_t(at_first), MARGIN, &sizes_of_points(), MODERATE.size.powi(2));
+    // Whether a ray that is not inside is found inside does not depend on how far it goes.
+    let all = size_of_c().plus(&squared(DIRECTION));
+    let inside_need = relative_to_sizes(&in_t(inside), MARGIN, slice::from_ref(&all), MODERATE.size.powi(2));
+    let with_t = size_of_c().plus(&squared(DIRECTION).scaled(LAMBDA_MIN * LAMBDA_MIN));
+    [
+        row(misses, conservative, discriminant, &size, need, "u M"),
+        row(passed, conservative, at_first, &size_of_c(), passed_need, "u (q + R^2)"),
+        row(starts, "accel/inside.rs", inside, &with_t, inside_need, "u (a t^2 + q + R^2)"),
+    ]
+}
+
+/// Returns the error of `f(t)` with `t |d|` in place of `|d|`.
+fn in_t(number: Bounded) -> Polynomial {
+    number.bounds().error.scaled_by(DIRECTION, 1.0 / LAMBDA_MIN)
+}
+
+/// Returns bounds of `|O - C|^2 + R^2`, for a ray that has a point of the bounding sphere at `t` or later.
+///
+/// For such a ray `t |d| <= |O - C| + R`. So `t^2 |d|^2` is at most `2 (|O - C|^2 + R^2)`, and `t |d| |O - C|` at most
+/// `1.5` times as much.
+fn sizes_of_points() -> [Polynomial; 3] {
+    let product = length(DIRECTION).times(&length(TO_CENTER)).scaled(1.0 / 1.5);
+    [size_of_c(), squared(DIRECTION).scaled(0.5), product]
+}
+
+/// Returns the rows of the flat filter. Its errors are relative to `S = |C|^2 + |O|^2 + R^2`, as coordinates are
+/// relative to the middle of the scene: those of four times the discriminants to `4 a S`, and that of `f(t)` to `S`.
+fn flat_filter() -> [Row; 3] {
+    const V: f64 = Arithmetic::F32.roundoff;
+    let squares = squared(CENTER).plus(&squared(ORIGIN)).plus(&squared(RADIUS));
+    let row = |what, constant: f64, number: Bounded, size: &Polynomial| {
+        let need = MODERATE.relative(&number.bounds().error, size, constant);
+        Row { what, file: "accel/may_hit/filter_ray.rs", constant: constant / V, need, unit: "v a S" }
+    };
+    let FlatNumbers { sphere, at_first, cylinder } = flat_numbers();
+    let size = squared(DIRECTION).times(&squares).scaled(4.0);
+    // A ray that has a point of the bounding sphere at t or later has `t |d| <= |C| + |O| + R`.
+    let products = [CENTER, ORIGIN].map(|family| length(DIRECTION).times(&length(family)).scaled(0.5));
+    let [center, origin] = products;
+    let sizes = [squares, squared(DIRECTION).scaled(1.0 / 3.0), center, origin];
+    let passed = relative_to_sizes(&in_t(at_first), SPHERE_MARGIN, &sizes, MODERATE.size.powi(2));
+    let misses = row("the line misses a bounding sphere", SPHERE_MARGIN, sphere, &size);
+    [
+        Row { what: "the ray has passed a bounding sphere", need: passed, unit: "v S", ..misses.clone() },
+        misses,
+        row("the line misses an infinite cylinder", CYLINDER_MARGIN, cylinder, &size),
+    ]
+}
+
+/// What the flat filter compares with 0: four times the discriminants, and `f(t)`.
+struct FlatNumbers {
+    sphere: Bounded,
+    at_first: Bounded,
+    cylinder: Bounded,
+}
+
+/// Runs the flat filter on one ray and one object.
+fn flat_numbers() -> FlatNumbers {
+    begin(Arithmetic::F32, f64::NAN);
+    const ROOT: f64 = std::f64::consts::SQRT_2;
+    // Values that stand for the numbers of ray and object.
+    let (origin, direction, center) =
+        (Vec3::new(3.0, 5.0, 7.0), Vec3::new(11.0, 13.0, 17.0), Vec3::new(19.0, 23.0, 29.0));
+    let (axis, radius_squared, half_height) = (Vec3::new(0.48, 0.6, 0.64), 961.0, 37.0);
+    let mut derived = DERIVED;
+    let mut known = |value: f64, size: Polynomial| {
+        derived += 1;
+        name(value as f32, Bounded::of_size(derived, size, 1.0 + AXIS_ERROR * U / Arithmetic::F32.roundoff));
+    };
+    for (family, vector, factor) in
+        [(ORIGIN, origin, 1.0), (DIRECTION, direction, 1.0), (CENTER, center, 2.0), (AXIS, axis, ROOT)]
+    {
+        for (component, value) in (0..).zip(vector.to_array()) {
+            known(value * factor, Polynomial::of([(family, component)]).scaled(factor));
+        }
+    }
+    let squares = squared(CENTER).plus(&squared(RADIUS));
+    known(direction.dot(direction), squared(DIRECTION));
+    known(center.dot(center) * (1.0 - SPHERE_MARGIN) - radius_squared * (1.0 + SPHERE_MARGIN), squares.clone());
+    known(center.dot(axis * ROOT), length(CENTER).scaled(ROOT));
+    known(2.0 * half_height * half_height, squared(RADIUS).scaled(2.0));
+    known(center.dot(center) + radius_squared, squares);
+    let (mut spheres, mut cylinders) = (BoundingSpheres::EMPTY, InfiniteCylinders::EMPTY);
+    let target = Target { center, axis, radius_squared, bounding_radius_squared: radius_squared, half_height };
+    spheres.set(0, center, radius_squared);
+    cylinders.set(0, center, &target);
+    let ray = FilterRay::<Lane>::new(&Ray { origin, direction }, Vec3::ZERO);
+    let test = ray.spheres(&spheres, 0);
+    let [[_, at_first], [sphere, _]] = compared()[..] else { unreachable!("a test takes a minimum and a maximum") };
+    FlatNumbers { sphere, at_first, cylinder: ray.cylinders(&test, &cylinders, 0).0 }
+}

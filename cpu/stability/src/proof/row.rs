@@ -1,0 +1,140 @@
+//! A margin of the code, and the proof that it is enough.
+
+use super::bounded::{Bounded, MARGIN};
+use super::polynomial::{LENGTH, Polynomial};
+
+/// The families of the numbers. A vector and its length have the same family.
+pub mod family {
+    /// A ray's direction `d`.
+    pub const DIRECTION: u8 = 0;
+    /// The vector from a ray's origin to a centre, or back.
+    pub const TO_CENTER: u8 = 1;
+    /// A radius.
+    pub const RADIUS: u8 = 2;
+    /// A cylinder's axis, of length one.
+    pub const AXIS: u8 = 3;
+    /// A centre.
+    pub const CENTER: u8 = 4;
+    /// A ray's origin.
+    pub const ORIGIN: u8 = 5;
+    /// The part of the direction across the axis.
+    pub const DIRECTION_ACROSS: u8 = 6;
+    /// The part of [`TO_CENTER`] across the axis.
+    pub const TO_CENTER_ACROSS: u8 = 7;
+    /// Half of a cylinder's height.
+    pub const HALF_HEIGHT: u8 = 8;
+    /// The families from this one on are for numbers that are computed from others.
+    pub const DERIVED: u8 = 16;
+}
+use family::*;
+
+/// Lengths that are known to be at most another one: the axis has length one, and the part of a vector across the axis
+/// is not longer than the vector.
+const LARGER: [(u8, Option<u8>); 3] =
+    [(AXIS, None), (DIRECTION_ACROSS, Some(DIRECTION)), (TO_CENTER_ACROSS, Some(TO_CENTER))];
+
+/// A margin: the constant in the code, and what is proved to be enough, in units of `u`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What the margin covers.
+    pub what: &'static str,
+    /// The file in `cpu/src` that has the constant.
+    pub file: &'static str,
+    /// The constant in the code.
+    pub constant: f64,
+    /// The smallest constant that is proved to be enough.
+    pub need: f64,
+    /// What both are multiples of. docs/margins.md has the letters.
+    pub unit: &'static str,
+}
+
+/// Where the proof holds.
+#[derive(Clone, Copy, Debug)]
+pub struct Domain {
+    /// The smallest length of a direction.
+    pub direction: f64,
+    /// The smallest root of `|O - C|^2 + r^2`, or 0 if there is none.
+    pub size: f64,
+    /// The constant that the code adds for underflow, in units of `u`.
+    pub underflow: f64,
+}
+
+/// Returns the square of a length.
+#[must_use]
+pub fn squared(family: u8) -> Polynomial {
+    Polynomial::of([(family, LENGTH); 2])
+}
+
+/// Returns the length of a family.
+#[must_use]
+pub fn length(family: u8) -> Polynomial {
+    Polynomial::of([(family, LENGTH)])
+}
+
+/// Returns the bound in which lengths are replaced by lengths that are at least as large.
+#[must_use]
+pub fn enlarged(bound: &Polynomial) -> Polynomial {
+    bound.enlarged(&LARGER)
+}
+
+/// Returns how much margin the code adds to `number`, as a multiple of `roundoff` times `size`. The constant has the
+/// value `margin` in the code. The result is 0 if the code forgets the margin in one of the monomials of `size`.
+#[must_use]
+pub fn added(number: Bounded, size: &Polynomial, margin: f64, roundoff: f64) -> f64 {
+    let bound = enlarged(&number.bounds().size);
+    let factor = size.0.iter().map(|(monomial, coefficient)| {
+        bound.coefficient(&Polynomial::of([monomial.as_slice(), &[MARGIN]].concat())) / coefficient
+    });
+    // The bounds are rounded up, by far less than this.
+    factor.fold(f64::INFINITY, f64::min) * margin / roundoff * (1.0 - 1e-8)
+}
+
+impl Row {
+    /// Whether the constant is as large as is needed.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.need <= self.constant
+    }
+}
+
+/// Returns the bound of an error in which the margin has its value and lengths are replaced by larger ones.
+fn with_margin(error: &Polynomial, margin: f64) -> Polynomial {
+    enlarged(error).scaled_by(MARGIN.0, margin).enlarged(&[(MARGIN.0, None)])
+}
+
+/// Returns how large an error is relative to a size that is at least each of `sizes` and `least`, in units of `u`.
+///
+/// # Panics
+/// If there are monomials that none of `sizes` bounds and that are not negligible.
+#[must_use]
+pub fn relative_to_sizes(error: &Polynomial, margin: f64, sizes: &[Polynomial], least: f64) -> f64 {
+    let (mut sum, mut rest) = (0.0, with_margin(error, margin));
+    for size in sizes {
+        let factor;
+        (factor, rest) = rest.relative_to(size);
+        sum += factor;
+    }
+    let most = rest.sum() / least;
+    assert!(most < 1e-9, "underflow adds {most:e} u: {rest:?}");
+    sum + most
+}
+
+impl Domain {
+    /// Returns how large an error is relative to `size`, in units of `u`. `margin` is the value of the constant.
+    ///
+    /// What `size` cannot bound comes from underflow. With `w^2 = |O - C|^2 + r^2` it consists of monomials `|d|^i w^j`
+    /// with `i, j <= 2`. Relative to `|d|^2 w^2` each is at most `l^-2 s^-2`, with the smallest length `l < 1` of a
+    /// direction and the smallest size `s < 1`. Without a smallest size, each is at most `l^-2` times the larger of
+    /// `|d|^2 w^2` and 1, if no direction is longer than `1 / l`.
+    ///
+    /// # Panics
+    /// If underflow is not negligible.
+    #[must_use]
+    pub fn relative(&self, error: &Polynomial, size: &Polynomial, margin: f64) -> f64 {
+        let (factor, rest) = with_margin(error, margin).relative_to(size);
+        let (size, limit) = if self.size > 0.0 { (self.size, 1e-6) } else { (1.0, self.underflow) };
+        let most = rest.sum() / (self.direction * size).powi(2);
+        assert!(most < limit, "underflow adds {most:e} u: {rest:?}");
+        factor + most
+    }
+}

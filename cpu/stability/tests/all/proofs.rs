@@ -1,0 +1,77 @@
+//! Proves the margins of `cpu`, and holds the proofs against numbers.
+
+use cpu::internals::exact::sphere_filter;
+use cpu::internals::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
+use cpu::internals::math::{double_double::DoubleDouble, real::Real, rounding::Rounding};
+use cpu::{Ray, Vec3};
+use stability::proof::bounded::{Arithmetic, Bounded, begin, compared};
+use stability::proof::{self, row::Row, row::added, row::family, row::squared};
+use stability::random::Random;
+
+#[test]
+fn every_margin_is_as_large_as_proved() {
+    let rows = proof::rows();
+    assert_eq!(rows.len(), 19);
+    let page = include_str!("../../../../docs/margins.md");
+    for row in &rows {
+        assert!(row.need > 1.0 && row.holds(), "{row:?}");
+        // The bounds are rounded up, by far less than 10^-6.
+        let Row { what, file, constant, need, unit } = row;
+        let line =
+            format!("| {what} | `{file}` | {constant:.0} | {:.1} | `{unit}` |", (need * 10.0 - 1e-5).ceil() / 10.0);
+        assert!(page.contains(&line), "docs/margins.md needs the line: {line}");
+        let short = Row { constant: row.need * 0.999, ..row.clone() };
+        assert!(!short.holds(), "{short:?}");
+    }
+}
+
+#[test]
+fn a_margin_that_the_formulas_do_not_use_is_zero() {
+    let constant = |margin: f64| {
+        begin(Arithmetic::F64, margin);
+        let (origin, direction) = (Bounded::vector(family::ORIGIN, 0.0), Bounded::vector(family::DIRECTION, 0.0));
+        let view = SphereRecord::new(Bounded::vector(family::CENTER, 0.0), Bounded::number(family::RADIUS, 0.0));
+        _ = sphere_filter::filtered_from(&view.seen_from(origin), direction, direction.dot(direction));
+        let size = squared(family::DIRECTION).times(&squared(family::RADIUS));
+        compared().iter().map(|pair| added(pair[0], &size, margin, f64::EPSILON / 2.0)).fold(0.0, f64::max)
+    };
+    let margin = sphere_filter::LIMITS.error_constant * f64::EPSILON / 2.0;
+    assert_eq!(constant(margin).round(), sphere_filter::LIMITS.error_constant);
+    assert_eq!(constant(margin * 2.0), 0.0, "the code does not use this constant");
+}
+
+/// Returns the largest errors of the discriminants of a sphere and of a cylinder in random cases, in units of `u M`.
+fn largest_errors() -> [f64; 2] {
+    fn discriminants<T: Rounding>([center, axis, origin, direction]: [Vec3; 4], radius: f64) -> [T; 3] {
+        let of = |vector: Vec3| vector.map(T::of);
+        let (ray, radius) = (Ray { origin: of(origin), direction: of(direction) }, T::of(radius));
+        let a = ray.direction.dot(ray.direction);
+        let view = SphereRecord::new(of(center), radius).seen_from(ray.origin);
+        let cylinder = CylinderRecord::new(of(center), radius, of(axis));
+        let (.., side) = cylinder.quadratic(&cylinder.seen_from(ray.origin), ray.direction);
+        [view.quadratic(ray.direction, a).1, side, a * view.squares]
+    }
+    let mut random = Random::new(47);
+    let mut largest = [0.0_f64; 2];
+    for _ in 0..100_000 {
+        let mut vector = || random.cube(1.0);
+        let vectors = [vector(), vector(), vector(), vector()];
+        let radius = random.decades(-3.0, 1.0);
+        let (computed, exact) = (discriminants::<f64>(vectors, radius), discriminants::<DoubleDouble>(vectors, radius));
+        for (largest, index) in largest.iter_mut().zip(0..) {
+            let error = (DoubleDouble::of(computed[index]) - exact[index]).high.abs();
+            *largest = largest.max(error / (f64::EPSILON / 2.0 * exact[2].high));
+        }
+    }
+    largest
+}
+
+#[test]
+fn no_discriminant_in_f64_is_more_wrong_than_proved() {
+    let rows = proof::rows();
+    let need = |what: &str| rows.iter().find(|row| row.what == what).expect("there is such a row").need;
+    let proved = [need("discriminant of a sphere"), need("discriminant of a cylinder")];
+    for (largest, proved) in largest_errors().into_iter().zip(proved) {
+        assert!(largest <= proved && largest > 1.0, "{largest} of {proved}");
+    }
+}
