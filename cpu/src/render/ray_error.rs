@@ -4,20 +4,10 @@
 //! Take `O`, `P`, `dx` and `dy` as exact. The camera ray through a point of the picture has the direction
 //! `d = (O - P) + dx (c + x) + dy (f + y)`, and `d^` is the direction that [`Camera::ray`] computes. The point
 //! `O + dx (c + x) + dy (f + y)` is rounded to the spacing of numbers near the camera's *position*, however near the
-//! window is. Let `W` and `H` be the picture's width and height in pixels, and `u = 2^-53`. The roundings of a
-//! component of `d^` are, in units of `u`:
-//!
-//! | operation | error at most |
-//! |---|---|
-//! | `c + x` and its product with `dx` | `2 W abs(dx)` |
-//! | sum with `O` | `abs(O) + W abs(dx)` |
-//! | `f + y` and its product with `dy` | `2 H abs(dy)` |
-//! | second sum | `abs(O) + W abs(dx) + H abs(dy)` |
-//! | difference from `P` | `abs(O) + W abs(dx) + H abs(dy) + abs(P)` |
-//!
-//! With `abs(O) <= abs(P) + abs(O - P)` the sum is at most `5 u (|P| + s)`, where `s = |O - P| + W |dx| + H |dy|`. So
-//! `|d^ - d| <= 5 u (|P| + s)`. The code uses [`ROUNDINGS`] `= 8` instead of 5, which also covers terms in `u^2` and
-//! the roundings of the bound itself.
+//! window is. Let `W` and `H` be the picture's width and height in pixels, and `u = 2^-53`. With
+//! `s = |O - P| + W |dx| + H |dy|` the error `|d^ - d|` is at most `5 u (|P| + s)` (`cpu/stability/src/proof/camera.rs`
+//! proves it from the formula). The code uses [`ROUNDINGS`] `= 8` instead of 5, which also covers the roundings of the
+//! bound itself.
 //!
 //! Let `D` be the distance of `P` from the plane of the window. No direction `d` is shorter than `D`, and no computed
 //! direction is shorter than `D - |d^ - d|`. So rounding turns a camera ray by an angle whose sine is at most
@@ -28,9 +18,9 @@
 use crate::geometry::camera::Camera;
 use crate::input::size::Size;
 
-/// The number of roundings, each of at most `u (|P| + s)`, that the bound allows. The documentation of [this
-/// module](self) derives that 5 suffice.
-const ROUNDINGS: f64 = 8.0;
+/// The number of roundings, each of at most `u (|P| + s)`, that the bound allows. It is proved that 5
+/// suffice (docs/margins.md).
+pub const ROUNDINGS: f64 = 8.0;
 
 /// Bounds of the rounding error of all camera rays of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]

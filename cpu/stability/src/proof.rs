@@ -5,6 +5,7 @@
 //! written a second time, and what the code leaves out is missing here too.
 
 pub mod bounded;
+pub mod camera;
 pub mod exact;
 pub mod filters;
 pub mod lanes;
@@ -15,5 +16,5 @@ pub mod row;
 /// Returns the rows of all margins.
 #[must_use]
 pub fn rows() -> Vec<row::Row> {
-    [exact::rows(), filters::rows()].concat()
+    [exact::rows(), filters::rows(), vec![camera::row()]].concat()
 }
