@@ -42,7 +42,7 @@ impl FunctionLowering<'_, '_> {
                     _ => return Err(Refusal::new(self.span, format!("a conversion of f64 to {}", name(other)))),
                 };
                 let components = self.each_component(name, &[source])?;
-                Ok(Some(self.other_vector(other, components)))
+                Ok(Some(self.vector_of(other, &components)))
             }
             (None, Some(_)) => {
                 let from = source_scalar.unwrap_or(other);

@@ -1,6 +1,6 @@
 //! Lowers an expression that is evaluated in a function: loads, and what builds and divides values.
 
-use naga::{Expression, Handle, ScalarKind, Span, Type, TypeInner, VectorSize};
+use naga::{Expression, Handle, Scalar, ScalarKind, Span, Type, TypeInner, VectorSize};
 
 use super::copy::copy;
 use super::function::{FunctionLowering, Value};
@@ -71,29 +71,23 @@ impl FunctionLowering<'_, '_> {
         }
     }
 
-    /// Returns the vector of these components, or the number if there is one.
+    /// Returns the vector of these components, which are f64, or the number if there is one.
     pub fn vector(&mut self, components: &[Handle<Expression>]) -> Handle<Expression> {
-        let size = match components.len() {
-            2 => VectorSize::Bi,
-            3 => VectorSize::Tri,
-            4 => VectorSize::Quad,
-            _ => return components[0],
-        };
-        let ty = shape_type(Shape::Vector(size), &mut self.lowering.module.types);
-        self.emit(Expression::Compose { ty, components: components.to_vec() })
+        self.vector_of(Scalar::F64, components)
     }
 
-    /// Returns the vector of these components of another type than f64, or the component if there is one.
-    pub fn other_vector(&mut self, scalar: naga::Scalar, components: Vec<Handle<Expression>>) -> Handle<Expression> {
-        let size = match components.len() {
-            2 => VectorSize::Bi,
-            3 => VectorSize::Tri,
-            4 => VectorSize::Quad,
-            _ => return components[0],
+    /// Returns the vector of these components, or the component if there is one.
+    pub fn vector_of(&mut self, scalar: Scalar, components: &[Handle<Expression>]) -> Handle<Expression> {
+        let sizes = [VectorSize::Bi, VectorSize::Tri, VectorSize::Quad];
+        let Some(size) = sizes.into_iter().find(|size| *size as usize == components.len()) else {
+            return components[0];
         };
-        let inner = TypeInner::Vector { size, scalar };
-        let ty = self.lowering.module.types.insert(Type { name: None, inner }, Span::UNDEFINED);
-        self.emit(Expression::Compose { ty, components })
+        let types = &mut self.lowering.module.types;
+        let ty = match scalar {
+            Scalar::F64 => shape_type(Shape::Vector(size), types),
+            _ => types.insert(Type { name: None, inner: TypeInner::Vector { size, scalar } }, Span::UNDEFINED),
+        };
+        self.emit(Expression::Compose { ty, components: components.to_vec() })
     }
 
     /// Returns the vector in an element of the array `base`, if the element is padded; otherwise the element.

@@ -46,7 +46,7 @@ impl FunctionLowering<'_, '_> {
         };
         let results = self.each_component(name, &[left, right])?;
         let is_comparison = matches!(operator, Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual);
-        Ok(Some(if is_comparison { self.other_vector(Scalar::BOOL, results) } else { self.vector(&results) }))
+        Ok(Some(self.vector_of(if is_comparison { Scalar::BOOL } else { Scalar::F64 }, &results)))
     }
 
     /// Calls the function `name` of the arithmetic for each component of the operands, and returns the vector of the

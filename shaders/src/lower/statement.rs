@@ -1,6 +1,6 @@
 //! Lowers the statements of a function.
 
-use naga::{AtomicFunction, Block, Expression, Handle, Span, Statement, SubgroupOperation, SwitchCase, SwitchValue};
+use naga::{AtomicFunction, Block, Expression, Handle, Span, Statement, SwitchCase, SwitchValue};
 
 use super::function::{FunctionLowering, Value};
 use super::refusal::{Lowered, Refusal};
@@ -57,40 +57,17 @@ impl FunctionLowering<'_, '_> {
             Statement::Call { function, arguments, result } => {
                 let function = self.lowering.functions[function.index()];
                 let arguments = arguments.iter().map(|part| self.plain(*part)).collect::<Lowered<_>>()?;
-                Statement::Call { function, arguments, result: self.result(*result)? }
+                let result = result.map(|result| self.lowered_result(result)).transpose()?;
+                Statement::Call { function, arguments, result }
             }
-            Statement::Atomic { pointer, fun, value, result } => {
-                let fun = match fun {
-                    AtomicFunction::Exchange { compare } => {
-                        AtomicFunction::Exchange { compare: self.optional(*compare)? }
-                    }
-                    other => *other,
-                };
-                let (pointer, value) = (self.plain(*pointer)?, self.plain(*value)?);
-                Statement::Atomic { pointer, fun, value, result: self.result(*result)? }
+            Statement::SubgroupCollectiveOperation { op, argument, .. } if self.shape(*argument).is_some() => {
+                return Err(Refusal::new(span, format!("the operation {op:?} of a subgroup on f64")));
             }
-            Statement::WorkGroupUniformLoad { pointer, result } => {
-                let pointer = self.plain(*pointer)?;
-                Statement::WorkGroupUniformLoad { pointer, result: self.lowered_result(*result)? }
-            }
-            Statement::ImageStore { image, coordinate, array_index, value } => Statement::ImageStore {
-                image: self.plain(*image)?,
-                coordinate: self.plain(*coordinate)?,
-                array_index: self.optional(*array_index)?,
-                value: self.plain(*value)?,
-            },
-            Statement::SubgroupBallot { result, predicate } => {
-                let predicate = self.optional(*predicate)?;
-                Statement::SubgroupBallot { result: self.lowered_result(*result)?, predicate }
-            }
-            Statement::SubgroupCollectiveOperation { op, collective_op, argument, result } => {
-                if self.shape(*argument).is_some() {
-                    return Err(Refusal::new(span, subgroup_name(*op)));
-                }
-                let argument = self.plain(*argument)?;
-                let result = self.lowered_result(*result)?;
-                Statement::SubgroupCollectiveOperation { op: *op, collective_op: *collective_op, argument, result }
-            }
+            Statement::Atomic { .. }
+            | Statement::WorkGroupUniformLoad { .. }
+            | Statement::ImageStore { .. }
+            | Statement::SubgroupBallot { .. }
+            | Statement::SubgroupCollectiveOperation { .. } => self.copy_statement(source)?,
             Statement::Break
             | Statement::Continue
             | Statement::Kill
@@ -108,12 +85,50 @@ impl FunctionLowering<'_, '_> {
         Ok(())
     }
 
-    pub fn optional(&mut self, handle: Option<Handle<Expression>>) -> Lowered<Option<Handle<Expression>>> {
-        handle.map(|handle| self.plain(handle)).transpose()
+    /// Returns a statement for which only the operands change.
+    fn copy_statement(&mut self, source: &Statement) -> Lowered<Statement> {
+        let mut copied = source.clone();
+        let (mut operands, mut optional, mut results) = (Vec::new(), Vec::new(), Vec::new());
+        match &mut copied {
+            Statement::Atomic { pointer, fun, value, result } => {
+                operands.extend([pointer, value]);
+                results.extend(result);
+                if let AtomicFunction::Exchange { compare } = fun {
+                    optional.push(compare);
+                }
+            }
+            Statement::WorkGroupUniformLoad { pointer, result } => {
+                operands.push(pointer);
+                results.push(result);
+            }
+            Statement::ImageStore { image, coordinate, array_index, value } => {
+                operands.extend([image, coordinate, value]);
+                optional.push(array_index);
+            }
+            Statement::SubgroupBallot { result, predicate } => {
+                optional.push(predicate);
+                results.push(result);
+            }
+            Statement::SubgroupCollectiveOperation { argument, result, .. } => {
+                operands.push(argument);
+                results.push(result);
+            }
+            _ => {}
+        }
+        for operand in operands {
+            *operand = self.plain(*operand)?;
+        }
+        for operand in optional {
+            *operand = self.optional(*operand)?;
+        }
+        for result in results {
+            *result = self.lowered_result(*result)?;
+        }
+        Ok(copied)
     }
 
-    fn result(&mut self, handle: Option<Handle<Expression>>) -> Lowered<Option<Handle<Expression>>> {
-        handle.map(|handle| self.lowered_result(handle)).transpose()
+    pub fn optional(&mut self, handle: Option<Handle<Expression>>) -> Lowered<Option<Handle<Expression>>> {
+        handle.map(|handle| self.plain(handle)).transpose()
     }
 
     /// Appends the expression that is the result of a statement.
@@ -147,8 +162,4 @@ impl FunctionLowering<'_, '_> {
         }
         Ok(())
     }
-}
-
-fn subgroup_name(operation: SubgroupOperation) -> String {
-    format!("the operation {operation:?} of a subgroup on f64")
 }
