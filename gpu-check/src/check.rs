@@ -36,7 +36,7 @@ pub struct Tally {
 /// # Errors
 /// The errors of [`Pipeline::new`].
 pub fn compile<T: Float>(gpu: &Gpu, library: &Library, kernel: &Kernel) -> Result<Pipeline, Error> {
-    Pipeline::new(gpu, &library.compose(kernel.module, T::PRECISION)?, None)
+    Pipeline::new(gpu, &library.compose(kernel.module, T::PRECISION)?, &[])
 }
 
 /// Returns the kernel's results for `cases`, row after row. The cases are run in batches whose buffers the device can

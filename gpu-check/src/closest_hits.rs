@@ -6,7 +6,7 @@ use cpu::Ray;
 use shaders::{Features, Library};
 
 use crate::head::{Part, head};
-use crate::packed::{Packed, buffer};
+use crate::packed::Packed;
 use crate::pipeline::Content;
 use crate::ray_loop::RayLoop;
 use crate::{Error, Float, Gpu, Picture, Pipeline};
@@ -28,9 +28,8 @@ pub fn closest_hits<T: Float>(
     let composition = library.compose("kernels/rays", T::PRECISION)?;
     // The kernel has no materials, so it declares only some of the constants.
     let constants = Features::all(1).constants();
-    let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
+    let pipeline = Pipeline::new(gpu, &composition, &constants)?;
     let ray_loop = RayLoop::new(picture, library.has_hierarchy());
-    let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
     let mut hits = Vec::with_capacity(rays.len());
     for rays in rays.chunks(BATCH) {
         let mut paths = Vec::new();
@@ -40,17 +39,9 @@ pub fn closest_hits<T: Float>(
             [0_u32; 2].iter().for_each(|number| number.pack(&mut paths));
         }
         let head = head(picture, &Part::Pixels { first: 0, count: rays.len() as u32 }, &(0..1));
-        let mut contents = vec![
-            Content::Input(&head),
-            Content::Input(&spheres),
-            Content::Input(&cylinders),
-            Content::Scratch(0),
-            Content::Scratch(0),
-            Content::Output((3 * rays.len() * size_of::<T>()) as u64),
-            Content::Input(&paths),
-        ];
-        contents.extend(ray_loop.content());
-        let run = pipeline.run(gpu, &contents, rays.len() as u64)?;
+        let own =
+            [Content::Scratch(0), Content::Output((3 * rays.len() * size_of::<T>()) as u64), Content::Input(&paths)];
+        let run = pipeline.run(gpu, &ray_loop.contents(Content::Input(&head), &own), rays.len() as u64)?;
         let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
         hits.extend(numbers.chunks(3).map(|hit| [hit[0], hit[1], hit[2]]));
     }

@@ -85,7 +85,7 @@ impl ExactKernel {
     /// # Errors
     /// The errors of [`Pipeline::new`].
     pub fn compile(&self, gpu: &Gpu, library: &Library) -> Result<Pipeline, Error> {
-        Pipeline::new(gpu, &library.compose(self.module, f64::PRECISION)?, None)
+        Pipeline::new(gpu, &library.compose(self.module, f64::PRECISION)?, &[])
     }
 
     /// Returns the result of one case by the functions of `cpu`.

@@ -4,7 +4,6 @@
 mod background;
 mod camera;
 mod cylinder;
-mod projected;
 mod scatter;
 mod sphere;
 mod two_sum;
@@ -18,13 +17,13 @@ use cpu::internals::math::real::Real;
 use crate::Kernel;
 
 /// The intersection of a ray with a sphere, by the plain formula.
-pub const SPHERE: Kernel = Kernel::of::<sphere::Sphere>();
+pub const SPHERE: Kernel = Kernel::of::<sphere::Sphere<false>>();
 /// The intersection of a ray with a cylinder, by the plain formula.
-pub const CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder>();
+pub const CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder<false>>();
 /// The intersection of a ray with a sphere, in the projected form.
-pub const PROJECTED_SPHERE: Kernel = Kernel::of::<projected::Sphere>();
+pub const PROJECTED_SPHERE: Kernel = Kernel::of::<sphere::Sphere<true>>();
 /// The intersection of a ray with a cylinder, in the projected form.
-pub const PROJECTED_CYLINDER: Kernel = Kernel::of::<projected::Cylinder>();
+pub const PROJECTED_CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder<true>>();
 
 /// All kernels whose results must have the bits of their formulas.
 pub const KERNELS: [Kernel; 11] = [

@@ -71,7 +71,7 @@ pub fn compile(gpu: &Gpu, operation: &Operation, arithmetic: Option<&Arithmetic>
         Some(arithmetic) => composition.lowered(arithmetic)?,
         None => composition,
     };
-    Pipeline::new(gpu, &composition, None)
+    Pipeline::new(gpu, &composition, &[])
 }
 
 /// Compares the results of `operation` for `cases` with those of Rust.

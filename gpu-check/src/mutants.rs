@@ -38,12 +38,19 @@ impl Mutant {
     /// If the text to replace does not occur exactly once in the module.
     pub fn library(&self) -> Result<Library, shaders::Error> {
         let mut library = Library::standard();
-        let source = library.source(self.module)?;
-        let count = source.matches(self.from).count();
-        assert_eq!(count, 1, "[{}] stands {count} times in {}", self.from, self.module);
-        let changed = source.replace(self.from, self.to);
+        let changed = self.changed(library.source(self.module)?);
         library.replace(self.module, &format!("{} (mutant)", self.module), changed)?;
         Ok(library)
+    }
+
+    /// Returns the module's text with this error.
+    ///
+    /// # Panics
+    /// If the text to replace does not occur exactly once.
+    pub(crate) fn changed(&self, source: &str) -> String {
+        let count = source.matches(self.from).count();
+        assert_eq!(count, 1, "[{}] stands {count} times in {}", self.from, self.module);
+        source.replace(self.from, self.to)
     }
 }
 

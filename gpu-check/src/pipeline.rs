@@ -4,7 +4,7 @@ mod buffers;
 
 use std::time::{Duration, Instant};
 
-use shaders::{Composition, Features, Precision};
+use shaders::{Composition, Precision};
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, Buffer,
     BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline,
@@ -66,21 +66,13 @@ impl Content<'_> {
 }
 
 impl Pipeline {
-    /// Compiles the only entry point of `composition`. Constants of the shader that `features` names get the values in
-    /// `features`.
+    /// Compiles the only entry point of `composition`. `constants` are names and values of its pipeline-overridable
+    /// constants.
     ///
     /// # Errors
-    /// [`Error::Shader`] with the place in the module's file, or an error of the driver.
-    pub fn new(gpu: &Gpu, composition: &Composition, features: Option<&Features>) -> Result<Self, Error> {
-        let constants = features.map(Features::constants);
-        Self::with_constants(gpu, composition, constants.as_ref().map_or(&[], |constants| &constants[..]))
-    }
-
-    /// Compiles as [`Self::new`] does, with the names and values of any pipeline-overridable constants.
-    ///
-    /// # Errors
-    /// The errors of [`Self::new`], and [`Error::Refused`] if the shader does not declare one of the names.
-    pub fn with_constants(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<Self, Error> {
+    /// [`Error::Shader`] with the place in the module's file, [`Error::Refused`] if the shader does not declare one of
+    /// the names, or an error of the driver.
+    pub fn new(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<Self, Error> {
         let formed = Formed::new(composition, constants, gpu.form_of(composition))?;
         formed.check_limits(&gpu.device.limits())?;
         let shader = &formed.shader;

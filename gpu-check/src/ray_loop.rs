@@ -1,9 +1,10 @@
-//! The loop of each ray on a device: over all objects of a picture, or over the nodes of their hierarchy. Drivers limit
-//! its iterations, so a run traces few surfaces of each path where the loop is long.
+//! The objects of a picture on a device, and the loop of each ray over them or over the nodes of their hierarchy.
+//! Drivers limit its iterations, so a run traces few surfaces of each path where the loop is long.
 
 use std::ops::Range;
 
 use crate::hierarchy::Hierarchy;
+use crate::packed::buffer;
 use crate::pipeline::Content;
 use crate::{Error, Float, Picture};
 
@@ -22,9 +23,11 @@ const MOST_OBJECTS: u64 = 20_000;
 /// In a hierarchy a ray rarely visits more nodes than this. The number decides only how many rays a run has.
 const TYPICAL_VISITS: u64 = 1 << 10;
 
-/// The loop of each ray of a picture.
-#[derive(Debug)]
+/// The objects of a picture, and the loop of each of its rays.
+#[derive(Debug, Default)]
 pub(crate) struct RayLoop {
+    /// The bytes of the spheres, the cylinders and the materials.
+    objects: [Vec<u8>; 3],
     /// The bytes of the hierarchy; `None` if each ray intersects all objects.
     hierarchy: Option<Vec<u8>>,
     /// Number of objects of the picture. In a hierarchy the number of nodes, and of objects over which a ray may loop.
@@ -34,19 +37,25 @@ pub(crate) struct RayLoop {
 impl RayLoop {
     /// Returns the loop over the objects of `picture`, or over their hierarchy if `in_hierarchy`.
     pub fn new<T: Float>(picture: &Picture<T>, in_hierarchy: bool) -> Self {
-        let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
+        let objects = [buffer(&picture.spheres), buffer(&picture.cylinders), buffer(&picture.materials)];
+        let count = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
         if in_hierarchy {
             let hierarchy = Hierarchy::new(picture);
             // The invocations of a workgroup run together, and for some of them the hierarchy may be useless.
-            let looped = if objects <= MOST_OBJECTS { objects } else { 0 };
-            return Self { hierarchy: Some(hierarchy.bytes()), length: hierarchy.len() as u64 + looped };
+            let looped = if count <= MOST_OBJECTS { count } else { 0 };
+            return Self { objects, hierarchy: Some(hierarchy.bytes()), length: hierarchy.len() as u64 + looped };
         }
-        Self { hierarchy: None, length: objects }
+        Self { objects, hierarchy: None, length: count }
     }
 
-    /// Returns the content of the hierarchy's binding, if there is one. It has the highest number of all bindings.
-    pub fn content(&self) -> Option<Content<'_>> {
-        self.hierarchy.as_deref().map(Content::Input)
+    /// Returns the contents of all bindings of a kernel that traces rays: `head` and the objects, then `own` of the
+    /// kernel. The hierarchy, if there is one, has the highest number of all bindings.
+    pub fn contents<'a>(&'a self, head: Content<'a>, own: &[Content<'a>]) -> Vec<Content<'a>> {
+        let mut contents = vec![head];
+        contents.extend(self.objects.iter().map(|bytes| Content::Input(bytes)));
+        contents.extend(own);
+        contents.extend(self.hierarchy.as_deref().map(Content::Input));
+        contents
     }
 
     /// Returns how many objects or nodes a ray usually tests.
@@ -120,7 +129,9 @@ mod tests {
 
     #[test]
     fn a_hierarchy_of_any_size_is_taken_and_a_run_never_visits_too_many_nodes() {
-        let surfaces = |length, depth| RayLoop { hierarchy: Some(Vec::new()), length }.surfaces_of_a_run(depth, 100);
+        let surfaces = |length, depth| {
+            RayLoop { hierarchy: Some(Vec::new()), length, ..RayLoop::default() }.surfaces_of_a_run(depth, 100)
+        };
         assert!(matches!(surfaces(2_000_000, 50), Ok(1)));
         assert!(matches!(surfaces(60_000, 50), Ok(1)));
         assert!(matches!(surfaces(20_001, 50), Ok(2)));

@@ -9,7 +9,6 @@ use cpu::Vec3;
 use shaders::{Features, Library};
 
 use crate::head::{Part, head};
-use crate::packed::buffer;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::ray_loop::{RayLoop, steps};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
@@ -61,7 +60,7 @@ impl<'a, T: Float> Renderer<'a, T> {
     /// Compiles as [`Self::new`] does. `own` has the names and values of constants that a replaced module declares.
     ///
     /// # Errors
-    /// The errors of [`Pipeline::with_constants`].
+    /// The errors of [`Pipeline::new`].
     pub fn with_constants(
         gpu: &'a Gpu,
         library: &Library,
@@ -70,7 +69,7 @@ impl<'a, T: Float> Renderer<'a, T> {
     ) -> Result<Self, Error> {
         let composition = library.compose("kernels/image", T::PRECISION)?;
         let constants = [&features.constants()[..], own].concat();
-        let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
+        let pipeline = Pipeline::new(gpu, &composition, &constants)?;
         let in_hierarchy = library.has_hierarchy();
         Ok(Self { gpu, pipeline, features: *features, step: None, in_hierarchy, precision: PhantomData })
     }
@@ -100,8 +99,6 @@ impl<'a, T: Float> Renderer<'a, T> {
     /// # Errors
     /// The errors of [`Self::render`].
     pub fn render_telling(&self, picture: &Picture<T>, mut tell: impl FnMut(u64, u64)) -> Result<Rendering<T>, Error> {
-        let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
-        let materials = buffer(&picture.materials);
         let count = picture.size.pixels() as u64;
         let color = size_of::<Vec3<T>>() as u64;
         let path = u64::from(self.features.max_depth) * size_of::<u32>() as u64;
@@ -116,16 +113,12 @@ impl<'a, T: Float> Renderer<'a, T> {
             let pixels = batch.min(count - first);
             let part = Part::Pixels { first: first as u32, count: pixels as u32 };
             let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
-            let mut contents = vec![
-                Content::Inputs(&heads),
-                Content::Input(&spheres),
-                Content::Input(&cylinders),
-                Content::Input(&materials),
+            let own = [
                 Content::Scratch(pixels * path),
                 Content::Output(pixels * color),
                 Content::Scratch(pixels * (2 * color + 2 * size_of::<u32>() as u64)),
             ];
-            contents.extend(ray_loop.content());
+            let contents = ray_loop.contents(Content::Inputs(&heads), &own);
             let run = self.pipeline.run(self.gpu, &contents, pixels)?;
             rendering.time += run.time;
             let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
@@ -146,6 +139,7 @@ impl<'a, T: Float> Renderer<'a, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::packed::buffer;
     use shaders::Precision;
 
     /// Returns the size in bytes that WGSL gives to the structure `name`.

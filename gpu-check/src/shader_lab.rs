@@ -4,7 +4,7 @@
 //! - [`guard`] compiles the modules in a process whose memory and time are limited;
 //! - [`truth`] holds the picture by the CPU, which is computed once for many trials;
 //! - [`trial`] renders with the modules and compares the picture with the CPU's; [`differences`] draws the differences;
-//! - [`view`] shows in false colours what a ray hits; [`pixel`] prints one pixel's path by WGSL and by the CPU;
+//! - [`pixel`] prints one pixel's path by WGSL and by the CPU;
 //! - [`watch`] renders again when a file has changed.
 
 pub mod args;
@@ -18,7 +18,6 @@ mod rendered;
 pub mod sources;
 pub mod trial;
 pub mod truth;
-pub mod view;
 pub mod watch;
 
 /// The text of the module that `--template` writes: it draws a picture of the normals, and the user can change it.

@@ -7,10 +7,8 @@ use shaders::{Features, Library};
 pub use twin::steps::{NAMES, Step, first_difference};
 
 use crate::head::{Part, head};
-use crate::packed::buffer;
-use crate::pipeline::{Content, MAX_INVOCATIONS};
+use crate::pipeline::Content;
 use crate::ray_loop::{RayLoop, steps};
-use crate::renderer::BATCH;
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// A pipeline that records the steps of pixels on a device.
@@ -30,11 +28,11 @@ impl<'a, T: Float> Follower<'a, T> {
     /// has the names and values of constants that a replaced module declares.
     ///
     /// # Errors
-    /// The errors of [`Pipeline::with_constants`].
+    /// The errors of [`Pipeline::new`].
     pub fn new(gpu: &'a Gpu, library: &Library, features: &Features, own: &[(&str, f64)]) -> Result<Self, Error> {
         let composition = library.compose("kernels/steps", T::PRECISION)?;
         let constants = [&features.constants()[..], own].concat();
-        let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
+        let pipeline = Pipeline::new(gpu, &composition, &constants)?;
         let in_hierarchy = library.has_hierarchy();
         Ok(Self { gpu, pipeline, depth: features.max_depth, in_hierarchy, step: None, precision: PhantomData })
     }
@@ -50,52 +48,26 @@ impl<'a, T: Float> Follower<'a, T> {
         Self { step: Some(surfaces), ..self }
     }
 
-    /// Records the steps of `count` pixels, from the pixel `first`. Calls `each` with the index and the steps of each
-    /// pixel.
+    /// Returns the steps of `count` pixels, from the pixel `first` on.
     ///
     /// # Errors
     /// [`Error::TooManyIterations`] if one surface already takes too many, or the errors of [`Pipeline::run`]. In a
     /// hierarchy, [`Error::Unwritten`] if a ray visits too many nodes.
-    pub fn follow(
-        &self,
-        picture: &Picture<T>,
-        first: usize,
-        count: usize,
-        mut each: impl FnMut(usize, &[Step<T>]),
-    ) -> Result<(), Error> {
-        let depth = u64::from(self.depth);
-        if depth == 0 {
-            (first..first + count).for_each(|pixel| each(pixel, &[]));
-            return Ok(());
+    pub fn follow(&self, picture: &Picture<T>, first: usize, count: usize) -> Result<Vec<Vec<Step<T>>>, Error> {
+        if self.depth == 0 {
+            return Ok(vec![Vec::new(); count]);
         }
-        let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
-        let materials = buffer(&picture.materials);
         let ray_loop = RayLoop::new(picture, self.in_hierarchy);
         let depths = steps(self.depth, self.step.map_or_else(|| ray_loop.surfaces_of_a_run(self.depth, 0), Ok)?);
-        let row = depth * size_of::<Step<T>>() as u64;
-        let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / row).max(1) as usize;
-        for start in (first..first + count).step_by(batch) {
-            let pixels = batch.min(first + count - start);
-            let part = Part::Pixels { first: start as u32, count: pixels as u32 };
-            let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
-            let mut contents = vec![
-                Content::Inputs(&heads),
-                Content::Input(&spheres),
-                Content::Input(&cylinders),
-                Content::Input(&materials),
-                // The attenuations, which this kernel does not use.
-                Content::Scratch(0),
-                Content::Output(pixels as u64 * row),
-            ];
-            contents.extend(ray_loop.content());
-            let run = self.pipeline.run(self.gpu, &contents, pixels as u64)?;
-            let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
-            let steps: Vec<_> = numbers.chunks_exact(NAMES.len()).map(to_step).collect();
-            for (pixel, steps) in (start..).zip(steps.chunks_exact(self.depth as usize)) {
-                each(pixel, steps);
-            }
-        }
-        Ok(())
+        let part = Part::Pixels { first: first as u32, count: count as u32 };
+        let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
+        let output = Content::Output((count * self.depth as usize * size_of::<Step<T>>()) as u64);
+        // This kernel does not use the attenuations.
+        let contents = ray_loop.contents(Content::Inputs(&heads), &[Content::Scratch(0), output]);
+        let run = self.pipeline.run(self.gpu, &contents, count as u64)?;
+        let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
+        let steps: Vec<_> = numbers.chunks_exact(NAMES.len()).map(to_step).collect();
+        Ok(steps.chunks_exact(self.depth as usize).map(<[_]>::to_vec).collect())
     }
 }
 

@@ -43,7 +43,7 @@ pub fn run(gpu: &Gpu, probe: &Probe) -> Outcome {
 
 /// Returns the results of a probe.
 fn results(gpu: &Gpu, probe: &Probe) -> Result<Vec<f64>, Error> {
-    let pipeline = Pipeline::new(gpu, &probe.composition(), None)?;
+    let pipeline = Pipeline::new(gpu, &probe.composition(), &[])?;
     let input = probe.input_bytes();
     let contents = [Content::Input(&input), Content::Output(probe.output_size() as u64)];
     let run = pipeline.run(gpu, &contents, probe.cases.len() as u64)?;

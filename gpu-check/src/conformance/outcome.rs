@@ -1,12 +1,12 @@
 //! What a driver made of a probe, and the line by which a separate process tells it.
 
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
 /// What a driver made of a probe.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Outcome {
     /// It calculated these results, one for each case.
-    Results(Vec<f64>),
+    Results(#[serde(with = "bits")] Vec<f64>),
     /// It refused the program, with this message.
     Refused(String),
     /// It left this number of results unwritten.
@@ -19,38 +19,31 @@ pub enum Outcome {
 
 impl Outcome {
     /// Returns the outcome as one line of JSON, without a line end.
+    ///
+    /// # Panics
+    /// Never: every outcome has a form in JSON.
     #[must_use]
     pub fn to_line(&self) -> String {
-        let value = match self {
-            // JSON has no NaN, so the results are written as bits.
-            Self::Results(results) => {
-                json!({"results": results.iter().map(|result| result.to_bits()).collect::<Vec<_>>()})
-            }
-            Self::Refused(message) => json!({"refused": message}),
-            Self::Unwritten(count) => json!({"unwritten": count}),
-            Self::NotAvailable => json!({"not available": "f64"}),
-            Self::Ended(cause) => json!({"ended": cause}),
-        };
-        value.to_string()
+        serde_json::to_string(self).expect("its parts are numbers and texts")
     }
 
     /// Returns the outcome of a line of [`Self::to_line`], or `None` if it is another text.
     #[must_use]
     pub fn of_line(line: &str) -> Option<Self> {
-        let value: Value = serde_json::from_str(line).ok()?;
-        let (kind, value) = value.as_object()?.iter().next()?;
-        let text = || value.as_str().map(str::to_owned);
-        match kind.as_str() {
-            "results" => {
-                let bits = value.as_array()?.iter().map(Value::as_u64);
-                bits.map(|bits| bits.map(f64::from_bits)).collect::<Option<_>>().map(Self::Results)
-            }
-            "refused" => text().map(Self::Refused),
-            "unwritten" => Some(Self::Unwritten(usize::try_from(value.as_u64()?).ok()?)),
-            "not available" => Some(Self::NotAvailable),
-            "ended" => text().map(Self::Ended),
-            _ => None,
-        }
+        serde_json::from_str(line).ok()
+    }
+}
+
+/// Numbers in the form of their bits, because JSON has no NaN.
+mod bits {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer>(numbers: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+        numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>().serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
+        Ok(Vec::deserialize(deserializer)?.into_iter().map(f64::from_bits).collect())
     }
 }
 
@@ -71,7 +64,7 @@ mod tests {
             assert!(!line.contains('\n'), "{line}");
             assert_eq!(Outcome::of_line(&line), Some(outcome));
         }
-        for line in ["", "compiling", "[1]", "{\"results\":[-1]}", "{\"other\":1}"] {
+        for line in ["", "compiling", "[1]", "{\"Results\":[-1]}", "{\"other\":1}"] {
             assert_eq!(Outcome::of_line(line), None);
         }
     }

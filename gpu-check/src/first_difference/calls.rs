@@ -6,7 +6,6 @@ use shaders::{CallTrace, Library};
 
 use super::twins::{Twin, twin};
 use crate::head::{Part, head};
-use crate::packed::buffer;
 use crate::pipeline::Content;
 use crate::ray_loop::{MAX_ITERATIONS, RayLoop};
 use crate::{Error, Float, Gpu, Kernel, Picture, Pipeline};
@@ -45,11 +44,11 @@ impl<'a, T: Float> Tracer<'a, T> {
     /// Compiles `kernel` from `library` with a trace.
     ///
     /// # Errors
-    /// The errors of [`Pipeline::with_constants`].
+    /// The errors of [`Pipeline::new`].
     pub fn new(gpu: &'a Gpu, library: &Library, kernel: &str, constants: &[(&str, f64)]) -> Result<Self, Error> {
         let trace = library.compose(kernel, T::PRECISION)?.with_call_trace()?;
         let shipped = Library::standard().compose(kernel, T::PRECISION)?.with_call_trace()?.functions;
-        let pipeline = Pipeline::with_constants(gpu, &trace.composition, constants)?;
+        let pipeline = Pipeline::new(gpu, &trace.composition, constants)?;
         // A function of the user with other parameters is not the twin's.
         let twins = trace.functions.iter().map(|function| {
             let is_same = |other: &&shaders::call_trace::Recorded| {
@@ -98,21 +97,14 @@ impl<'a, T: Float> Tracer<'a, T> {
             let objects = (picture.spheres.len() + picture.cylinders.len()) as u64;
             return Err(Error::TooManyIterations { objects, depth: picture.max_depth.into(), limit: MAX_ITERATIONS });
         }
-        let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
-        let materials = buffer(&picture.materials);
         let head = head(picture, &Part::Pixels { first: index as u32, count: 1 }, &(0..picture.max_depth));
         let color = 3 * size_of::<T>() as u64;
-        let mut contents = vec![
-            Content::Input(&head),
-            Content::Input(&spheres),
-            Content::Input(&cylinders),
-            Content::Input(&materials),
+        let own = [
             Content::Scratch(u64::from(picture.max_depth) * size_of::<u32>() as u64),
             Content::Output(color),
             Content::Scratch(2 * color + 2 * size_of::<u32>() as u64),
         ];
-        contents.extend(ray_loop.content());
-        self.run(&contents)
+        self.run(&ray_loop.contents(Content::Input(&head), &own))
     }
 
     /// Runs one invocation. Returns its calls, and the numbers of the only output in `contents`.

@@ -5,12 +5,14 @@ use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Ray, Vec3};
+use stability::methods::projected;
 
 use super::{HIT_REPORT, report};
 use crate::kernel::{Formula, Reader};
 use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
-pub enum Cylinder {}
+/// The plain formula, or the projected form if `PROJECTED`.
+pub enum Cylinder<const PROJECTED: bool> {}
 
 /// Origins of rays, relative to an upright cylinder of radius 1 and height 4.
 const ORIGINS: [[f64; 3]; 25] = [
@@ -57,8 +59,8 @@ const AXES: [[f64; 3]; 10] = [
 ];
 const RADII: [f64; 6] = [1.0, 0.3, 1e-6, 1000.0, 1e9, 1e-40];
 
-impl Formula for Cylinder {
-    const MODULE: &'static str = "kernels/cylinder";
+impl<const PROJECTED: bool> Formula for Cylinder<PROJECTED> {
+    const MODULE: &'static str = if PROJECTED { "kernels/projected_cylinder" } else { "kernels/cylinder" };
     const INPUTS: usize = 13;
     const OUTPUTS: &'static [&'static str] = HIT_REPORT;
 
@@ -66,7 +68,8 @@ impl Formula for Cylinder {
         let mut case = Reader(case);
         let ray = Ray { origin: case.vector(), direction: case.vector() };
         let cylinder = CylinderRecord::new(case.vector(), case.number(), case.vector());
-        let hit = cylinder.intersect(&ray).map(|(lambda, part)| {
+        let hit = if PROJECTED { projected::cylinder(&cylinder, &ray) } else { cylinder.intersect(&ray) };
+        let hit = hit.map(|(lambda, part)| {
             let point = ray.at(lambda);
             (lambda, part as u32, Hit::facing(ray.direction, point, cylinder.outward(part, point)))
         });

@@ -5,12 +5,14 @@ use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Ray, Vec3};
+use stability::methods::projected;
 
 use super::{HIT_REPORT, report};
 use crate::kernel::{Formula, Reader};
 use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
-pub enum Sphere {}
+/// The plain formula, or the projected form if `PROJECTED`.
+pub enum Sphere<const PROJECTED: bool> {}
 
 /// Origins of rays, relative to the centre of the sphere, in radii.
 const ORIGINS: [[f64; 3]; 20] = [
@@ -39,8 +41,8 @@ const ORIGINS: [[f64; 3]; 20] = [
 const CENTERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, -2.0, 0.5], [0.0, -1000.0, 0.0], [1e-40, 1e10, 0.1]];
 const RADII: [f64; 9] = [1.0, 2.0, 0.3, 1e-6, 1000.0, 1e9, 1e-40, 1e-160, 1e160];
 
-impl Formula for Sphere {
-    const MODULE: &'static str = "kernels/sphere";
+impl<const PROJECTED: bool> Formula for Sphere<PROJECTED> {
+    const MODULE: &'static str = if PROJECTED { "kernels/projected_sphere" } else { "kernels/sphere" };
     const INPUTS: usize = 10;
     const OUTPUTS: &'static [&'static str] = HIT_REPORT;
 
@@ -48,7 +50,8 @@ impl Formula for Sphere {
         let mut case = Reader(case);
         let ray = Ray { origin: case.vector(), direction: case.vector() };
         let sphere = SphereRecord::new(case.vector(), case.number());
-        let hit = sphere.intersect(&ray).map(|lambda| {
+        let lambda = if PROJECTED { projected::sphere(&sphere, &ray) } else { sphere.intersect(&ray) };
+        let hit = lambda.map(|lambda| {
             let point = ray.at(lambda);
             (lambda, 0, Hit::facing(ray.direction, point, sphere.outward(point)))
         });

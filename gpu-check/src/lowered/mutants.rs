@@ -4,23 +4,13 @@ use shaders::lower::Arithmetic;
 
 use super::operands::{Operands, draw};
 use super::operations;
+use crate::mutants::Mutant;
 use crate::{Error, Gpu};
-
-/// A file of the arithmetic with one deliberate error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Mutant {
-    /// The name of the file in `shaders/wgsl/f64`.
-    pub file: &'static str,
-    /// The text of the file that the mutant replaces. It occurs once.
-    pub from: &'static str,
-    /// The wrong text that replaces it.
-    pub to: &'static str,
-}
 
 macro_rules! mutants {
     ($($file:literal: $($from:literal => $to:literal,)*;)*) => {
         /// All mutants that the comparison must notice.
-        pub const MUTANTS: &[Mutant] = &[$($(Mutant { file: $file, from: $from, to: $to },)*)*];
+        pub const MUTANTS: &[Mutant] = &[$($(Mutant { module: $file, from: $from, to: $to },)*)*];
     };
 }
 
@@ -118,21 +108,17 @@ mutants! {
 /// Number of cases of each operation.
 const CASES: u64 = 120_000;
 
-impl Mutant {
-    /// Returns the arithmetic with this error.
-    ///
-    /// # Panics
-    /// If the text to replace does not occur exactly once in the file.
-    #[must_use]
-    pub fn arithmetic(&self) -> Arithmetic {
-        let mut arithmetic = Arithmetic::standard();
-        let source = arithmetic.source(self.file).unwrap_or_else(|| panic!("there is no {}", self.file));
-        let count = source.matches(self.from).count();
-        assert_eq!(count, 1, "[{}] stands {count} times in {}", self.from, self.file);
-        let changed = source.replace(self.from, self.to);
-        arithmetic.replace(self.file, changed);
-        arithmetic
-    }
+/// Returns the arithmetic with the error of `mutant`, whose module is a file in `shaders/wgsl/f64`.
+///
+/// # Panics
+/// If there is no such file, or if the text to replace does not occur exactly once in it.
+#[must_use]
+pub fn arithmetic(mutant: &Mutant) -> Arithmetic {
+    let mut arithmetic = Arithmetic::standard();
+    let source = arithmetic.source(mutant.module).unwrap_or_else(|| panic!("there is no {}", mutant.module));
+    let changed = mutant.changed(source);
+    arithmetic.replace(mutant.module, changed);
+    arithmetic
 }
 
 /// Returns the cases with which [`notice`] looks for errors.

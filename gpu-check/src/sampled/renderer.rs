@@ -10,7 +10,7 @@ use super::runs::{self, Limits};
 use super::streams::Streams;
 use super::{Convention, Recording};
 use crate::head::{Part, head};
-use crate::packed::{Packed, buffer};
+use crate::packed::Packed;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::ray_loop::{MAX_ITERATIONS, RayLoop, steps};
 use crate::renderer::{BATCH, LEAST_BATCH, TESTS};
@@ -65,7 +65,7 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
     /// they are for `kernels/samples`.
     ///
     /// # Errors
-    /// The errors of [`Pipeline::with_constants`].
+    /// The errors of [`Pipeline::new`].
     pub fn with_constants(
         gpu: &'a Gpu,
         library: &Library,
@@ -73,8 +73,8 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
         own: &[(&str, f64)],
     ) -> Result<Self, Error> {
         let constants = [&features.constants()[..], own].concat();
-        let samples = Pipeline::with_constants(gpu, &library.compose("kernels/samples", T::PRECISION)?, &constants)?;
-        let means = Pipeline::new(gpu, &library.compose("kernels/means", T::PRECISION)?, None)?;
+        let samples = Pipeline::new(gpu, &library.compose("kernels/samples", T::PRECISION)?, &constants)?;
+        let means = Pipeline::new(gpu, &library.compose("kernels/means", T::PRECISION)?, &[])?;
         let in_hierarchy = library.has_hierarchy();
         Ok(Self { gpu, samples, means, features: *features, step: None, in_hierarchy, precision: PhantomData })
     }
@@ -129,7 +129,6 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
         };
         let ray_loop = RayLoop::new(picture, self.in_hierarchy);
         let limits = self.limits(&ray_loop, recording);
-        let objects = [buffer(&picture.spheres), buffer(&picture.cylinders), buffer(&picture.materials)];
         let mut start_of_sum = Vec3::splat(T::of(0.0));
         let (per_pixel, total) = (u64::from(recording.samples_per_pixel), recording.words.len() as u64);
         let mut first = 0;
@@ -144,7 +143,7 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
                 convention: recording.convention as u32,
             };
             let words = streams.next_run(counts, self.spare());
-            let traced = self.trace(picture, &objects, &ray_loop, &part, &words, &mut rendering.time)?;
+            let traced = self.trace(picture, &ray_loop, &part, &words, &mut rendering.time)?;
             let actual = traced.chunks_exact(TracedSample::<T>::SIZE).map(TracedSample::<T>::words);
             rendering.note_words(first, counts, actual);
             // Samples are counted from the first sample of the first pixel.
@@ -182,12 +181,10 @@ impl<T: Float> SampleRenderer<'_, T> {
         Limits { samples: if is_long { samples.min(MAX_ITERATIONS) } else { samples }, entries }
     }
 
-    /// Traces the samples of `part` and returns the bytes of their [`TracedSample`]s. `objects` are the buffers of the
-    /// spheres, the cylinders and the materials. Adds the device's time to `time`.
+    /// Traces the samples of `part` and returns the bytes of their [`TracedSample`]s. Adds the device's time to `time`.
     fn trace(
         &self,
         picture: &Picture<T>,
-        objects: &[Vec<u8>; 3],
         ray_loop: &RayLoop,
         part: &Part,
         words: &[[u32; 2]],
@@ -201,19 +198,13 @@ impl<T: Float> SampleRenderer<'_, T> {
         };
         let heads: Vec<_> = steps(depth, surfaces).iter().map(|depths| head(picture, part, depths)).collect();
         let samples = u64::from(count);
-        let [spheres, cylinders, materials] = objects;
-        let mut contents = vec![
-            Content::Inputs(&heads),
-            Content::Input(spheres),
-            Content::Input(cylinders),
-            Content::Input(materials),
+        let own = [
             Content::Scratch(samples * u64::from(depth) * size_of::<u32>() as u64),
             Content::Output(samples * TracedSample::<T>::SIZE as u64),
             Content::Scratch(samples * path_size::<T>()),
             Content::Input(bytemuck::cast_slice(words)),
         ];
-        contents.extend(ray_loop.content());
-        let run = self.samples.run(self.gpu, &contents, samples)?;
+        let run = self.samples.run(self.gpu, &ray_loop.contents(Content::Inputs(&heads), &own), samples)?;
         *time += run.time;
         Ok(run.outputs.concat())
     }

@@ -8,7 +8,6 @@ use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser};
 use shaders::{Features, Precision};
 
-use super::view::View;
 use crate::Form;
 use crate::sampled::Convention;
 
@@ -85,9 +84,6 @@ pub struct Options {
     /// your module declares with `override`
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = constant)]
     pub constants: Vec<(String, f64)>,
-    /// Draw this property of each pixel in false colours instead of the picture
-    #[arg(long = "show", value_name = "VIEW")]
-    pub view: Option<View>,
     /// Print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
     #[arg(long, num_args = 2, value_names = ["X", "Y"])]
     pub pixel: Option<Vec<usize>>,
@@ -187,9 +183,6 @@ impl Options {
             1 if self.watch => return Err("--watch needs files, and - is standard input".to_owned()),
             1 => {}
             _ => return Err("standard input (-) can be only one of MODULES, --config and --scene".to_owned()),
-        }
-        if self.samples && self.view.is_some_and(|view| view != View::Difference) {
-            return Err("with --samples, --show shows only the difference".to_owned());
         }
         Ok(())
     }

@@ -85,7 +85,7 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
     composition.validate()?;
     let compiled = || {
         let gpu = Gpu::open()?.with_form(form);
-        Pipeline::with_constants(&gpu, &composition, &constants)?.warm_up(&gpu)
+        Pipeline::new(&gpu, &composition, &constants)?.warm_up(&gpu)
     };
     match compiled() {
         Err(Error::OutOfMemory { .. }) => std::process::exit(OUT_OF_MEMORY),

@@ -13,7 +13,6 @@ use output::Output;
 
 use super::args::Options;
 use super::files::{UserModule, shown};
-use super::view::View;
 use crate::{Error, Float};
 
 /// An opened output for one picture, with its path.
@@ -29,12 +28,9 @@ pub struct Place {
 pub struct Places {
     /// The output for the picture itself.
     pub out: Place,
-    /// The output for the picture of differences. `None` if a view is shown, or if `out` is a device or a pipe, because
-    /// the user does not expect other files beside these.
+    /// The output for the picture of differences. `None` if `out` is a device or a pipe, because the user does not
+    /// expect other files beside these.
     pub difference: Option<Place>,
-    /// The output for the view by WGSL and by the CPU. `None` if no such view is shown, or if `out` is a device or a
-    /// pipe.
-    pub view: Option<Place>,
 }
 
 impl Places {
@@ -51,13 +47,9 @@ impl Places {
             let output = Output::open(named, output::Options { sync: !options.no_sync })?;
             Ok(Place { path, output })
         };
-        let allows_other_files = allows_other_files(&options.out);
-        let neighbour = |suffix: &str| allows_other_files.then(|| open(beside(&options.out, suffix))).transpose();
-        let view = options.view.filter(|view| *view != View::Difference);
         Ok(Self {
             out: open(options.out.clone())?,
-            difference: if options.view.is_none() { neighbour("difference")? } else { None },
-            view: view.map_or(Ok(None), |view| neighbour(&view.to_string()))?,
+            difference: allows_other_files(&options.out).then(|| open(beside(&options.out))).transpose()?,
         })
     }
 }
@@ -102,7 +94,7 @@ pub const STANDARD_OUTPUT: &str = "/dev/stdout";
 ///
 /// # Errors
 /// An error if the picture has more rows or columns than a PNG can have.
-pub(crate) fn encoded(path: &Path, width: usize, pixels: &[[u8; 3]]) -> std::io::Result<Vec<u8>> {
+fn encoded(path: &Path, width: usize, pixels: &[[u8; 3]]) -> std::io::Result<Vec<u8>> {
     let height = pixels.len() / width.max(1);
     if !is_png(path) {
         let head = format!("P6\n{width} {height}\n255\n");
@@ -125,11 +117,10 @@ fn allows_other_files(out: &Path) -> bool {
     !is_of_the_system && out.as_os_str() != "-" && out.metadata().map_or(true, |metadata| metadata.is_file())
 }
 
-/// Returns the path of a PNG beside `out`, named after `out` with `-suffix` before its ending.
-#[must_use]
-pub fn beside(out: &Path, suffix: &str) -> PathBuf {
+/// Returns the path of the picture of differences: a PNG beside `out`, named after it.
+fn beside(out: &Path) -> PathBuf {
     let mut name = OsString::from(out.file_stem().unwrap_or_default());
-    name.push(format!("-{suffix}.png"));
+    name.push("-difference.png");
     out.with_file_name(name)
 }
 
@@ -149,7 +140,7 @@ mod tests {
 
     #[test]
     fn names_stand_beside_the_picture() {
-        assert_eq!(beside(Path::new("a/out.png"), "difference"), Path::new("a/out-difference.png"));
+        assert_eq!(beside(Path::new("a/out.png")), Path::new("a/out-difference.png"));
     }
 
     #[test]

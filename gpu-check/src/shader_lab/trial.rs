@@ -3,16 +3,14 @@
 use std::fmt::Write as _;
 
 use cpu::{Config, Scene, Vec3};
-use shaders::{Features, Library};
+use shaders::{Composition, Features, Library};
 
 use super::args::Options;
 use super::differences::differences;
 use super::files::{self, UserModule};
-use super::png::{Place, Places};
-use super::progress::Progress;
+use super::png::Places;
 use super::rendered::{self, Rendered};
 use super::truth::{Truth, check_size};
-use super::view::{View, mark};
 use super::{guard, pixel, png};
 use crate::difference::{difference, first_differing};
 use crate::first_difference;
@@ -62,8 +60,8 @@ impl Held for f32 {
     }
 }
 
-/// Checks whether the options `--pixel` and `--show` fit the configuration and the scene. It is called before the
-/// picture is rendered, so that an error comes early.
+/// Checks whether the options fit the configuration and the scene. It is called before the picture is rendered, so that
+/// an error comes early.
 ///
 /// # Errors
 /// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] if
@@ -87,11 +85,6 @@ pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: 
     ray_loop::check(objects, files::has_hierarchy(modules, objects), deepest, tries)
 }
 
-/// Returns the largest number of surfaces of a path that a view needs.
-fn depth_of(view: View, features: Features) -> u32 {
-    if view.is_deep() { features.max_depth } else { features.max_depth.min(1) }
-}
-
 impl Trial<'_> {
     /// Renders with the user's modules, writes the pictures and returns the report.
     ///
@@ -100,14 +93,15 @@ impl Trial<'_> {
     /// the device.
     pub fn run<T: Held>(&self, places: Places) -> Result<Outcome, Error> {
         let Self { gpu, options, modules, truth } = *self;
-        let Places { out, difference: beside, view: both } = places;
-        let library = self.library()?;
+        let Places { out, difference: beside } = places;
+        let library = files::library(modules, truth.scene.objects.len())?;
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
         let kernel = rendered::check_modules(gpu, &library, modules, truth, T::PRECISION)?;
-        guard::check(gpu, &library.compose(kernel, T::PRECISION)?, &constants(&features, &own))?;
+        let composition = library.compose(kernel, T::PRECISION)?;
+        guard::check(gpu, &composition, &constants(&features, &own))?;
         // This process parses the modules only after the separate process has done so within its limits.
-        self.check_constants::<T>(kernel, &own)?;
+        check_constants(&composition, &own)?;
         let picture = Picture::<T>::new(&truth.config, &truth.scene)?;
         let Rendered { rendering, compiled, words } =
             rendered::render(gpu, &library, (&features, &own), &picture, truth)?;
@@ -133,30 +127,18 @@ impl Trial<'_> {
         if size_of::<T>() < size_of::<f64>() {
             let _ = writeln!(report, "from the CPU in f64: {}", difference(&rendering.pixels, &truth.wide));
         }
-        match options.view {
-            None => {
-                let [by_wgsl, by_cpu] =
-                    [&rendering.pixels[..], held].map(|pixels| png::bytes(pixels, truth.config.gamma));
-                let _ = writeln!(report, "wrote {}", out.name());
-                if let Some(place) = beside {
-                    let (colors, words) = differences(&rendering.pixels, held);
-                    let panels = [("WGSL", &by_wgsl[..]), ("CPU", &by_cpu[..]), (&words, &colors[..])];
-                    let _ = writeln!(report, "wrote {} (WGSL, CPU, their difference)", place.name());
-                    place.write_panels(&panels, size.width())?;
-                }
-                out.write(size, &by_wgsl)?;
-            }
-            Some(View::Difference) => {
-                let (colors, words) = differences(&rendering.pixels, held);
-                let panel = [(&words[..], &colors[..])];
-                let _ = writeln!(report, "wrote {} (the difference of the colours)", out.name());
-                out.write_panels(&panel, size.width())?;
-            }
-            Some(view) => report.push_str(&self.show::<T>(view, &features, &own, &picture, (out, both))?),
+        let [by_wgsl, by_cpu] = [&rendering.pixels[..], held].map(|pixels| png::bytes(pixels, truth.config.gamma));
+        let _ = writeln!(report, "wrote {}", out.name());
+        if let Some(place) = beside {
+            let (colors, words) = differences(&rendering.pixels, held);
+            let panels = [("WGSL", &by_wgsl[..]), ("CPU", &by_cpu[..]), (&words, &colors[..])];
+            let _ = writeln!(report, "wrote {} (WGSL, CPU, their difference)", place.name());
+            place.write_panels(&panels, size.width())?;
         }
+        out.write(size, &by_wgsl)?;
         if let Some([x, y]) = options.pixel() {
             let index = y * size.width() + x;
-            report.push_str(&self.follow(index, &features, &own, &picture)?);
+            report.push_str(&self.follow(index, &library, (&features, &own), &picture)?);
             report.push_str(&pixel::colors(held[index].to_array(), rendering.pixels[index].to_array()));
         }
         if options.first_difference {
@@ -172,74 +154,20 @@ impl Trial<'_> {
         Ok(Outcome { report, differs: apart.differing > 0 || disagrees })
     }
 
-    /// Writes two pictures: the view by WGSL, and panels with the view by WGSL, by the CPU, and the pixels that differ.
-    /// Returns the report.
-    fn show<T: Held>(
-        &self,
-        view: View,
-        features: &Features,
-        own: &[(&str, f64)],
-        picture: &Picture<T>,
-        (out, both): (Place, Option<Place>),
-    ) -> Result<String, Error> {
-        let depth = depth_of(view, *features);
-        let features = Features { max_depth: depth, ..*features };
-        let follower = self.follower::<T>(&features, own)?;
-        let by_cpu = Picture { max_depth: depth, ..picture.clone() };
-        let (mut wgsl, mut cpu, mut marks) = (Vec::new(), Vec::new(), Vec::new());
-        let mut progress = Progress::start("WGSL and the CPU trace rays");
-        follower.follow(picture, 0, picture.size.pixels(), |index, steps| {
-            progress.note_row(index, picture.size);
-            let expected = by_cpu.steps(index);
-            wgsl.push(view.color(steps, depth));
-            cpu.push(view.color(&expected, depth));
-            marks.push(mark(&expected, steps));
-        })?;
-        let count = marks.iter().filter(|mark| **mark != [0; 3]).count();
-        let total = marks.len();
-        let first = marks.iter().position(|mark| *mark != [0; 3]).map(|index| {
-            let width = picture.size.width();
-            format!(", the first of them --pixel {} {}", index % width, index / width)
-        });
-        let first = first.unwrap_or_default();
-        let mut report = format!("{count} of {total} pixels have another bit on their way{first}\n");
-        let _ = writeln!(report, "wrote {} ({view} by WGSL)", out.name());
-        out.write(picture.size, &wgsl)?;
-        if let Some(both) = both {
-            let words = "by WGSL, by the CPU, and white where any number's bits differ";
-            let _ = writeln!(report, "wrote {} ({view} {words})", both.name());
-            let [by_wgsl, by_cpu] = ["WGSL", "CPU"].map(|side| format!("{view}, {side}"));
-            let panels = [(&by_wgsl[..], &wgsl[..]), (&by_cpu, &cpu), ("white: another bit", &marks)];
-            both.write_panels(&panels, picture.size.width())?;
-        }
-        Ok(report)
-    }
-
-    /// Returns the modules for the picture, in which the user's modules replace some.
-    fn library(&self) -> Result<Library, Error> {
-        files::library(self.modules, self.truth.scene.objects.len())
-    }
-
-    /// Returns a [`Follower`] with the user's modules. They are compiled in the separate process first.
-    fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
-        let library = self.library()?;
-        guard::check(self.gpu, &library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
-        Follower::new(self.gpu, &library, features, own)
-    }
-
-    /// Returns the path of the pixel at `index`, by the CPU and by WGSL, as text.
+    /// Returns the path of the pixel at `index`, by the CPU and by WGSL, as text. The kernel is compiled in the
+    /// separate process first.
     fn follow<T: Held>(
         &self,
         index: usize,
-        features: &Features,
-        own: &[(&str, f64)],
+        library: &Library,
+        (features, own): (&Features, &[(&str, f64)]),
         picture: &Picture<T>,
     ) -> Result<String, Error> {
-        let follower = self.follower::<T>(features, own)?;
+        guard::check(self.gpu, &library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
+        let follower = Follower::<T>::new(self.gpu, library, features, own)?;
         let expected = Picture { max_depth: features.max_depth, ..picture.clone() }.steps(index);
-        let mut text = String::new();
-        follower.follow(picture, index, 1, |_, steps| text = pixel::side_by_side(&expected, steps))?;
-        Ok(text)
+        let steps = follower.follow(picture, index, 1)?.concat();
+        Ok(pixel::side_by_side(&expected, &steps))
     }
 
     /// Returns the function in which the pixel at `index` leaves the CPU, as text.
@@ -259,18 +187,17 @@ impl Trial<'_> {
         };
         Ok(format!("pixel {} {}: {text}", index % width, index / width))
     }
+}
 
-    /// Returns an error if `own` has a constant that no module declares.
-    fn check_constants<T: Held>(&self, kernel: &str, own: &[(&str, f64)]) -> Result<(), Error> {
-        let shader = self.library()?.compose(kernel, T::PRECISION)?.validate()?;
-        let known: Vec<_> =
-            shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
-        match own.iter().find(|(name, _)| !known.contains(name)) {
-            None => Ok(()),
-            Some((name, _)) => {
-                let message = format!("--set: there is no constant [{name}]; there are: {}", known.join(", "));
-                Err(Error::Request { message })
-            }
+/// Returns an error if `own` has a constant that no module declares.
+fn check_constants(composition: &Composition, own: &[(&str, f64)]) -> Result<(), Error> {
+    let shader = composition.validate()?;
+    let known: Vec<_> = shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
+    match own.iter().find(|(name, _)| !known.contains(name)) {
+        None => Ok(()),
+        Some((name, _)) => {
+            let message = format!("--set: there is no constant [{name}]; there are: {}", known.join(", "));
+            Err(Error::Request { message })
         }
     }
 }

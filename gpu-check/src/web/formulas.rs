@@ -1,5 +1,8 @@
 //! The jobs that compute every formula, with the results that Rust has.
 
+use std::collections::BTreeMap;
+
+use serde_json::json;
 use shaders::Library;
 
 use super::jobs::{Job, Jobs};
@@ -30,8 +33,8 @@ pub fn add_formulas<'a, T: Float>(
             shader: &shader,
             entry: module.trim_start_matches("kernels/"),
             written: &[false, true],
-            constants: "{}",
-            contents: &format!("[{input:?}, {}]", rows * kernel.outputs.len() * size_of::<T>()),
+            constants: BTreeMap::new(),
+            contents: vec![json!(input), json!(rows * kernel.outputs.len() * size_of::<T>())],
             output: 1,
             invocations: rows,
         });

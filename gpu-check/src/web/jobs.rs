@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use serde::Serialize;
+use serde_json::{Value, json};
 use shaders::{Features, Library};
 
 use crate::head::{Part, head};
@@ -9,21 +11,22 @@ use crate::packed::buffer;
 use crate::scenes::Case;
 use crate::{Error, Float, Picture};
 
-/// A job: one shader, its buffers, and what to run.
-#[derive(Clone, Copy, Debug)]
+/// A job: one shader, its buffers, and what to run. The page gets it as JSON.
+#[derive(Clone, Debug, Serialize)]
 pub struct Job<'a> {
     /// The name of the result.
     pub name: &'a str,
     /// The name of the shader's text. Jobs with the same text and the same constants share a pipeline.
+    #[serde(rename = "wgsl")]
     pub shader: &'a str,
     /// The name of the kernel.
     pub entry: &'a str,
     /// For each binding, whether the shader writes it.
     pub written: &'a [bool],
-    /// The pipeline's constants, as an object of JSON.
-    pub constants: &'a str,
-    /// For each binding, the name of its bytes, or the number of bytes that the shader writes; a list of JSON.
-    pub contents: &'a str,
+    /// The pipeline's constants.
+    pub constants: BTreeMap<&'a str, f64>,
+    /// For each binding, the name of its bytes, or the number of bytes that the shader writes.
+    pub contents: Vec<Value>,
     /// The number of the binding that is the result.
     pub output: usize,
     /// How often the kernel runs: once for each case or pixel.
@@ -34,7 +37,7 @@ pub struct Job<'a> {
 #[derive(Debug, Default)]
 pub struct Jobs {
     data: BTreeMap<String, Vec<u8>>,
-    list: Vec<String>,
+    list: Vec<Value>,
 }
 
 impl Jobs {
@@ -45,12 +48,7 @@ impl Jobs {
 
     /// Adds a job to the list.
     pub fn add(&mut self, job: &Job) {
-        let Job { name, shader, entry, written, constants, contents, output, invocations } = job;
-        self.list.push(format!(
-            "{{\"name\": {name:?}, \"wgsl\": {shader:?}, \"entry\": {entry:?}, \"written\": {written:?}, \
-             \"constants\": {constants}, \"contents\": {contents}, \"output\": {output}, \
-             \"invocations\": {invocations}}}"
-        ));
+        self.list.push(json!(job));
     }
 
     /// Adds jobs that render the scenes `cases` in deterministic mode, by pipelines with these features. Their names
@@ -62,12 +60,9 @@ impl Jobs {
         let code = library.compose("kernels/image", T::PRECISION)?;
         self.add_bytes("wgsl/pictures", code.source().as_bytes().to_vec());
         for (index, (case, features)) in cases.iter().enumerate() {
-            let constants = features.constants();
-            let constants: Vec<_> = constants.iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
-            let constants = format!("{{{}}}", constants.join(", "));
             let picture = Picture::<T>::new(&case.config, &case.scene)?;
             let pixels = picture.size.pixels();
-            let mut names = Vec::new();
+            let mut contents = Vec::new();
             for (part, bytes) in [
                 ("head", head(&picture, &Part::Pixels { first: 0, count: pixels as u32 }, &(0..picture.max_depth))),
                 ("spheres", buffer(&picture.spheres)),
@@ -75,20 +70,20 @@ impl Jobs {
                 ("materials", buffer(&picture.materials)),
             ] {
                 let name = format!("picture/{index}/{part}");
-                names.push(format!("{name:?}"));
                 self.add_bytes(&name, bytes);
+                contents.push(json!(name));
             }
             // Sizes as in renderer.rs: the materials that attenuate each path, the colours, and the states of paths.
             let number = size_of::<T>();
             let sizes = [pixels * features.max_depth as usize * 4, pixels * 3 * number, pixels * (6 * number + 8)];
-            let contents = format!("[{}, {}, {}, {}]", names.join(", "), sizes[0], sizes[1], sizes[2]);
+            contents.extend(sizes.map(Value::from));
             self.add(&Job {
                 name: &format!("picture/{index}"),
                 shader: "wgsl/pictures",
                 entry: "image",
                 written: &[false, false, false, false, true, true, true],
-                constants: &constants,
-                contents: &contents,
+                constants: features.constants().into(),
+                contents,
                 output: 5,
                 invocations: pixels,
             });
@@ -99,7 +94,7 @@ impl Jobs {
     /// Returns the data by the names that the page requests.
     #[must_use]
     pub fn into_data(mut self) -> BTreeMap<String, Vec<u8>> {
-        self.data.insert("jobs".to_owned(), format!("[{}]", self.list.join(",\n")).into_bytes());
+        self.data.insert("jobs".to_owned(), Value::from(self.list).to_string().into_bytes());
         self.data
     }
 }

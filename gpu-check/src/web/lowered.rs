@@ -1,5 +1,8 @@
 //! The jobs that compute each operation of f64 by integers.
 
+use std::collections::BTreeMap;
+
+use serde_json::json;
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Precision};
 
@@ -30,8 +33,8 @@ pub fn add_operations<'a>(
             shader: &shader,
             entry: "operation",
             written: &[false, true],
-            constants: "{}",
-            contents: &format!("[\"cases\", {}]", cases.len() * operation.outcome.size()),
+            constants: BTreeMap::new(),
+            contents: vec![json!("cases"), json!(cases.len() * operation.outcome.size())],
             output: 1,
             invocations: cases.len(),
         });

@@ -69,7 +69,7 @@ fn compiling_ends_at_the_limit_on_wall_clock_time() {
 fn a_run_ends_at_the_limit_on_its_time() {
     let long = "for (var i = 0u; i < 3000000u; i++) { x = sqrt(x * x + 1.0); }";
     let run = |gpu: &Gpu, text: String| {
-        let pipeline = Pipeline::new(gpu, &Composition::of_text(text, Precision::F32), None)?;
+        let pipeline = Pipeline::new(gpu, &Composition::of_text(text, Precision::F32), &[])?;
         pipeline.run(gpu, &[Content::Output(64 * 1024 * 4)], 64 * 1024)
     };
     let gpu = common::gpu().with_patience(Duration::from_millis(1));

@@ -192,25 +192,6 @@ fn constants_of_the_crate_and_of_the_user_are_set_and_unknown_ones_refused() {
 }
 
 #[test]
-fn views_of_both_sides_agree_and_show_where_a_module_does_not() {
-    let folder = Folder::new();
-    let path = folder.file("sphere.wgsl");
-    fs::write(&path, standard("sphere")).expect("the folder is writable");
-    for view in ["lambda", "normal", "object", "side", "steps"] {
-        let text = report(folder.path(), &format!("sphere.wgsl --show {view}"));
-        assert!(text.contains("0 of 1296 pixels have another bit on their way"), "{text}");
-        assert!(folder.file(format!("out-{view}.png")).is_file());
-    }
-    let changed = standard("sphere").replace("(h - root) / a", "(h - root) * (real(1.0) / a)");
-    fs::write(&path, changed).expect("the folder is writable");
-    let text = report(folder.path(), "sphere.wgsl --show lambda");
-    let (_, place) = text.split_once("the first of them --pixel ").unwrap_or_else(|| panic!("{text}"));
-    let pixel = place.lines().next().expect("numbers follow");
-    let text = report(folder.path(), &format!("sphere.wgsl --pixel {pixel}"));
-    assert!(text.contains("<- differs\n") && text.contains("first difference: step 0, lambda\n  CPU "), "{text}");
-}
-
-#[test]
 fn an_option_that_is_not_understood_is_named_with_the_nearest_one() {
     let folder = Folder::new();
     let message = fault(folder.path(), "my.wgsl --wacht");
@@ -230,17 +211,6 @@ fn a_difference_has_exit_status_1_with_the_option_check() {
     fs::write(&path, standard("background").replace("direction.y", "direction.x")).expect("the folder is writable");
     assert_eq!(run(folder.path(), "background.wgsl --check").status.code(), Some(1));
     assert_eq!(run(folder.path(), "background.wgsl").status.code(), Some(0));
-}
-
-#[test]
-fn the_difference_alone_is_one_file() {
-    let folder = Folder::new();
-    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
-    let text = report(folder.path(), "my.wgsl --show difference");
-    assert!(text.contains("wrote out.png (the difference of the colours)\n"), "{text}");
-    let mut names: Vec<_> = fs::read_dir(&folder).expect("it is readable").flatten().map(|e| e.file_name()).collect();
-    names.sort();
-    assert_eq!(names, ["config.txt", "my.wgsl", "out.png"]);
 }
 
 #[test]
@@ -276,59 +246,34 @@ fn a_pixel_is_printed_in_words_and_whole_numbers() {
     assert!(!object.contains('.'), "{object}");
 }
 
-#[test]
-fn a_scene_of_many_objects_is_rendered_in_runs_that_end_in_time() {
-    let folder = Folder::new();
-    fs::write(folder.file("background.wgsl"), standard("background")).expect("the folder is writable");
+/// Runs the program for `scenes/ten-thousand`, with a configuration that ends in these lines.
+fn run_ten_thousand(folder: &Path, lines: &str, arguments: &str) -> Output {
+    let config = fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("it is there");
+    fs::write(folder.join("few"), config + lines).expect("the folder is writable");
     let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
-    // The scene of scenes/ten-thousand with fewer pixels. Each run takes as long as a run of the whole picture.
-    fs::write(
-        folder.file("few"),
-        fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("there") + "image_width: 64\n",
-    )
-    .expect("the folder is writable");
-    command.current_dir(&folder).args(["background.wgsl", "--config", "few", "--out", "out.png", "--check", "--scene"]);
-    let output = command.arg(repository("scenes/ten-thousand/scene.txt")).output().expect("the program starts");
-    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{text}");
-    assert!(text.contains(": 0 of 2304 pixels differ"), "{text}");
+    command.current_dir(folder).args(arguments.split(' ')).args(["--config", "few", "--out", "out.png", "--scene"]);
+    command.arg(repository("scenes/ten-thousand/scene.txt")).output().expect("the program starts")
 }
 
 #[test]
-fn paths_through_many_objects_are_shown_in_the_hierarchy() {
+fn a_scene_of_many_objects_and_a_path_in_it_take_runs_that_end_in_time() {
     let folder = Folder::new();
     fs::write(folder.file("background.wgsl"), standard("background")).expect("the folder is writable");
-    let config = fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("it is there");
-    fs::write(folder.file("few"), config + "image_width: 16\n").expect("the folder is writable");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
-    command.current_dir(&folder).args(["background.wgsl", "--config", "few", "--out", "out.png", "--scene"]);
-    command.arg(repository("scenes/ten-thousand/scene.txt")).args(["--show", "steps", "--pixel", "8", "6"]);
-    let output = command.output().expect("the program starts");
+    // Each run takes as long as a run of the whole picture.
+    let output = run_ten_thousand(folder.path(), "image_width: 64\n", "background.wgsl --check --pixel 32 24");
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{text}");
-    for line in
-        ["f64: 0 of 144 pixels differ", "\n0 of 144 pixels have another bit on their way\n", "\nno bit differs\n"]
-    {
-        assert!(text.contains(line), "{text}");
-    }
+    assert!(text.contains(": 0 of 2304 pixels differ") && text.contains("\nno bit differs\n"), "{text}");
 }
 
 #[test]
 fn a_path_that_is_too_long_is_refused_before_the_picture_is_rendered() {
     let folder = Folder::new();
     // The user's loop over all objects takes the place of the hierarchy. With a path's own loop it is too long.
-    fs::write(folder.file("deep"), "max_depth: 60000\n").expect("the folder is writable");
     fs::write(folder.file("closest_hit.wgsl"), standard("closest_hit")).expect("the folder is writable");
-    for option in ["--pixel 0 0", "--show steps"] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
-        command.current_dir(&folder).arg("closest_hit.wgsl").args(option.split(' ')).args(["--out", "out.png"]);
-        let output =
-            command.args(["--config", "deep", "--scene"]).arg(repository("scenes/ten-thousand/scene.txt")).output();
-        let output = output.expect("the program starts");
-        let message = String::from_utf8(output.stderr).expect("it is text");
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(message.starts_with("Error: 10000 objects to a depth of "), "{option}: {message}");
-    }
+    let output = run_ten_thousand(folder.path(), "max_depth: 60000\n", "closest_hit.wgsl --pixel 0 0");
+    let message = message(&output);
+    assert!(message.starts_with("Error: 10000 objects to a depth of "), "{message}");
 }
 
 #[test]

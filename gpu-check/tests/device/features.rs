@@ -1,5 +1,4 @@
-//! Tests that a pipeline specialised to its scene gives the bits of the general pipeline. The last test prints the
-//! times of both.
+//! Tests that a pipeline specialised to its scene gives the bits of the general pipeline, and prints the times of both.
 
 use std::time::Duration;
 
@@ -30,6 +29,11 @@ fn specialised_pipelines_give_the_same_bits<T: Float>(gpu: &Gpu) {
     let mut cases = scenes::in_folder(&scenes::repository("tests/cases")).unwrap_or_else(|error| panic!("{error}"));
     cases.extend(scenes::edges());
     cases.extend((0..RANDOM_SCENES).map(scenes::random));
+    cases.extend([
+        crowd("200 matte spheres", "sphere: X Y 0 .4 m\n"),
+        crowd("200 metal cylinders", "cylinder: X Y 0 .3 .2 .6 .1 n\n"),
+        crowd("200 glass spheres", "sphere: X Y 0 .4 o\n"),
+    ]);
     let (mut pixels, mut specialised) = (0, 0);
     for case in cases.into_iter().map(|case| case.within(TESTS)) {
         let features = features_of(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
@@ -74,28 +78,5 @@ fn crowd(name: &str, line: &str) -> Case {
         name: name.to_owned(),
         config,
         scene: cpu::internals::input::scene::Scene::parse(text.as_bytes()).expect("it is valid"),
-    }
-}
-
-#[test]
-fn times_of_specialised_and_general_pipelines_are_reported() {
-    let gpu = common::gpu();
-    let crowds = [
-        crowd("200 matte spheres", "sphere: X Y 0 .4 m\n"),
-        crowd("200 metal cylinders", "cylinder: X Y 0 .3 .2 .6 .1 n\n"),
-        crowd("200 glass spheres", "sphere: X Y 0 .4 o\n"),
-    ];
-    for case in crowds {
-        let features = features_of(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
-        let all = Features::all(features.max_depth);
-        let time = |features| {
-            let times = [(); 3].map(|()| render::<f64>(&gpu, &case, features).1);
-            times.into_iter().min().expect("there are three")
-        };
-        let (own, general) = (time(&features), time(&all));
-        let ratio = general.as_secs_f64() / own.as_secs_f64();
-        println!("{}: {own:?} specialised, {general:?} general, {ratio:.2} times", case.name);
-        let pictures = (render::<f64>(&gpu, &case, &features).0, render::<f64>(&gpu, &case, &all).0);
-        assert_eq!(difference(&pictures.0, &pictures.1).differing, 0, "{}", case.name);
     }
 }

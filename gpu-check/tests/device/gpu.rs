@@ -158,7 +158,7 @@ fn a_shader_without_floating_point_is_right_in_every_form() {
     let results = Form::ALL.map(|form| {
         let gpu = common::gpu().with_form(form);
         let composition = Composition::of_text(text.to_owned(), Precision::F32);
-        let pipeline = Pipeline::with_constants(&gpu, &composition, &[("factor", 3.0)]).expect("it is valid");
+        let pipeline = Pipeline::new(&gpu, &composition, &[("factor", 3.0)]).expect("it is valid");
         let contents = [Content::Input(bytemuck::cast_slice(&cases)), Content::Output(4 * cases.len() as u64)];
         let run = pipeline.run(&gpu, &contents, cases.len() as u64).unwrap_or_else(|error| panic!("{error}"));
         bytemuck::pod_collect_to_vec::<u8, u32>(&run.outputs.concat())
@@ -174,6 +174,6 @@ fn a_shader_without_floating_point_is_right_in_every_form() {
     for form in Form::ALL {
         let gpu = common::gpu().with_form(form);
         let composition = Composition::of_text(text.to_owned(), Precision::F32);
-        assert!(Pipeline::with_constants(&gpu, &composition, &missing).is_err(), "{form}");
+        assert!(Pipeline::new(&gpu, &composition, &missing).is_err(), "{form}");
     }
 }

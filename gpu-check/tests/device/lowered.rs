@@ -110,7 +110,7 @@ fn run_everything(gpu: &Gpu, is_lowered: bool, items: &[u8], count: usize) -> Re
     let source = include_str!("../../../shaders/tests/lowered/everything.wgsl").to_owned();
     let composition = Composition::of_file("everything.wgsl", source, Precision::F64);
     let composition = if is_lowered { composition.lowered(&Arithmetic::standard())? } else { composition };
-    let pipeline = Pipeline::new(gpu, &composition, None)?;
+    let pipeline = Pipeline::new(gpu, &composition, &[])?;
     let copies = items.len() as u64;
     let contents = [Content::Input(items), Content::Output((count * 128) as u64), Content::Scratch(copies)];
     Ok(bytemuck::pod_collect_to_vec(&pipeline.run(gpu, &contents, count as u64)?.outputs.concat()))
@@ -156,7 +156,7 @@ fn time_of(gpu: &Gpu, step: &str, is_lowered: bool) -> Result<Duration, Error> {
     );
     let composition = Composition::of_file("steps.wgsl", source, Precision::F64);
     let composition = if is_lowered { composition.lowered(&Arithmetic::standard())? } else { composition };
-    let pipeline = Pipeline::new(gpu, &composition, None)?;
+    let pipeline = Pipeline::new(gpu, &composition, &[])?;
     let count = 1_u32 << 18;
     let numbers: Vec<_> = (0..count).flat_map(|index| [1.0 + f64::from(index) * 1e-9, 0.999_999_9]).collect();
     let contents = [Content::Input(bytemuck::cast_slice(&numbers)), Content::Output(8 * u64::from(count))];

@@ -1,6 +1,5 @@
 //! Tests that run shaders on the device. A module of this program is run alone by its name, such as `hierarchy::`.
 
-mod arithmetic;
 #[path = "../common/mod.rs"]
 mod common;
 mod exact;

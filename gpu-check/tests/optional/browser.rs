@@ -40,15 +40,17 @@ pub fn conformance(chromium: &Path) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Starts the browser, and returns the results of all jobs by their names.
-fn results(chromium: &Path, jobs: Jobs) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
+/// Starts the browser, and returns the results of all jobs by their names. Each must come within `patience`.
+pub fn results(chromium: &Path, jobs: Jobs, patience: Duration) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
     let profile = Folder::new();
     let server = Server::new(0, jobs.into_data())?;
     let mut browser = Browser::open(chromium, profile.path(), &format!("http://{}/jobs", server.address()?))?;
     let (sender, receiver) = mpsc::channel();
     // The thread runs until the process ends.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
-    Ok(browser::collect(&receiver, &mut browser, PATIENCE)?)
+    let results = browser::collect(&receiver, &mut browser, patience)?;
+    println!("browser: {}", String::from_utf8_lossy(&results["adapter"]));
+    Ok(results)
 }
 
 /// Compares the formulas and a picture.
@@ -62,8 +64,7 @@ pub fn tint(chromium: &Path) -> Result<(), Failed> {
     let mut jobs = Jobs::default();
     add_formulas::<f32>(&mut jobs, &Library::standard(), KERNELS.iter())?;
     jobs.add_pictures::<f32>(&Library::standard(), &[(Case { name: String::new(), config, scene }, features)])?;
-    let results = results(chromium, jobs)?;
-    println!("browser: {}", String::from_utf8_lossy(&results["adapter"]));
+    let results = results(chromium, jobs, PATIENCE)?;
     formulas(&gpu, &results)?;
     let colors = floats(&results["picture/0"])?;
     let actual: Vec<_> = colors.chunks(3).map(|rgb| Vec3::new(rgb[0], rgb[1], rgb[2])).collect();

@@ -3,8 +3,8 @@
 //! The variable `LOWERED_CASES` sets the number of cases of each operation. With `LOWERED_PICTURES=all` pictures
 //! of matte and of metal spheres are rendered, not only one picture.
 
+use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::mpsc;
 use std::time::Duration;
 
 use cpu::{Scatter, Vec3, reference};
@@ -12,13 +12,13 @@ use gpu_check::difference::difference;
 use gpu_check::features_of;
 use gpu_check::lowered::{Tally, operands::draw, operations};
 use gpu_check::scenes::{self, Case};
-use gpu_check::web::chromium::Browser;
 use gpu_check::web::formulas::{add_formulas, cases as formula_cases, expected};
-use gpu_check::web::{Posted, Server, jobs::Jobs, lowered::add_operations};
-use gpu_check::{Float, kernels::KERNELS};
+use gpu_check::web::{jobs::Jobs, lowered::add_operations};
+use gpu_check::{Float, Kernel, kernels::KERNELS};
 use libtest_mimic::Failed;
 use shaders::{Features, Library, lower::Arithmetic};
-use test_support::folder::Folder;
+
+use super::browser::results;
 
 /// Number of cases of each operation, unless `LOWERED_CASES` sets another.
 const CASES: u64 = 1_000_000;
@@ -64,56 +64,37 @@ pub fn compare(chromium: &Path) -> Result<(), Failed> {
     let mut jobs = Jobs::default();
     add_operations(&mut jobs, operations.iter().copied(), &cases)?;
     let library = Library::standard().lowered(Arithmetic::standard());
-    let kernels = KERNELS.iter().filter(|kernel| !TOO_LARGE.contains(&kernel.module));
-    add_formulas::<f64>(&mut jobs, &library, kernels)?;
+    add_formulas::<f64>(&mut jobs, &library, kernels())?;
     jobs.add_pictures::<f64>(&library, &pictures)?;
-    let server = Server::new(0, jobs.into_data())?;
-    let profile = Folder::new();
-    let _browser = Browser::open(chromium, profile.path(), &format!("http://{}/jobs", server.address()?))?;
-    let (sender, receiver) = mpsc::channel();
-    std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
+    let results = results(chromium, jobs, PATIENCE)?;
     let (mut compared, mut numbers, mut pixels, mut faults) = (0, 0, 0, Vec::new());
-    loop {
-        let Posted { name, body } = receiver.recv_timeout(PATIENCE)?;
-        let (kind, rest) = name.split_once('/').unwrap_or((&name, ""));
-        match (kind, rest.parse::<usize>()) {
-            ("failed", _) => return Err(String::from_utf8_lossy(&body).into_owned().into()),
-            ("done", _) => break,
-            ("operation", Ok(index)) => {
-                let operation = operations[index];
-                let mut tally = Tally::new(operation);
-                assert_eq!(body.len(), cases.len() * operation.outcome.size(), "{}", operation.wgsl);
-                for (case, actual) in cases.iter().zip(body.chunks(operation.outcome.size())) {
-                    tally.add(operation, case, actual);
-                }
-                println!("{tally}");
-                compared += tally.cases;
-                faults.extend((tally.differing > 0).then(|| tally.to_string()));
-            }
-            ("kernels", _) if KERNELS.iter().any(|kernel| kernel.module == name) => {
-                let kernel = KERNELS.iter().find(|kernel| kernel.module == name).ok_or("it is one of them")?;
-                let actual = bytemuck::pod_collect_to_vec::<u8, f64>(&body);
-                let expected = expected(kernel, &formula_cases::<f64>(kernel));
-                assert_eq!(actual.len(), expected.len(), "{name}");
-                let differing = actual.iter().zip(&expected).filter(|(one, other)| !one.same(**other)).count();
-                println!("{name}: {differing} of {} numbers differ", actual.len());
-                numbers += actual.len();
-                faults.extend((differing > 0).then(|| format!("{name}: {differing} numbers differ")));
-            }
-            ("picture", Ok(index)) => {
-                let (case, _) = &pictures[index];
-                let numbers = bytemuck::pod_collect_to_vec::<u8, f64>(&body);
-                let actual: Vec<_> = numbers.chunks(3).map(|rgb| Vec3::new(rgb[0], rgb[1], rgb[2])).collect();
-                let mut expected = Vec::new();
-                let take = |_, mean| expected.push(mean);
-                reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, take)?;
-                let found = difference(&actual, &expected);
-                println!("{}: {found}", case.name);
-                pixels += found.pixels;
-                faults.extend((found.differing > 0).then(|| format!("{}: {found}", case.name)));
-            }
-            _ => println!("{name}: {}", String::from_utf8_lossy(&body)),
+    for (index, &operation) in operations.iter().enumerate() {
+        let mut tally = Tally::new(operation);
+        let body = result(&results, &format!("operation/{index}"), cases.len() * operation.outcome.size())?;
+        for (case, actual) in cases.iter().zip(body.chunks(operation.outcome.size())) {
+            tally.add(operation, case, actual);
         }
+        println!("{tally}");
+        compared += tally.cases;
+        faults.extend((tally.differing > 0).then(|| tally.to_string()));
+    }
+    for kernel in kernels() {
+        let expected = expected(kernel, &formula_cases::<f64>(kernel));
+        let actual = floats(result(&results, kernel.module, 8 * expected.len())?);
+        let differing = actual.iter().zip(&expected).filter(|(one, other)| !one.same(**other)).count();
+        println!("{}: {differing} of {} numbers differ", kernel.module, actual.len());
+        numbers += actual.len();
+        faults.extend((differing > 0).then(|| format!("{}: {differing} numbers differ", kernel.module)));
+    }
+    for (index, (case, _)) in pictures.iter().enumerate() {
+        let mut expected = Vec::new();
+        reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| expected.push(mean))?;
+        let numbers = floats(result(&results, &format!("picture/{index}"), 24 * expected.len())?);
+        let actual: Vec<_> = numbers.chunks(3).map(|rgb| Vec3::new(rgb[0], rgb[1], rgb[2])).collect();
+        let found = difference(&actual, &expected);
+        println!("{}: {found}", case.name);
+        pixels += found.pixels;
+        faults.extend((found.differing > 0).then(|| format!("{}: {found}", case.name)));
     }
     println!(
         "{compared} results, {numbers} numbers of formulas and {pixels} pixels of the browser compared with Rust's f64"
@@ -122,4 +103,18 @@ pub fn compare(chromium: &Path) -> Result<(), Failed> {
         return Err("too little was compared".into());
     }
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
+}
+
+fn kernels() -> impl Iterator<Item = &'static Kernel> {
+    KERNELS.iter().filter(|kernel| !TOO_LARGE.contains(&kernel.module))
+}
+
+/// Returns the result of a job, or an error if it does not have this number of bytes.
+fn result<'a>(results: &'a BTreeMap<String, Vec<u8>>, name: &str, bytes: usize) -> Result<&'a [u8], Failed> {
+    let found = results.get(name).filter(|body| body.len() == bytes);
+    Ok(found.ok_or_else(|| format!("{name} has no result of {bytes} bytes"))?)
+}
+
+fn floats(bytes: &[u8]) -> Vec<f64> {
+    bytemuck::pod_collect_to_vec(bytes)
 }

@@ -60,8 +60,8 @@ fn names_of_files_may_be_any_bytes() {
 
 #[test]
 fn options_are_read() {
-    let read = options("--f32 --show normal --pixel 3 4 --watch --set own=2.5");
-    assert_eq!((read.precision(), read.view, read.watch), (Precision::F32, Some(View::Normal), true));
+    let read = options("--f32 --pixel 3 4 --watch --set own=2.5");
+    assert_eq!((read.precision(), read.watch), (Precision::F32, true));
     assert_eq!((read.pixel(), read.constants), (Some([3, 4]), vec![("own".to_owned(), 2.5)]));
     assert!(!options("").no_sync && !options("").first_difference);
     assert!(options("--first-difference").first_difference && options("--no-sync").no_sync);
@@ -69,7 +69,6 @@ fn options_are_read() {
         ("--set own", "it is not NAME=VALUE"),
         ("--set own=red", "[red] is not a number"),
         ("--pixel 1", "2 values required"),
-        ("--show nothing", "[possible values: lambda, normal, object, side, steps, difference]"),
     ] {
         let fault = parsed(&format!("{NEEDED} {text}")).expect_err(text);
         assert!(fault.contains(message), "{text}: {fault}");
@@ -95,13 +94,11 @@ fn random_numbers_need_one_option_and_their_convention_another() {
     assert_eq!(options("").convention(), None);
     assert_eq!(options("--samples").convention(), Some(Convention::Statement));
     assert_eq!(options("--scatter published --samples").convention(), Some(Convention::Published));
-    assert!(options("--samples --show difference").samples);
     for (text, message) in [
         ("--scatter statement", "--samples"),
         ("--samples --scatter mine", "[possible values: statement, published]"),
         ("--samples --pixel 1 2", "cannot be used with '--pixel"),
         ("--samples --first-difference", "cannot be used with '--first-difference'"),
-        ("--samples --show lambda", "with --samples, --show shows only the difference"),
     ] {
         let fault = parsed(&format!("{NEEDED} {text}")).expect_err("it is refused");
         assert!(fault.contains(message), "{text}: {fault}");

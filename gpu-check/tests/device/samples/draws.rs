@@ -27,7 +27,7 @@ fn edges() -> Vec<u64> {
 fn words_become_the_numbers_of_the_programs() {
     let gpu = common::gpu();
     let composition = Library::standard().compose("kernels/draws", Precision::F64).expect("it exists");
-    let pipeline = Pipeline::new(&gpu, &composition, None).unwrap_or_else(|error| panic!("{error}"));
+    let pipeline = Pipeline::new(&gpu, &composition, &[]).unwrap_or_else(|error| panic!("{error}"));
     let mut generator = Mt64::new(5489);
     let mut words = edges();
     words.extend((0..1 << 18).map(|_| generator.next_u64()));
