@@ -152,10 +152,4 @@ mod tests {
         };
         assert!(many(149) && !many(150), "largest difference under 150");
     }
-
-    #[test]
-    fn sizes_must_be_equal() {
-        let error = Difference::between(&picture(&[[0; 3]; 2]), &picture(&[[0; 3]; 4])).expect_err("they are not");
-        assert!(error.contains("2 x 1 and 2 x 2"), "{error}");
-    }
 }

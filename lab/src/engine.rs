@@ -3,7 +3,6 @@
 
 use std::fmt;
 use std::ops::ControlFlow;
-use std::str::FromStr;
 
 use clap::ValueEnum;
 use cpu::internals::accel::choice::Accel;
@@ -180,18 +179,6 @@ impl fmt::Display for Engine {
     }
 }
 
-impl FromStr for Engine {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let all = Self::all();
-        all.iter().copied().find(|engine| engine.to_string() == text).ok_or_else(|| {
-            let names: Vec<_> = all.iter().map(Self::to_string).collect();
-            format!("this machine has {}", names.join(", "))
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -213,14 +200,6 @@ mod tests {
         let today = InstructionSet::ALL.map(InstructionSet::name);
         let measured: Vec<_> = MEASURED_SETS.into_iter().filter(|name| today.contains(name)).collect();
         assert_eq!(measured, today);
-    }
-
-    #[test]
-    fn engines_are_named_as_they_are_read() {
-        for engine in Engine::all() {
-            assert_eq!(engine.to_string().parse(), Ok(engine));
-        }
-        assert!("aos".parse::<Engine>().is_err());
     }
 
     #[test]

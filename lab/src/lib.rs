@@ -1,9 +1,9 @@
 //! `render-lab`: renders with progress, compares pictures, inspects scenes, and measures the renderer.
 //!
 //! Each command has its own module in [`commands`]. The other modules hold what several commands use: [`picture`] reads
-//! and writes pictures, [`difference`] compares two of them, [`engine`] lists the implementations, [`usage`] reads user
-//! time and memory. [`mod@bench`] measures, and [`report`] converts the data into charts and pages. [`view`] answers
-//! the requests of the page in `web/site`.
+//! and writes pictures, [`difference`] compares two of them, [`engine`] lists the implementations. [`mod@bench`]
+//! measures, and [`report`] converts the data into charts and pages. [`view`] answers the requests of the page in
+//! `web/site`.
 //!
 //! `cpu` does all rendering, on one thread.
 
@@ -19,7 +19,6 @@ pub mod picture;
 pub mod report;
 pub mod sources;
 pub mod terminal;
-pub mod usage;
 pub mod view;
 
 use std::ffi::OsString;

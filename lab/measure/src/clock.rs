@@ -1,4 +1,4 @@
-//! The user time of this process and of those that it has started.
+//! The user time of this process and of those that it has started, and the largest memory of this process.
 
 use nix::sys::resource::{UsageWho, getrusage};
 
@@ -20,6 +20,13 @@ pub fn seconds_of_children() -> f64 {
     user(UsageWho::RUSAGE_CHILDREN)
 }
 
+/// Returns the largest resident memory of this process since its start, in bytes.
+#[must_use]
+pub fn peak_memory() -> u64 {
+    let usage = getrusage(UsageWho::RUSAGE_SELF).expect("a process may ask about itself");
+    u64::try_from(usage.max_rss()).unwrap_or(0) * 1024
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -34,5 +41,6 @@ mod tests {
         let script = "i=0; while [ $i -lt 200000 ]; do i=$((i+1)); done";
         let status = std::process::Command::new("sh").args(["-c", script]).status();
         assert!(status.is_ok_and(|status| status.success()) && seconds_of_children() > before[1]);
+        assert!(peak_memory() > 100_000, "{} bytes", peak_memory());
     }
 }

@@ -2,10 +2,7 @@
 //!
 //! Linux offers the RAPL counters as files under `/sys/class/powercap`. They count microjoules, and wrap around to 0.
 //! They count the whole package, so idle cores and other processes are included; [`measure()`] can subtract the power
-//! of the idle machine. If the files cannot be read, the module `perf` tries `perf stat`, which may read the counters
-//! on some machines.
-
-pub mod perf;
+//! of the idle machine. Only root may read the files; docs/measure-perf measures whole programs by `perf stat`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,12 +10,13 @@ use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
-use perf::Perf;
-
 use crate::Failure;
 
 /// The folder in which Linux has the files of the RAPL counters.
 pub const POWERCAP: &str = "/sys/class/powercap";
+
+/// The reason of older results, which tried `perf` too, on a machine without the counter.
+pub const NO_COUNTER: &str = "no counter power/energy-pkg/";
 
 /// The energy of one picture. A figure that could not be measured is `null`, and `reason` gives the reason.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,13 +37,7 @@ pub struct Energy {
 
 /// The energy counters of all processor packages.
 #[derive(Debug)]
-pub struct Meter(Source);
-
-#[derive(Debug)]
-enum Source {
-    Powercap(Vec<Counter>),
-    Perf(Perf),
-}
+pub struct Meter(Vec<Counter>);
 
 #[derive(Debug)]
 struct Counter {
@@ -69,10 +61,7 @@ impl Meter {
     /// # Errors
     /// The reason why the machine has no meter, as text.
     pub fn here() -> Result<Self, String> {
-        Self::open(Path::new(POWERCAP)).or_else(|first| {
-            let perf = Perf::open(Path::new("perf")).map_err(|second| format!("{first}; {second}"))?;
-            Ok(Self(Source::Perf(perf)))
-        })
+        Self::open(Path::new(POWERCAP))
     }
 
     /// Returns a meter of the packages' counters in `folder`, which is [`POWERCAP`] on a real machine.
@@ -95,29 +84,16 @@ impl Meter {
             return Err(format!("no RAPL: no package under {}", folder.display()));
         }
         read(&counters)?;
-        Ok(Self(Source::Powercap(counters)))
+        Ok(Self(counters))
     }
 
     /// Runs `work`, and returns the joules and seconds that it took.
     fn during(&self, work: impl FnOnce() -> Result<(), Failure>) -> Result<(f64, f64), Failure> {
-        match &self.0 {
-            Source::Powercap(counters) => {
-                let (before, start) = (read(counters)?, Instant::now());
-                work()?;
-                let (seconds, after) = (start.elapsed().as_secs_f64(), read(counters)?);
-                let spent = counters.iter().zip(before.iter().zip(after));
-                Ok((spent.map(|(counter, (&before, after))| counter.joules(before, after)).sum(), seconds))
-            }
-            Source::Perf(perf) => {
-                let start = Instant::now();
-                let counting = perf.start()?;
-                let outcome = work();
-                // `perf` is stopped even if `work` failed, because otherwise it would count for a day.
-                let joules = counting.stop()?;
-                outcome?;
-                Ok((joules, start.elapsed().as_secs_f64()))
-            }
-        }
+        let (before, start) = (read(&self.0)?, Instant::now());
+        work()?;
+        let (seconds, after) = (start.elapsed().as_secs_f64(), read(&self.0)?);
+        let spent = self.0.iter().zip(before.iter().zip(after));
+        Ok((spent.map(|(counter, (&before, after))| counter.joules(before, after)).sum(), seconds))
     }
 }
 

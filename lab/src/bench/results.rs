@@ -12,7 +12,6 @@ use super::energy::Energy;
 use super::error::ErrorCurve;
 use super::fit::PowerLaw;
 use super::machine::Machine;
-use crate::usage::Seconds;
 use measure::statistics::Median;
 
 /// Errors in linear light for which a [`TimeToError`] is computed.
@@ -40,7 +39,7 @@ pub struct Timing {
     #[serde(flatten)]
     pub setting: Setting,
     /// The time of every repeat in seconds, in the order measured.
-    pub seconds: Vec<Seconds>,
+    pub seconds: Vec<f64>,
     /// Median of the times of all repeats.
     pub median: Median,
     /// SHA-256 of the picture, in hexadecimal digits.
@@ -129,7 +128,7 @@ pub struct TimeToError {
     /// The given error, in linear light.
     pub error: f64,
     /// The time in seconds, interpolated between measured points; `null` if the error lies outside the measured range.
-    pub seconds: Option<Seconds>,
+    pub seconds: Option<f64>,
 }
 
 /// A line of a chart: the times of one implementation for several values of a parameter.

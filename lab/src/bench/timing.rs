@@ -11,13 +11,12 @@ use measure::turns::{in_turn, turns_of};
 use crate::Failure;
 use crate::engine::Engine;
 use crate::interrupt::Interrupt;
-use crate::usage::Seconds;
 
 /// The times of several engines for one picture.
 #[derive(Clone, Debug)]
 pub struct Times {
     /// Each engine, with the seconds of one picture in each repeat, in the order measured.
-    pub of: Vec<(Engine, Vec<Seconds>)>,
+    pub of: Vec<(Engine, Vec<f64>)>,
     /// SHA-256 of the picture, which is the same for all engines.
     pub digest: String,
 }

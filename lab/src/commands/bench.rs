@@ -46,7 +46,7 @@ enum What {
         #[command(flatten)]
         how: How,
     },
-    /// Energy and power, from RAPL or perf where the machine has them; null with the reason where it has not
+    /// Energy and power, from RAPL where root may read it; null with the reason where not
     #[command(after_help = "Examples:\n  render-lab bench energy --subtract-idle --out energy.json")]
     Energy {
         #[command(flatten)]

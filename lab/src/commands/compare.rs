@@ -121,22 +121,3 @@ impl std::fmt::Display for Words<'_> {
         write!(out, "verdict    {}", if *accepted { "accepted" } else { "not accepted" })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn words(first: [u8; 3], second: [u8; 3]) -> String {
-        let picture = |pixel| Picture { width: 1, height: 1, pixels: vec![pixel] };
-        let difference = Difference::between(&picture(first), &picture(second)).expect("one size");
-        Words(&difference).to_string()
-    }
-
-    #[test]
-    fn the_verdict_is_the_last_line() {
-        assert_eq!(words([7; 3], [7; 3]), "identical: 1 pixels");
-        let near = words([0; 3], [3, 0, 0]);
-        assert!(near.starts_with("maximum    1.000") && near.ends_with("verdict    accepted"), "{near}");
-        assert!(words([0; 3], [255; 3]).ends_with("verdict    not accepted"));
-    }
-}

@@ -1,6 +1,7 @@
 //! `render-lab help`: prints the help of a command, or a table of the lines that an input file may have.
 
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 
 use crate::{Failure, format, terminal};
 
@@ -13,33 +14,10 @@ Examples:
   render-lab help bench scale  the options of a command")]
 pub struct Arguments {
     /// A command, or config or scene
-    #[arg(value_parser = topics())]
-    topic: Vec<String>,
-}
-
-/// Reads any word, since a command may have commands below it. Completion scripts offer the commands and both files.
-fn topics() -> impl clap::builder::TypedValueParser<Value = String> {
-    Topics
-}
-
-#[derive(Clone)]
-struct Topics;
-
-impl clap::builder::TypedValueParser for Topics {
-    type Value = String;
-
-    fn parse_ref(
-        &self,
-        command: &clap::Command,
-        argument: Option<&clap::Arg>,
-        value: &std::ffi::OsStr,
-    ) -> Result<String, clap::Error> {
-        clap::builder::StringValueParser::new().parse_ref(command, argument, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = clap::builder::PossibleValue> + '_>> {
-        Some(Box::new(TOPICS.iter().map(clap::builder::PossibleValue::new)))
-    }
+    #[arg(value_parser = PossibleValuesParser::new(TOPICS), hide_possible_values = true)]
+    topic: Option<String>,
+    /// A command below it
+    below: Vec<String>,
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
@@ -52,7 +30,7 @@ impl Arguments {
     /// # Errors
     /// An error if there is no such topic, or if standard output cannot be written.
     pub fn run(&self, mut command: clap::Command) -> Result<(), Failure> {
-        let text = match self.topic.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        let text = match self.topic.iter().chain(&self.below).map(String::as_str).collect::<Vec<_>>()[..] {
             ["config"] => format!(
                 "A configuration file: one key and its values a line, in any order; every key may be left out.\n\
                  Blank lines are ignored; of a key that is repeated the last counts.\n\n{}",

@@ -7,6 +7,7 @@ use clap::Args;
 use cpu::internals::Prepared;
 use cpu::{Aos, Config, Error, Layout, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use measure::clock::{own_seconds, peak_memory};
 use output::{Options, Output};
 use serde::Serialize;
 
@@ -16,7 +17,6 @@ use crate::interrupt::Interrupt;
 use crate::picture::kind::Kind;
 use crate::sources;
 use crate::terminal;
-use crate::usage::Usage;
 
 /// Examples, shown after the help of `render`.
 const EXAMPLES: &str = "\
@@ -152,7 +152,7 @@ impl Arguments {
         let part = self.crop.unwrap_or([0, 0, size.width(), size.height()]);
         let rows = rows_of(part, size.width(), size.height())?;
         let output = Output::open(&sources::output(&self.out), options)?;
-        let (before, start) = (Usage::now(), Instant::now());
+        let (before, start) = (own_seconds(), Instant::now());
         let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) };
         let picture = engine::render_rows::<L>(&prepared, rows, |row| {
             bar.set_position(row as u64);
@@ -162,9 +162,8 @@ impl Arguments {
         let picture = picture.ok_or(Failure::Interrupted)?;
         let picture = if self.crop.is_some() { picture.crop(part)? } else { picture };
         output.fill(|file| picture.write(kind, file))?;
-        let after = Usage::now();
         let primary_rays = ((rows * size.width()) as u64).saturating_mul(prepared.samples);
-        let user_seconds = after.user - before.user;
+        let user_seconds = own_seconds() - before;
         Ok(Taken {
             width: picture.width,
             height: picture.height,
@@ -173,7 +172,7 @@ impl Arguments {
             seconds: start.elapsed().as_secs_f64(),
             user_seconds,
             nanoseconds_per_primary_ray: user_seconds * 1e9 / primary_rays as f64,
-            peak_memory_bytes: after.peak_memory,
+            peak_memory_bytes: peak_memory(),
             rays: None,
             hits: None,
             nanoseconds_per_ray: None,

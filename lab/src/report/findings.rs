@@ -7,7 +7,7 @@ mod intersections;
 use serde::Serialize;
 
 use super::style::short;
-use crate::bench::energy::perf;
+use crate::bench::energy::NO_COUNTER;
 use crate::bench::results::Results;
 use comparisons::{gains, instruction_sets, layouts, reference};
 use growth::{error, scaling, time_to_error};
@@ -81,7 +81,7 @@ fn energy(results: &Results) -> Option<String> {
     let first = results.energy.first()?;
     if let Some(reason) = results.energy.iter().find_map(|energy| energy.reason.as_ref()) {
         // Older results quote the message of `perf` for a counter that the machine lacks.
-        let reason = reason.replace("event syntax error: 'power/energy-pkg/'", perf::NO_COUNTER);
+        let reason = reason.replace("event syntax error: 'power/energy-pkg/'", NO_COUNTER);
         return Some(format!("Energy was not measured: {reason}."));
     }
     let parts: Vec<_> = results

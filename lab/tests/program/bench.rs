@@ -102,21 +102,6 @@ fn intersections_have_cost_and_error_in_data_and_report() {
     assert!(page.contains("Intersections against exact arithmetic"), "{page}");
 }
 
-#[test]
-fn energy_is_a_figure_or_a_reason() {
-    let folder = Folder::new();
-    let out = folder.name("energy.json");
-    // With as many parts as tasks, the last part has only the last task, which measures the energy of one scene.
-    let count = printed(&["bench", "tasks"]).lines().count();
-    assert!(printed(&["bench", "tasks"]).ends_with("energy spheres\n"));
-    printed(&["bench", "all", "--part", &format!("{count}/{count}"), "--quick", "--out", &out]);
-    let results = Results::read(&folder.file("energy.json")).expect("it was written");
-    assert_eq!(results.energy.len(), 3);
-    for energy in &results.energy {
-        assert!(energy.joules.is_some() != energy.reason.is_some(), "{energy:?}");
-    }
-}
-
 #[cfg(unix)]
 #[test]
 fn an_interrupted_measurement_is_kept_and_goes_on() {

@@ -1,4 +1,4 @@
-//! Tests of the commands that write files or describe scenes: `generate`, `inspect`, `completions`, `man`.
+//! Tests of the commands that write files or describe scenes: `generate`, `inspect`, `man`.
 
 use std::fs;
 
@@ -50,11 +50,7 @@ fn a_scene_is_told_in_words_and_in_json() {
 }
 
 #[test]
-fn shells_get_completions_and_man_gets_pages() {
-    for shell in ["bash", "zsh", "fish"] {
-        let script = printed(&["completions", shell]);
-        assert!(script.contains("render-lab") && script.contains("heatmap"), "{shell}");
-    }
+fn man_gets_pages() {
     let folder = Folder::new();
     printed(&["man", &folder.name("man1")]);
     let page = fs::read_to_string(folder.file("man1/render-lab-compare.1")).expect("it was written");

@@ -11,7 +11,7 @@ use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use test_support::folder::Folder;
 
-use crate::{bash, complaint, lab};
+use crate::{bash, lab};
 
 const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
 
@@ -52,14 +52,6 @@ fn endless_configurations_are_refused_with_and_without_settings() {
         assert!(message.contains("[/dev/zero]: line 1 is longer than 1048576 bytes"), "{message}");
         assert!(folder.names().is_empty());
     }
-}
-
-#[test]
-fn more_objects_than_a_file_may_have_are_not_generated() {
-    let folder = Folder::new();
-    let message = complaint(&["generate", &folder.name("c"), &folder.name("s"), "--objects", "18446744073709551615"]);
-    assert!(message.contains("a number from 0 to 10000000 is needed"), "{message}");
-    assert!(folder.names().is_empty());
 }
 
 /// Sends `signal` at random moments to `runs` renderings. After each one, the old picture or the new one must stand,
@@ -105,8 +97,10 @@ fn stopped(signal: Signal, runs: usize) -> Vec<ExitStatus> {
 fn a_request_to_stop_at_any_moment_leaves_the_old_picture_or_the_new_one() {
     // If the signal comes before the program listens, it ends the program without a status. Later the status is
     // 130.
-    let statuses = stopped(Signal::SIGTERM, 60);
-    assert!(statuses.iter().all(|status| matches!(status.code(), None | Some(130))), "{statuses:?}");
+    for signal in [Signal::SIGTERM, Signal::SIGINT] {
+        let statuses = stopped(signal, 40);
+        assert!(statuses.iter().all(|status| matches!(status.code(), None | Some(130))), "{signal}: {statuses:?}");
+    }
 }
 
 #[test]

@@ -153,37 +153,3 @@ fn a_dash_is_standard_input_or_output() {
     assert!(complaint(&["render", "-", "-", &name]).contains("can be only one of the two files"));
     assert!(complaint(&["render", CONFIG, SCENE, "-", "--json"]).contains("both write to standard output"));
 }
-
-#[cfg(target_os = "linux")]
-#[test]
-fn an_interruption_leaves_no_file() {
-    use std::os::unix::process::ExitStatusExt;
-    use std::process::Stdio;
-    use std::time::Duration;
-
-    for name in ["out.ppm", "out.png"] {
-        let folder = Folder::new();
-        // With 2,000,000 samples a pixel, the picture takes hours.
-        let arguments = ["render", CONFIG, SCENE, &folder.name(name), "--set", "samples_per_pixel=2000000"];
-        // The shell starts a background job with SIGINT ignored, and the program respects that. `env` restores the
-        // default action.
-        let mut command = std::process::Command::new("env");
-        command.args(["--default-signal=INT", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
-        command.current_dir(test_support::project_root());
-        let mut child = command.stderr(Stdio::piped()).spawn().expect("the program runs");
-        let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
-        // The first signal ends the program at the end of a row, or at once if it does not listen yet. If the program
-        // still runs after half a second, a second signal ends it at once.
-        std::thread::sleep(Duration::from_millis(500));
-        nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
-        std::thread::sleep(Duration::from_millis(500));
-        if child.try_wait().expect("it is ours").is_none() {
-            nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
-        }
-        // If the program has recorded the signal, its status is 130. Otherwise the signal itself ends the program.
-        let status = child.wait().expect("it is ours");
-        let interrupted = nix::sys::signal::Signal::SIGINT as i32;
-        assert!(status.code() == Some(130) || status.signal() == Some(interrupted), "{status}");
-        assert_eq!(folder.names(), <[&str; 0]>::default());
-    }
-}

@@ -142,35 +142,6 @@ fn the_limit_on_entries_holds_for_two_files_together() {
 }
 
 #[test]
-fn results_without_a_time_are_refused_with_a_reason() {
-    let folder = Folder::new();
-    let path = test_support::project_root().join("docs/report/data/bench.json");
-    let mut value: serde_json::Value =
-        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
-    value["intersections"][0]["nanoseconds"] = serde_json::json!([]);
-    let part = folder.name("part.json");
-    fs::write(&part, value.to_string()).expect("the folder is writable");
-    let message = complaint(&["bench", "merge", "--out", &folder.name("all.json"), &part, &part]);
-    assert!(message.contains("part.json: the list \"nanoseconds\" of "), "{message}");
-    assert_eq!(folder.names(), ["part.json"]);
-}
-
-#[test]
-fn a_bound_of_zero_does_not_make_an_endless_axis() {
-    let folder = Folder::new();
-    let path = test_support::project_root().join("docs/report/data/bench.json");
-    let mut value: serde_json::Value =
-        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
-    for timing in value["timings"].as_array_mut().expect("it is a list") {
-        timing["median"]["low"] = serde_json::json!(0.0);
-    }
-    let data = folder.name("bench.json");
-    fs::write(&data, value.to_string()).expect("the folder is writable");
-    let output = run(&["report", &data, "--out", &folder.name("report")]);
-    assert!(output.status.success(), "{output:?}");
-}
-
-#[test]
 fn scenes_with_odd_names_stay_in_the_folder_and_in_valid_svg() {
     let folder = Folder::new();
     let data = results(&folder, "\"materials\"", r#""../../../x\u0000\u001b\"<""#);

@@ -62,4 +62,5 @@ fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
     assert!(said.contains("sbatch --array=N --export=ALL,PARTS=21 ") && said.contains(" --quick\n"), "{said}");
     let joined = Results::read(&out.join("bench.json")).expect("the second job wrote it");
     assert_eq!(joined.energy.len(), 9, "three scenes, three implementations");
+    assert!(joined.energy.iter().all(|energy| energy.joules.is_some() != energy.reason.is_some()), "{joined:?}");
 }

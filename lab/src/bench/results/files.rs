@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use output::{Options, Output};
+use serde::Serialize;
 
 use super::check::{MAX_BYTES, Total};
 use super::{Intersection, Results, Setting, Timing, Trial};
 use crate::bench::error::ErrorPoint;
 use crate::{Failure, sources, terminal};
-use measure::statistics::Median;
 
 impl Results {
     /// Reads results from a JSON file; `-` is standard input.
@@ -83,55 +83,44 @@ impl Results {
     }
 
     fn times_as_csv(&self) -> csv::Result<Vec<u8>> {
-        let mut out = csv::Writer::from_writer(Vec::new());
-        out.write_record([
-            "suite",
-            "scene",
-            "parameter",
-            "value",
-            "engine",
-            "median_s",
-            "low_s",
-            "high_s",
-            "confidence",
-            "repeats",
-        ])?;
-        for Timing { setting, seconds, median, .. } in &self.timings {
+        let setting = ["suite", "scene", "parameter", "value", "engine"];
+        let rows = self.timings.iter().map(|Timing { setting, seconds, median, .. }| {
             let Setting { suite, scene, parameter, value, engine } = setting;
-            let Median { median, low, high, confidence } = median;
-            out.serialize((suite, scene, parameter, value, engine, median, low, high, confidence, seconds.len()))?;
-        }
-        out.into_inner().map_err(|error| error.into_error().into())
+            (suite, scene, parameter, value, engine, median, seconds.len())
+        });
+        table(&[&setting, &["median_s", "low_s", "high_s", "confidence", "repeats"]], rows)
     }
 
     fn errors_as_csv(&self) -> csv::Result<Vec<u8>> {
-        let mut out = csv::Writer::from_writer(Vec::new());
-        out.write_record(["scene", "samples", "rmse_linear", "low", "high", "rmse_course", "low", "high"])?;
-        for curve in &self.curves {
-            for ErrorPoint { samples, linear: a, course: b } in &curve.points {
-                out.serialize((&curve.scene, samples, a.median, a.low, a.high, b.median, b.low, b.high))?;
-            }
-        }
-        out.into_inner().map_err(|error| error.into_error().into())
+        let points = self.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (&curve.scene, point)));
+        let rows = points.map(|(scene, ErrorPoint { samples, linear: a, course: b })| {
+            (scene, samples, a.median, a.low, a.high, b.median, b.low, b.high)
+        });
+        table(&[&["scene", "samples", "rmse_linear", "low", "high", "rmse_course", "low", "high"]], rows)
     }
 
     fn intersections_as_csv(&self) -> csv::Result<Vec<u8>> {
-        let mut out = csv::Writer::from_writer(Vec::new());
         let keys = ["object", "rays", "seed", "implementation", "cases", "wrong"];
         let errors = ["lambda_p50", "lambda_p999", "lambda_max"];
         let costs = ["median_ns", "low_ns", "high_ns", "confidence", "repeats"];
-        out.write_record(keys.iter().chain(&errors).chain(&costs))?;
-        for Intersection { trial, cases, wrong, lambda_error, nanoseconds, median } in &self.intersections {
+        let rows = self.intersections.iter().map(|found| {
+            let Intersection { trial, cases, wrong, lambda_error, nanoseconds, median } = found;
             let Trial { object, rays, implementation, seed } = trial;
-            let Median { median, low, high, confidence } = median;
-            out.serialize((
-                (object, rays, seed, implementation, cases, wrong),
-                lambda_error,
-                (median, low, high, confidence, nanoseconds.len()),
-            ))?;
-        }
-        out.into_inner().map_err(|error| error.into_error().into())
+            ((object, rays, seed, implementation, cases, wrong), lambda_error, median, nanoseconds.len())
+        });
+        table(&[&keys, &errors, &costs], rows)
     }
+}
+
+/// Returns a table as CSV. The columns have the names in all of `heads`, in their order.
+fn table(heads: &[&[&str]], rows: impl Iterator<Item = impl Serialize>) -> csv::Result<Vec<u8>> {
+    // The names of the fields of a row would be written as a second head.
+    let mut out = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    out.write_record(heads.concat())?;
+    for row in rows {
+        out.serialize(row)?;
+    }
+    out.into_inner().map_err(|error| error.into_error().into())
 }
 
 #[cfg(test)]

@@ -4,8 +4,10 @@
 use std::fs;
 use std::process::Command;
 
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
+
+use crate::unless;
 
 /// `_arguments` of zsh needs a terminal. A function in its place prints its arguments, and sets the first word to
 /// render.
@@ -14,19 +16,20 @@ const ZSH: &str = "compdef() { :; }; _arguments() { print -l -- \"$@\"; state=re
 
 const FISH: &str = "source $SCRIPT; complete -C 'render-lab render --sc'; complete -C 'render-lab bench sc'";
 
-fn main() {
-    let trials = [
+/// Returns a trial for each shell.
+pub fn trials() -> Vec<Trial> {
+    let shells = [
         ("zsh", "-f", ZSH, &["--scatter=[How surfaces scatter light]"][..]),
         ("fish", "--no-config", FISH, &["--scatter\t", "scale\t"]),
     ];
-    let trials = trials.map(|(shell, option, text, expected)| {
-        let trial = Trial::test(format!("{shell} completes options of a command"), move || {
-            completes(shell, option, text, expected)
-        });
-        let is_there = Command::new(shell).arg("--version").output().is_ok();
-        if is_there { trial } else { trial.with_kind(format!("needs {shell}")).with_ignored_flag(true) }
-    });
-    libtest_mimic::run(&Arguments::from_args(), trials.into()).exit();
+    let trial =
+        |(shell, option, text, expected): (&'static str, &'static str, &'static str, &'static [&'static str])| {
+            let is_missing = Command::new(shell).arg("--version").output().is_err();
+            let test = move || completes(shell, option, text, expected);
+            let trial = Trial::test(format!("shells::{shell}_completes_options_of_a_command"), test);
+            unless(is_missing.then(|| format!("needs {shell}")), trial)
+        };
+    shells.map(trial).into()
 }
 
 /// Runs `text` in a shell, with `$SCRIPT` as the completion script for this shell, and looks for `expected`.

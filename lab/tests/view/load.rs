@@ -4,15 +4,12 @@
 //! median time of an honest picture must be less than twice its usual time. `RENDER_LOAD_SECONDS=60` is the long form,
 //! which `tests/extensive` runs.
 
-#![cfg(target_os = "linux")]
-
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-use test_support::folder::Folder;
+use crate::Server;
 
 /// Number of hostile requests a second.
 const RATE: u32 = 200;
@@ -27,45 +24,11 @@ const KEPT: usize = 40;
 /// to 32 connections, and of those that are just being closed, takes up to 0.8 MB.
 const FOR_CONNECTIONS: u64 = 64_000_000;
 
-/// The program, which ends with this value.
-struct Program {
-    child: Child,
-    address: String,
-    secret: String,
-}
-
-impl Drop for Program {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-impl Program {
-    fn start(folder: &Folder) -> Self {
-        std::fs::create_dir(folder.file("site")).expect("the folder is writable");
-        folder.write("site/index.html", "<!doctype html><meta name=\"served-by\" content=\"\">");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
-        command.current_dir(folder.path()).args(["view", "config.txt", "scene.txt", "--port", "0", "--site", "site"]);
-        let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
-        let mut line = String::new();
-        BufReader::new(child.stdout.take().expect("it is a pipe")).read_line(&mut line).expect("it prints its address");
-        let rest = line.trim().strip_prefix("http://").expect("it is an address");
-        let (address, secret) = rest.split_once("/?secret=").expect("it has a secret");
-        Self { child, address: address.to_owned(), secret: secret.to_owned() }
-    }
-
+impl Server {
     /// Sends a request with the secret, and returns the status and the length of the answer.
-    fn ask(&self, method: &str, path: &str, body: &str) -> (String, usize) {
-        let mut stream = TcpStream::connect(&self.address).expect("it listens");
-        let Self { address, secret, .. } = self;
-        let length = body.len();
-        let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {secret}\r\nContent-Length: {length}\r\n\r\n"
-        );
-        stream.write_all((head + body).as_bytes()).expect("it reads");
+    fn answer(&self, method: &str, path: &str, body: &str) -> (String, usize) {
         let mut answer = Vec::new();
-        stream.read_to_end(&mut answer).expect("it answers");
+        self.ask(method, path, body).read_to_end(&mut answer).expect("it answers");
         (String::from_utf8_lossy(&answer[..answer.len().min(12)]).into_owned(), answer.len())
     }
 
@@ -75,8 +38,8 @@ impl Program {
         let config = "image_width: 480\nsamples_per_pixel: 150\n";
         let body = serde_json::json!({ "config": config, "scene": scene }).to_string();
         let start = Instant::now();
-        assert_eq!(self.ask("GET", "/view/version", "").0, "HTTP/1.1 200");
-        let (status, length) = self.ask("POST", "/view/render/1", &body);
+        assert_eq!(self.answer("GET", "/view/version", "").0, "HTTP/1.1 200");
+        let (status, length) = self.answer("POST", "/view/render/1", &body);
         assert!(status == "HTTP/1.1 200" && length > 480 * 270 * 6, "{status} {length}");
         start.elapsed().as_secs_f64()
     }
@@ -152,8 +115,7 @@ fn median(times: &mut [f64]) -> f64 {
 #[test]
 fn an_honest_picture_comes_within_twice_its_usual_time_and_memory_stays_small() {
     let seconds = std::env::var("RENDER_LOAD_SECONDS").map_or(6, |text| text.parse().expect("it is a number"));
-    let folder = Folder::with_scene("image_width: 8\n", "");
-    let program = Program::start(&folder);
+    let program = Server::start();
     let alone = |count: usize| (0..count).map(|_| program.picture()).collect::<Vec<_>>();
     let mut usual = alone(8);
     let before = program.memory();

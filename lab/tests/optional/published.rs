@@ -4,26 +4,25 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 
-fn main() {
+use crate::unless;
+
+/// Returns a trial for each convention.
+pub fn trials() -> Vec<Trial> {
     let folder = test_support::golden::reference_folder();
     let obstacle = (!folder.is_dir()).then(|| format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()));
     let cases = [
         ("statement", &["RMSE       0.841 ", "maximum    7.667 ", "verdict    accepted"][..]),
         ("published", &["identical: 90000 pixels"][..]),
     ];
-    let trials = cases.map(|(convention, expected)| {
+    let trial = |(convention, expected): (&'static str, &'static [&'static str])| {
         let folder = folder.clone();
-        let name = format!("published2.ppm against the {convention} convention");
-        let trial = Trial::test(name, move || compares_as_known(&folder, convention, expected));
-        match &obstacle {
-            Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
-            None => trial,
-        }
-    });
-    libtest_mimic::run(&Arguments::from_args(), trials.into()).exit();
+        let name = format!("published::second_picture_against_the_{convention}_convention");
+        unless(obstacle.clone(), Trial::test(name, move || compares_as_known(&folder, convention, expected)))
+    };
+    cases.map(trial).into()
 }
 
 fn compares_as_known(folder: &Path, convention: &str, expected: &[&str]) -> Result<(), Failed> {

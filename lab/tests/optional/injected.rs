@@ -1,4 +1,8 @@
-//! Runs each command that writes files, with every kind of disturbance.
+//! Makes one system call of `render-lab` fail in each run, or sends a signal during the call, and checks the files
+//! afterwards. Each command that writes files is run with every kind of disturbance.
+//!
+//! Of the system calls with one name, only a few are disturbed, spread evenly over the run. With
+//! `RENDER_INJECTIONS=all` all are disturbed. If `strace` cannot run, these tests are shown as ignored.
 
 use std::ffi::OsString;
 use std::fs;
@@ -7,6 +11,8 @@ use std::path::{Path, PathBuf};
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
+
+use crate::unless;
 
 /// Number of calls with one name that are disturbed.
 const MOST: usize = 3;
@@ -51,14 +57,14 @@ pub fn trials() -> Vec<Trial> {
                     continue;
                 }
                 let test = move || disturb(job, old, disturbance);
-                let trial = Trial::test(format!("{name}_{command}_{place}"), test);
-                trials.push(trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some()));
+                let trial = Trial::test(format!("injected::{name}_{command}_{place}"), test);
+                trials.push(unless(missing.map(str::to_owned), trial));
             }
         }
     }
     let missing = unavailable(Disturbance::Errors);
-    let trial = Trial::test("a_picture_and_its_folder_are_synced_except_with_no_sync", sync);
-    trials.push(trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some()));
+    let trial = Trial::test("injected::a_picture_and_its_folder_are_synced_except_with_no_sync", sync);
+    trials.push(unless(missing.map(str::to_owned), trial));
     trials
 }
 

@@ -6,12 +6,14 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use cpu::{Aos, Scatter};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::{golden, project_root};
+
+use crate::unless;
 
 /// Lines that are added to the configurations of the large scenes. The last line with a key counts.
 const REDUCED: &str = "\nimage_width: 160\nsamples_per_pixel: 8\n";
@@ -97,30 +99,32 @@ fn passes(name: &str, expected: &Path) -> Result<(), Failed> {
     if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned().into()) }
 }
 
-fn main() -> std::process::ExitCode {
+/// Returns a trial for each test of the page. Each test starts a browser, and two browsers at a time would wait for
+/// each other on a small machine, so they run one after the other.
+pub fn trials() -> Vec<Trial> {
     let is_required = std::env::var_os("BROWSER_REQUIRED").is_some();
-    let obstacle = obstacle();
-    let mut arguments = Arguments::from_args();
-    // Each test starts a browser, and two browsers at a time would wait for each other on a small machine.
-    arguments.test_threads = Some(1);
-    let trials = match obstacle {
-        Some(reason) if is_required => vec![Trial::test("the page", move || Err(reason.into()))],
-        Some(reason) => vec![Trial::test("the page", || Ok(())).with_kind(reason).with_ignored_flag(true)],
-        None => {
-            let folder = Arc::new(Folder::new());
-            let names = match write_expected(&folder).map_err(|failed| format!("{failed:?}")).and_then(|()| names()) {
-                Ok(names) => names,
-                Err(reason) => {
-                    eprintln!("{reason}");
-                    return std::process::ExitCode::FAILURE;
-                }
-            };
-            let trial = |name: String| {
-                let (folder, test) = (Arc::clone(&folder), name.clone());
-                Trial::test(name, move || passes(&test, &folder.file("expected.json")))
-            };
-            names.into_iter().map(trial).collect()
+    let reason = obstacle().map(str::to_owned);
+    let names = reason.map_or_else(names, Err);
+    let names = match names {
+        Ok(names) => names,
+        Err(reason) if is_required || obstacle().is_none() => {
+            return vec![Trial::test("site::the_page", move || Err(reason.into()))];
         }
+        Err(reason) => return vec![unless(Some(reason), Trial::test("site::the_page", || Ok(())))],
     };
-    libtest_mimic::run(&arguments, trials).exit_code()
+    let expected = Arc::new(Mutex::new(None));
+    let trial = |name: String| {
+        let expected = Arc::clone(&expected);
+        Trial::test(format!("site::{name}"), move || {
+            let mut expected = expected.lock().unwrap_or_else(PoisonError::into_inner);
+            if expected.is_none() {
+                let folder = Folder::new();
+                write_expected(&folder)?;
+                *expected = Some(folder);
+            }
+            let folder = expected.as_ref().ok_or("it was just made")?;
+            passes(&name, &folder.file("expected.json"))
+        })
+    };
+    names.into_iter().map(trial).collect()
 }

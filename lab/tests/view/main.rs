@@ -1,0 +1,64 @@
+//! Tests `render-lab view` as a running server, under hostile requests and without a free file descriptor.
+
+#![cfg(target_os = "linux")]
+
+mod exhausted;
+mod load;
+
+use std::io::{BufRead, BufReader, Write};
+use std::net::TcpStream;
+use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use test_support::folder::Folder;
+
+/// A running server with a small scene. It is killed when this value is dropped.
+struct Server {
+    child: Child,
+    address: String,
+    secret: String,
+    _folder: Folder,
+    /// Two servers at a time would disturb each other's times.
+    _turn: MutexGuard<'static, ()>,
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Server {
+    fn start() -> Self {
+        static TURN: Mutex<()> = Mutex::new(());
+        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+        let folder = Folder::with_scene("image_width: 8\nmax_depth: 2\n", "");
+        std::fs::create_dir(folder.file("site")).expect("the folder is writable");
+        folder.write("site/index.html", "<!doctype html><meta name=\"served-by\" content=\"\">");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
+        command.current_dir(folder.path()).args(["view", "config.txt", "scene.txt", "--port", "0", "--site", "site"]);
+        let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().expect("it is a pipe")).read_line(&mut line).expect("it prints its address");
+        let rest = line.trim().strip_prefix("http://").expect("it is an address");
+        let (address, secret) = rest.split_once("/?secret=").expect("it has a secret");
+        Self { child, address: address.to_owned(), secret: secret.to_owned(), _folder: folder, _turn: turn }
+    }
+
+    fn connect(&self) -> TcpStream {
+        TcpStream::connect(&self.address).expect("the system takes connections for it")
+    }
+
+    /// Sends a request with the secret, and returns the connection.
+    fn ask(&self, method: &str, path: &str, body: &str) -> TcpStream {
+        let mut stream = self.connect();
+        let Self { address, secret, .. } = self;
+        let length = body.len();
+        let head = format!(
+            "{method} {path} HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {secret}\r\nContent-Length: {length}\r\n\r\n"
+        );
+        stream.write_all((head + body).as_bytes()).expect("the system takes it");
+        stream
+    }
+}
