@@ -1,10 +1,8 @@
-//! Checks the order of the modules of `cpu`: a folder uses only folders before it. In all crates, files do not use each
-//! other in a circle, and no crate needs one in a later top folder.
+//! Checks the order of the modules of `cpu`: a folder uses only folders before it in the table of docs/design.md. In
+//! all crates, files do not use each other in a circle, and no crate needs one in a later top folder.
 
 #[path = "module_order/crates.rs"]
 mod crates;
-#[path = "module_order/design.rs"]
-mod design;
 #[path = "module_order/paths.rs"]
 mod paths;
 #[path = "module_order/uses.rs"]
@@ -13,76 +11,69 @@ mod uses;
 use std::collections::BTreeSet;
 
 use crates::{crates, faults, sources};
-use design::{arrows_without_a_use, dotted_arrows, folders_of_page};
-use uses::{Sources, against_the_order, in_circles, read, uses, within, without_parents};
+use uses::{Module, Sources, Uses, against_the_order, at_depth, in_circles, read, uses, without_parents};
 
-/// Names of the folders and files at the top of `cpu/src`. Each uses only those before it.
-const ORDER: [&str; 14] = [
-    "counters",
-    "math",
-    "simd",
-    "input",
-    "geometry",
-    "exact",
-    "intersect",
-    "image",
-    "layout",
-    "accel",
-    "sampling",
-    "materials",
-    "render",
-    "reference",
-];
-
-/// Names of the files and folders of `cpu/src/accel`. Each uses only those before it.
-const ORDER_OF_ACCEL: [&str; 15] = [
-    "object",
-    "extent",
-    "bounds",
-    "closest_hit",
-    "stack",
-    "accelerator",
-    "may_hit",
-    "isolated",
-    "dominant_sphere",
-    "every_object",
-    "small_scene",
-    "inside",
-    "flat_filter",
-    "bvh",
-    "choice",
-];
-
-#[test]
-fn folders_use_only_those_before_them_and_no_files_use_each_other_in_a_circle() {
+/// Returns the uses of the modules of `cpu`.
+fn uses_of_cpu() -> Uses {
     let mut sources = Sources::new();
     read(&test_support::project_root().join("cpu/src"), &Vec::new(), &mut sources);
-    let uses = uses(&sources);
+    uses(&sources)
+}
+
+fn page_on_the_design() -> String {
+    std::fs::read_to_string(test_support::project_root().join("docs/design.md")).expect("it is committed")
+}
+
+/// Returns the names of the folders and files in a table of the page: the first cells in the section `## Folders of`.
+fn folders_of_page(page: &str) -> Vec<&str> {
+    let (_, section) = page.split_once("\n## Folders of").expect("the page has the section");
+    let section = section.split_once("\n## ").map_or(section, |(section, _)| section);
+    let cells = section.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` |"));
+    cells.map(|(folder, _)| folder.trim_end_matches('/')).collect()
+}
+
+/// Returns the dotted arrows of the page's diagram. Each arrow leads from a folder to a folder that uses it. The line
+/// `a[title] -.-> b & c` has two arrows.
+fn dotted_arrows(page: &str) -> Vec<(&str, &str)> {
+    let arrows = page.lines().filter_map(|line| line.split_once(" -.-> "));
+    let ends = arrows.flat_map(|(from, to)| to.split(" & ").map(move |to| (from, to)));
+    ends.map(|(from, to)| (from.split('[').next().unwrap_or(from).trim(), to.trim())).collect()
+}
+
+/// Returns the arrows that are wrong, because their second folder does not use the first.
+fn arrows_without_a_use<'a>(arrows: &[(&'a str, &'a str)], uses: &Uses) -> Vec<(&'a str, &'a str)> {
+    let folder = |name: &str| -> Module { vec![name.to_owned()] };
+    let is_wrong = |(from, to): &&(&str, &str)| !uses.get(&folder(to)).is_some_and(|used| used.contains(&folder(from)));
+    arrows.iter().filter(is_wrong).copied().collect()
+}
+
+#[test]
+fn folders_use_only_those_before_them_in_the_table() {
+    let (uses, page) = (uses_of_cpu(), page_on_the_design());
     let links: usize = uses.values().map(BTreeSet::len).sum();
     assert!(uses.len() > 80 && links > 300, "only {links} uses by {} files were found", uses.len());
-    assert_eq!(against_the_order(&uses, &ORDER), [""; 0]);
-    assert_eq!(against_the_order(&within(&uses, "accel"), &ORDER_OF_ACCEL), [""; 0]);
+    let order = folders_of_page(&page);
+    assert_eq!(against_the_order(&uses, &order), [""; 0]);
+    let found: BTreeSet<_> = uses.keys().filter_map(|module| module.first()).map(String::as_str).collect();
+    assert_eq!(order.into_iter().collect::<BTreeSet<_>>(), found, "the table has every folder");
+}
+
+#[test]
+fn no_files_and_no_folders_of_the_renderer_use_each_other_in_a_circle() {
+    let uses = uses_of_cpu();
     assert_eq!(in_circles(&uses), [""; 0]);
+    for depth in 1..=3 {
+        assert_eq!(in_circles(&without_parents(at_depth(&uses, depth))), [""; 0], "folders of {depth} parts");
+    }
 }
 
 #[test]
 fn the_dotted_arrows_of_the_design_are_uses() {
-    let root = test_support::project_root();
-    let page = std::fs::read_to_string(root.join("docs/design.md")).expect("it is committed");
-    let mut sources = Sources::new();
-    read(&root.join("cpu/src"), &Vec::new(), &mut sources);
-    let (arrows, uses) = (dotted_arrows(&page), uses(&sources));
+    let page = page_on_the_design();
+    let (arrows, uses) = (dotted_arrows(&page), at_depth(&uses_of_cpu(), 1));
     assert!(arrows.len() >= 8, "{arrows:?}");
     assert_eq!(arrows_without_a_use(&arrows, &uses), []);
     assert_eq!(arrows_without_a_use(&[("render", "accel")], &uses), [("render", "accel")]);
-}
-
-#[test]
-fn the_page_on_the_design_lists_the_folders_in_this_order() {
-    let page = std::fs::read_to_string(test_support::project_root().join("docs/design.md")).expect("it is committed");
-    assert_eq!(folders_of_page(&page), ORDER);
-    let changed = page.replacen("| `math/` |", "| `maths/` |", 1);
-    assert_ne!(folders_of_page(&changed), ORDER, "a change of the table is noticed");
 }
 
 #[test]
@@ -93,14 +84,8 @@ fn circles_and_uses_against_the_order_are_found() {
         source("b", "mod c; #[cfg(test)] mod tests { use crate::a::A; } fn f() { c::g(); }"),
         source("b::c", "fn g() { assert!(crate::a::is_so()); }"),
         source("d", "use crate::a::A; use std::fmt;"),
-        source("e::f", "use crate::e::g::G; use crate::d::D;"),
-        source("e::g", "use crate::d::D;"),
     ]);
-    let all = uses(&sources);
-    let inner = within(&all, "e");
-    assert_eq!(against_the_order(&inner, &["f", "g"]), ["f uses g"]);
-    assert_eq!(against_the_order(&inner, &["g", "f"]), [""; 0]);
-    let uses = all.into_iter().filter(|(module, _)| module[0] != "e").collect();
+    let uses = uses(&sources);
     assert_eq!(against_the_order(&uses, &["a", "b", "d"]), ["a uses b", "a uses b::c"]);
     assert_eq!(against_the_order(&uses, &["b", "a"]), ["b::c uses a", "d uses a"]);
     assert_eq!(in_circles(&uses), ["a", "b", "b::c"]);
@@ -113,6 +98,15 @@ fn circles_and_uses_against_the_order_are_found() {
     assert_eq!(in_circles(&without_parents(self::uses(&sources))), [""; 0]);
     sources.extend([source("d", "use crate::a::b::B;"), source("a::b", "use super::super::d::D;")]);
     assert_eq!(in_circles(&without_parents(self::uses(&sources))), ["a::b", "d"]);
+    // Two folders use each other, but no two files do.
+    let sources = Sources::from([
+        source("a::b", "use crate::d::e::E;"),
+        source("a::c", "fn f() {}"),
+        source("d::e", "fn f() {}"),
+        source("d::f", "use crate::a::c::C;"),
+    ]);
+    let uses = self::uses(&sources);
+    assert_eq!((in_circles(&uses), in_circles(&at_depth(&uses, 1))), (vec![], vec!["a".to_owned(), "d".to_owned()]));
 }
 
 /// The top folders that have crates. A crate needs only crates in its own folder and in those before it, so no product
@@ -124,16 +118,11 @@ fn no_crate_needs_one_in_a_later_folder() {
     let mut crates = crates(&test_support::project_root());
     assert!(crates.len() > 15 && crates["lab"].needs.len() > 5, "{crates:?}");
     assert_eq!(faults(&crates, &FOLDERS), [""; 0]);
-    crates.get_mut("cpu").expect("it is a crate").needs.insert("tests/support".into());
-    assert_eq!(faults(&crates, &FOLDERS), ["cpu in cpu needs tests/support"]);
-}
-
-#[test]
-fn the_laboratory_and_the_shaders_programs_do_not_need_each_other() {
-    let crates = crates(&test_support::project_root());
     for (name, other) in [("lab", "gpu-check"), ("gpu-check", "lab")] {
         assert!(crates[name].needs.iter().all(|need| !need.starts_with(other)), "{name} needs {other}");
     }
+    crates.get_mut("cpu").expect("it is a crate").needs.insert("tests/support".into());
+    assert_eq!(faults(&crates, &FOLDERS), ["cpu in cpu needs tests/support"]);
 }
 
 #[test]
@@ -144,8 +133,7 @@ fn no_files_of_a_crate_use_each_other_in_a_circle() {
         for sources in sources(&root.join(one.folder).join("src")) {
             let uses = uses(&sources);
             files += uses.len();
-            circles
-                .extend(in_circles(&without_parents(uses.clone())).into_iter().map(|file| format!("{name}: {file}")));
+            circles.extend(in_circles(&without_parents(uses)).into_iter().map(|file| format!("{name}: {file}")));
         }
     }
     assert_eq!(circles, [""; 0]);

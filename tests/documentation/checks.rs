@@ -15,42 +15,6 @@ const NOT_OURS: [&str; 3] = ["my.wgsl", "mia.wgsl", "my/background.wgsl"];
 /// Pages that may use the words of older commits, because they say so.
 const WITH_OLD_WORDS: [&str; 1] = ["CHANGELOG.md"];
 
-/// Abbreviations that every programmer knows, and names of pages. All other abbreviations must be in the glossary.
-const COMMON_ABBREVIATIONS: [&str; 32] = [
-    "AMD",
-    "ARM",
-    "CI",
-    "CONTRIBUTING",
-    "CPU",
-    "CRLF",
-    "FOLDER",
-    "GB",
-    "GCC",
-    "GLSL",
-    "GPU",
-    "HLSL",
-    "ID",
-    "IEEE",
-    "JSON",
-    "KB",
-    "LF",
-    "LLVM",
-    "MB",
-    "MIT",
-    "PDF",
-    "PNG",
-    "POSIX",
-    "PPM",
-    "README",
-    "RISC",
-    "SECURITY",
-    "SHA",
-    "SIGKILL",
-    "SIGSEGV",
-    "SIGTERM",
-    "UTF",
-];
-
 /// The result of a check: the number of places that it compared, and a message for each fault.
 #[derive(Debug, Default)]
 pub struct Report {
@@ -65,12 +29,6 @@ impl Report {
         if !holds {
             self.faults.push(fault());
         }
-    }
-
-    /// Adds the places and the faults of another report to this report.
-    pub fn add(&mut self, other: Self) {
-        self.checked += other.checked;
-        self.faults.extend(other.faults);
     }
 
     /// Panics if there is a fault, or if fewer than `least` places were compared.
@@ -115,15 +73,11 @@ pub fn check_paths<'a>(project: &Project, texts: impl Iterator<Item = (&'a str, 
 /// text.
 pub fn check_sections<'a>(specification: &Page, texts: impl Iterator<Item = (&'a str, String)>) -> Report {
     let mut report = Report::default();
-    let is_section = |number: &str| {
-        specification
-            .titles
-            .iter()
-            .any(|title| title.split(' ').next().map(|it| it.trim_end_matches('.')) == Some(number))
-    };
+    let numbers: BTreeSet<_> =
+        specification.titles.iter().filter_map(|title| Some(title.split(' ').next()?.trim_end_matches('.'))).collect();
     for (path, text) in texts {
         for cited in words::sections(&text) {
-            report.check(is_section(&cited), || format!("{path}: the specification has no section [{cited}]"));
+            report.check(numbers.contains(&*cited), || format!("{path}: the specification has no section [{cited}]"));
         }
     }
     report
@@ -155,12 +109,6 @@ pub fn check_named_items(project: &Project, pages: &BTreeMap<&str, Page>) -> Rep
     report
 }
 
-/// Returns the single words of all terms in the glossary. The terms are in the first column of its tables.
-pub fn terms(glossary: &Page) -> BTreeSet<&str> {
-    let terms = glossary.rows.iter().filter_map(|row| row.first());
-    terms.flat_map(|term| term.split(|letter: char| !letter.is_alphanumeric() && letter != '_')).collect()
-}
-
 /// Checks that every term of the glossary is used in `text`, which is all text of the project except the glossary.
 pub fn check_terms(glossary: &Page, text: &str) -> Report {
     let mut report = Report::default();
@@ -172,24 +120,14 @@ pub fn check_terms(glossary: &Page, text: &str) -> Report {
     report
 }
 
-/// Checks that every abbreviation of a page is in the glossary or in [`COMMON_ABBREVIATIONS`].
-pub fn check_abbreviations(terms: &BTreeSet<&str>, path: &str, page: &Page) -> Report {
-    let mut report = Report::default();
-    for (line, text) in &page.text {
-        for word in words::abbreviations(text) {
-            let is_known = COMMON_ABBREVIATIONS.contains(&word) || terms.contains(word);
-            report.check(is_known, || format!("{path}:{line}: the glossary lacks [{word}]"));
-        }
-    }
-    report
-}
-
 /// Checks that every type that a page names is one of the names in the sources, `known`.
-pub fn check_type_names(known: &BTreeSet<String>, path: &str, page: &Page) -> Report {
+pub fn check_type_names(known: &BTreeSet<String>, pages: &BTreeMap<&str, Page>) -> Report {
     let mut report = Report::default();
-    for (line, code) in page.code.iter().filter(|_| !WITH_OLD_WORDS.contains(&path)) {
-        for name in words::type_names(code) {
-            report.check(known.contains(name), || format!("{path}:{line}: no source has the name [{name}]"));
+    for (path, page) in pages.iter().filter(|(path, _)| !WITH_OLD_WORDS.contains(*path)) {
+        for (line, code) in &page.code {
+            for name in words::type_names(code) {
+                report.check(known.contains(name), || format!("{path}:{line}: no source has the name [{name}]"));
+            }
         }
     }
     report

@@ -24,8 +24,6 @@ pub struct Page {
     pub links: Vec<Link>,
     /// The code spans, and the lines of code blocks.
     pub code: Vec<(usize, String)>,
-    /// All text except code. It includes tables and headings.
-    pub text: Vec<(usize, String)>,
     /// The cells of all tables: a list for each row.
     pub rows: Vec<Vec<String>>,
     /// The lines outside of tables, code blocks and HTML, except empty lines and lines with only a link.
@@ -42,25 +40,16 @@ impl Page {
         let (mut in_code, mut in_table, mut in_link) = (false, false, false);
         for (event, Range { start, end }) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
             match event {
-                Event::Start(Tag::Table(_)) => {
-                    in_table = true;
+                Event::Start(tag @ (Tag::Table(_) | Tag::CodeBlock(_) | Tag::HtmlBlock)) => {
+                    (in_table, in_code) = (matches!(tag, Tag::Table(_)), matches!(tag, Tag::CodeBlock(_)));
                     not_prose.extend(line(start)..=line(end.saturating_sub(1)));
                 }
-                Event::End(TagEnd::Table) => in_table = false,
+                Event::End(TagEnd::Table | TagEnd::CodeBlock) => (in_table, in_code) = (false, false),
                 Event::Start(Tag::TableRow | Tag::TableHead) => page.rows.push(Vec::new()),
                 Event::Start(Tag::TableCell) => page.rows.last_mut().expect("a row").push(String::new()),
-                Event::Start(Tag::CodeBlock(_)) => {
-                    in_code = true;
-                    not_prose.extend(line(start)..=line(end.saturating_sub(1)));
-                }
-                Event::End(TagEnd::CodeBlock) => in_code = false,
-                Event::Start(Tag::HtmlBlock) => not_prose.extend(line(start)..=line(end.saturating_sub(1))),
-                Event::Start(Tag::Link { dest_url, .. }) => {
+                Event::End(TagEnd::Link | TagEnd::Image) => in_link = false,
+                Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
                     in_link = true;
-                    page.links.push(Link { line: line(start), to: dest_url.to_string(), code: String::new() });
-                }
-                Event::End(TagEnd::Link) => in_link = false,
-                Event::Start(Tag::Image { dest_url, .. }) => {
                     page.links.push(Link { line: line(start), to: dest_url.to_string(), code: String::new() });
                 }
                 Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
@@ -72,17 +61,18 @@ impl Page {
                 Event::Text(words) if in_code => {
                     page.code.extend(words.lines().enumerate().map(|(index, it)| (line(start) + index, it.to_owned())));
                 }
-                Event::Text(words) => {
-                    heading.iter_mut().for_each(|title| title.push_str(&words));
-                    page.text.push((line(start), words.to_string()));
-                    page.add_to_cell(in_table, &words);
-                }
-                Event::Code(words) => {
-                    heading.iter_mut().for_each(|title| title.push_str(&words));
-                    page.code.push((line(start), words.to_string()));
-                    page.add_to_cell(in_table, &words);
-                    if let Some(link) = page.links.last_mut().filter(|_| in_link) {
-                        link.code.push_str(&words);
+                Event::Text(ref words) | Event::Code(ref words) => {
+                    heading.iter_mut().for_each(|title| title.push_str(words));
+                    if let Some(cell) = page.rows.last_mut().and_then(|row| row.last_mut()).filter(|_| in_table) {
+                        cell.push_str(words);
+                    }
+                    if matches!(event, Event::Code(_)) {
+                        page.code.push((line(start), words.to_string()));
+                        page.links
+                            .iter_mut()
+                            .rev()
+                            .take(usize::from(in_link))
+                            .for_each(|link| link.code.push_str(words));
                     }
                 }
                 _ => {}
@@ -92,12 +82,6 @@ impl Page {
         let lines = lines.filter(|(_, line)| !line.is_empty() && !is_link_alone(line));
         page.prose = lines.filter(|(number, _)| !not_prose.contains(number)).collect();
         page
-    }
-
-    fn add_to_cell(&mut self, in_table: bool, text: &str) {
-        if let Some(cell) = self.rows.last_mut().and_then(|row| row.last_mut()).filter(|_| in_table) {
-            cell.push_str(text);
-        }
     }
 }
 

@@ -55,16 +55,6 @@ pub fn sections(text: &str) -> Vec<String> {
     found
 }
 
-/// Returns the abbreviations in a text: words with two or more capital letters that consist only of capital letters and
-/// digits.
-pub fn abbreviations(text: &str) -> impl Iterator<Item = &str> {
-    let words = text.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
-    words.filter(|word| {
-        word.chars().filter(|letter| letter.is_ascii_uppercase()).count() >= 2
-            && word.chars().all(|letter| letter.is_ascii_uppercase() || letter.is_ascii_digit())
-    })
-}
-
 /// Returns the names of types in a code span: words in camel case with a capital letter at the start. A span with
 /// blanks has none, because it is a command or a message.
 pub fn type_names(code: &str) -> impl Iterator<Item = &str> {

@@ -1,7 +1,7 @@
 //! Finds the paths that a source file contains.
 
 use syn::visit::{self, Visit};
-use syn::{Attribute, Item, ItemMod, ItemUse, Macro, UseTree, Visibility};
+use syn::{Attribute, Item, ItemMod, ItemUse, Macro, UseName, UseRename, UseTree, Visibility};
 
 /// Whether an item is compiled only for tests.
 pub fn is_for_tests(attributes: &[Attribute]) -> bool {
@@ -58,24 +58,11 @@ impl<'ast> Visit<'ast> for Paths {
     }
 
     fn visit_macro(&mut self, found: &'ast Macro) {
-        let tokens = found.tokens.to_string();
-        let mut words = tokens.split(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == ':'));
-        let mut path: Vec<String> = Vec::new();
         // `to_string` puts blanks between the tokens of a path: `crate :: math :: vec3`.
-        for word in words.by_ref().filter(|word| !word.is_empty()) {
-            match path.last().map(String::as_str) {
-                Some("::") if word != "::" => {
-                    path.pop();
-                    path.push(word.into());
-                }
-                Some(_) if word == "::" => path.push(word.into()),
-                _ => {
-                    self.paths.push(std::mem::take(&mut path));
-                    path.push(word.into());
-                }
-            }
+        let tokens = found.tokens.to_string().replace(" :: ", "::");
+        for word in tokens.split(|letter: char| !(letter.is_alphanumeric() || "_:".contains(letter))) {
+            self.add(word.split("::").map(str::to_owned).collect());
         }
-        self.paths.push(path);
     }
 }
 
@@ -88,12 +75,8 @@ impl Paths {
                 self.expand(before, &path.tree);
             }
             UseTree::Group(group) => group.items.iter().for_each(|tree| self.expand(before.clone(), tree)),
-            UseTree::Name(name) => {
-                before.push(name.ident.to_string());
-                self.add(before);
-            }
-            UseTree::Rename(rename) => {
-                before.push(rename.ident.to_string());
+            UseTree::Name(UseName { ident }) | UseTree::Rename(UseRename { ident, .. }) => {
+                before.push(ident.to_string());
                 self.add(before);
             }
             UseTree::Glob(_) => self.add(before),

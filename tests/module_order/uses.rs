@@ -68,13 +68,15 @@ pub fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
     found
 }
 
-/// Returns the uses of the modules in a folder among each other. The paths begin inside the folder.
-pub fn within(uses: &Uses, folder: &str) -> Uses {
-    let inner = |module: &Module| {
-        let (first, rest) = module.split_first()?;
-        (first == folder && !rest.is_empty()).then(|| rest.to_vec())
-    };
-    uses.iter().filter_map(|(module, used)| Some((inner(module)?, used.iter().filter_map(inner).collect()))).collect()
+/// Returns the uses of the folders and files whose paths have `depth` parts. What is deeper counts as its folder.
+pub fn at_depth(uses: &Uses, depth: usize) -> Uses {
+    let folder = |module: &Module| module[..module.len().min(depth)].to_vec();
+    let mut folded = Uses::new();
+    for (module, used) in uses {
+        let targets = used.iter().map(folder).filter(|target| *target != folder(module));
+        folded.entry(folder(module)).or_default().extend(targets);
+    }
+    folded
 }
 
 /// Returns the modules that use each other in a circle. A module is in no circle if it uses no module, or if no module

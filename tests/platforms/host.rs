@@ -8,7 +8,7 @@ use libtest_mimic::Failed;
 use test_support::folder::Folder;
 use test_support::project_root;
 
-use crate::build::Need;
+use super::build::Need;
 
 /// Names of the browser's program, in the order in which they are tried.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];

@@ -8,8 +8,8 @@ use libtest_mimic::Failed;
 use test_support::folder::Folder;
 use test_support::ppm;
 
-use crate::host::Job;
-use crate::table::Platform;
+use super::host::Job;
+use super::table::Platform;
 
 /// Number of scenes.
 const SCENES: u64 = 200;
@@ -39,17 +39,21 @@ pub fn are_equal(platform: &Platform) -> Result<(), Failed> {
 /// Returns scene `number`. Small numbers of objects make small scenes, larger ones need a flat filter or a BVH.
 fn random(number: u64) -> (Config, Scene) {
     let choose = |values: [f64; 3], step: u64| values[(number / step % 3) as usize];
-    let arrangements = [Arrangement::Scattered, Arrangement::Grid, Arrangement::Degenerate];
     let options = Options {
         seed: number,
         objects: (number * number % 151) as usize,
         cylinders: choose([0.5, 0.0, 1.0], 3),
         extent: choose([10.0, 1e-4, 1e5], 9),
-        arrangement: arrangements[(number % 3) as usize],
+        arrangement: [Arrangement::Scattered, Arrangement::Grid, Arrangement::Degenerate][(number % 3) as usize],
         ..Options::default()
     };
-    let config = Config { image_width: 16, samples_per_pixel: 1 + number % 5, ..generator::view(&options) };
-    let config = Config { material_rng_seed: 1 + number, ray_rng_seed: 1000 + number, ..config };
+    let config = Config {
+        image_width: 16,
+        samples_per_pixel: 1 + number % 5,
+        material_rng_seed: 1 + number,
+        ray_rng_seed: 1000 + number,
+        ..generator::view(&options)
+    };
     (config, generator::scene(&options))
 }
 

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::build::{Build, COMPILER, Need, SOURCES, compiler_is_too_old};
-use crate::host::Host;
+use super::build::{Build, COMPILER, Need, SOURCES, compiler_is_too_old};
+use super::host::Host;
 
 /// The variable that asks for the slow trials. With the value `all` it also asks for those that take many minutes.
 pub const VARIABLE: &str = "RENDER_PLATFORMS";

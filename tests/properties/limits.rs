@@ -7,13 +7,11 @@
 
 use std::cell::Cell;
 
-use cpu::{Image, Scatter, Scene};
+use cpu::{Image, Scatter};
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseError;
-use test_support::agreement::equals_reference;
 
-use crate::cameras::{agreed, count_shown};
-use crate::runner::check;
+use crate::cameras::count_shown;
+use crate::runner::{agreed, check};
 
 /// A surface that the camera's axis meets at `tenths / 10`.
 #[derive(Clone, Debug)]
@@ -107,13 +105,7 @@ impl Case {
 fn a_surface_at_a_thousandth_counts_by_its_exact_lambda() {
     let (hits, all) = (Cell::new(0), Cell::new(0));
     check(600, case(), |case| {
-        let config = case.config(30.0, "image_width: 1\n");
-        let (config, scene) = (
-            cpu::Config::parse(config.as_bytes()).expect("the configuration is valid"),
-            Scene::parse(case.scene().as_bytes()).expect("the scene is valid"),
-        );
-        let picture = equals_reference(&config, &scene, Scatter::Deterministic).map_err(TestCaseError::fail)?;
-        let picture = picture.expect("the camera has a window");
+        let picture = agreed(&case.config(30.0, "image_width: 1\n"), &case.scene(), Scatter::Deterministic);
         let is_hit = picture.image.pixel(0) != cpu::Rgb { red: 255, green: 255, blue: 255 };
         // From outside, a ray that does not hit the near surface hits the far one.
         prop_assert_eq!(is_hit, !case.from_inside || case.counts(), "{}", case.scene());
@@ -128,7 +120,11 @@ fn a_surface_at_a_thousandth_counts_by_its_exact_lambda() {
 #[test]
 fn pictures_of_surfaces_at_a_thousandth_are_the_references() {
     check(60, (case(), prop_oneof![Just(60.0), Just(1e-9), 1e-3..170.0]), |(case, field_of_view)| {
-        agreed(&case.config(field_of_view, "image_width: 12\nsamples_per_pixel: 3\nmax_depth: 8\n"), &case.scene());
+        agreed(
+            &case.config(field_of_view, "image_width: 12\nsamples_per_pixel: 3\nmax_depth: 8\n"),
+            &case.scene(),
+            Scatter::Statement,
+        );
         Ok(())
     });
 }
@@ -149,7 +145,7 @@ fn surfaces_at_a_thousandth_of_the_targets_distance_are_seen() {
         ("3000", "60", "cylinder: 0 0 4 1.2000000000000002 0 0 2 a\n", 3846),
         ("1000", "1e-9", "sphere: 0 0 2 1 a\n", 10_000),
     ] {
-        let picture = agreed(&config(target, fov), &format!("matte: a .8 .2 .1\n{object}"));
+        let picture = agreed(&config(target, fov), &format!("matte: a .8 .2 .1\n{object}"), Scatter::Statement);
         assert_eq!(count_shown(&picture, [255; 3]), expected, "{object}");
     }
 }

@@ -1,4 +1,4 @@
-//! Tests properties that hold for every scene and every input, with random cases.
+//! Tests properties that hold for every scene and every input, with random cases, and the committed scenes.
 //!
 //! Every run tries the same cases. `RENDER_PROPERTY_SEED` chooses other cases, and `RENDER_PROPERTY_CASES` sets their
 //! number. A failure shows the smallest failing case that was found, with its seeds.
@@ -8,5 +8,5 @@ mod limits;
 mod odd_scenes;
 mod renderers_agree;
 mod runner;
-mod texts;
+mod scenes;
 mod ties;

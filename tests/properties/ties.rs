@@ -4,9 +4,9 @@
 //! Rays come straight from above, so the lambdas are exactly equal. The expected objects follow from the statement: a
 //! sphere or a side replaces what is at the same lambda, and a cap does not.
 
-use cpu::internals::InstructionSet;
-use cpu::{Aos, Config, Image, Rgb, Scatter, Scene};
-use test_support::agreement::equals_reference;
+use cpu::{Image, Rgb, Scatter};
+
+use crate::runner::agreed;
 
 /// The colours of the objects, one for each place in the scene file.
 const COLORS: [&str; 3] = [".9 0 0", "0 .9 0", "0 0 .9"];
@@ -39,10 +39,7 @@ fn seen(way: Way, others: &str, objects: &[&str]) -> usize {
         "image_width: 5\naspect_ratio: 1 1\nmax_depth: 8\nsamples_per_pixel: 8\ncamera_north: 0 0 1\nfield_of_view: 1\n\
          background_dark_color: 1 1 1\nbackground_light_color: 1 1 1\ncamera_position: {camera}\n"
     );
-    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
-    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
-    let picture = equals_reference(&config, &scene, scatter).unwrap_or_else(|text| panic!("{text}"));
-    let Rgb { red, green, blue } = picture.expect("the camera has a window").image.pixel(12);
+    let Rgb { red, green, blue } = agreed(&config, &text, scatter).image.pixel(12);
     let channels = [red, green, blue];
     let largest = (0..3).max_by_key(|&channel| channels[channel]).expect("there are three");
     assert!((0..3).all(|at| at == largest || channels[at] < channels[largest]), "{way:?}: {channels:?}");
@@ -104,26 +101,5 @@ fn of_sides_at_the_same_lambda_the_last_counts_and_no_cap_replaces_it() {
         assert_eq!(seen(way, &others, &[cap, lying, across]), 2, "{count} others, {way:?}");
         assert_eq!(seen(way, &others, &[lying, cap, across]), 2, "{count} others, {way:?}");
         assert_eq!(seen(way, &others, &[lying, "sphere: 0 .5 0 .5", cap]), 1, "{count} others, {way:?}");
-    }
-}
-
-/// Renders two coaxial cylinders with a common top. The second one is narrower, and was wrongly seen.
-#[test]
-fn a_narrow_second_cap_is_hidden_by_a_wide_first_one() {
-    let config = "aspect_ratio: 1 1\nimage_width: 40\nsamples_per_pixel: 1\nmax_depth: 2\ncamera_position: 0 10 0\n\
-        camera_target: 0 0 0\ncamera_north: 0 0 1\nfield_of_view: 40\nbackground_dark_color: 1 1 1\n\
-        background_light_color: 1 1 1\n";
-    let scene = "matte: red .9 .1 .1\nmatte: blue .1 .1 .9\ncylinder: 0 0 0 2 0 2 0 red\n\
-        cylinder: 0 0 0 1 0 2 0 blue\n";
-    let (config, scene) = (
-        Config::parse(config.as_bytes()).expect("the configuration is valid"),
-        Scene::parse(scene.as_bytes()).expect("the scene is valid"),
-    );
-    let prepared = cpu::internals::Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("it is small");
-    for set in InstructionSet::available() {
-        let image = cpu::internals::render_with(&prepared, set).expect("it is small");
-        let count = |is: fn(Rgb) -> bool| (0..image.size().pixels()).filter(|&at| is(image.pixel(at))).count();
-        let [red, blue] = [count(|pixel| pixel.red > pixel.blue), count(|pixel| pixel.blue > pixel.red)];
-        assert!(red > 100 && blue == 0, "{}: {red} red pixels, {blue} blue ones", set.name());
     }
 }

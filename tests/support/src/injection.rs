@@ -22,9 +22,9 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use calls::Call;
+pub use runs::most;
 #[cfg(feature = "programs")]
 pub use runs::run;
-pub use runs::{Runs, most, total};
 pub use syncs::check_syncs;
 
 /// The errors that each call returns, one error in each run.
@@ -102,7 +102,7 @@ impl Job {
     ///
     /// # Errors
     /// A message about the first run that fails a check, with the output of the program.
-    pub fn disturb(&self, disturbance: Disturbance) -> Result<Runs, String> {
+    pub fn disturb(&self, disturbance: Disturbance) -> Result<usize, String> {
         self.prepare(&Files::new()).map_err(|error| error.to_string())?;
         let output = self.run(&Files::new(), false, &[])?;
         let new = check::files(&self.folder).map_err(|error| error.to_string())?;
@@ -135,17 +135,17 @@ impl Job {
                 }
             }
         };
-        runs::add(runs);
-        if runs.made == 0 { Err("nothing was disturbed".to_owned()) } else { Ok(runs) }
+        if runs == 0 { Err("nothing was disturbed".to_owned()) } else { Ok(runs) }
     }
 
     /// Chooses some of `calls` and runs `disturb` on them. Returns the number of runs. `disturb` must make an equal
     /// number of runs for each call.
-    fn each(&self, calls: Vec<Call>, disturb: impl Fn(&[Call]) -> Result<usize, String>) -> Result<Runs, String> {
+    fn each(&self, calls: Vec<Call>, disturb: impl Fn(&[Call]) -> Result<usize, String>) -> Result<usize, String> {
         let all = calls.len();
         let chosen = calls::spread(calls, self.most);
         let made = disturb(&chosen)?;
-        Ok(Runs { made, all: made * all / chosen.len().max(1) })
+        runs::add(made, made * all / chosen.len().max(1));
+        Ok(made)
     }
 
     fn fail(&self, new: &Files, calls: &[Call], more: &[&str]) -> Result<usize, String> {

@@ -16,12 +16,26 @@ pub mod injection;
 pub mod p3;
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// Returns the path of the workspace's root folder.
 #[must_use]
 pub fn project_root() -> PathBuf {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     package.ancestors().nth(2).expect("the package is in tests/support").to_owned()
+}
+
+/// Runs cargo with the committed lock file in a folder of the project, and returns what it prints.
+///
+/// # Panics
+/// If cargo fails.
+#[must_use]
+pub fn cargo(folder: &str, arguments: &[&str]) -> String {
+    let mut command = Command::new(env!("CARGO"));
+    let output = command.args(arguments).arg("--locked").current_dir(project_root().join(folder)).output();
+    let output = output.expect("cargo runs");
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("cargo prints text")
 }
 
 /// Returns the bytes of `image` as a PPM file.

@@ -39,12 +39,8 @@ pub fn parse(text: &[u8]) -> Result<Scene, Vec<u8>> {
             true => (values[count - 1], &values[..count - 1]),
             false => (values[0], &values[1..count]),
         };
-        let Some(numbers) = numbers.iter().map(|token| real(token)).collect::<Option<Vec<f64>>>() else {
-            return Err(invalid());
-        };
-        if !are_valid(tag, &numbers) {
-            return Err(invalid());
-        }
+        let numbers = numbers.iter().map(|token| real(token)).collect::<Option<Vec<f64>>>();
+        let thing = numbers.and_then(|numbers| thing(tag, &numbers)).ok_or_else(invalid)?;
         if values.len() > count {
             let (from, to) = (places[count + 1].0, places[places.len() - 1].1);
             let extra = &line[from..to];
@@ -52,54 +48,49 @@ pub fn parse(text: &[u8]) -> Result<Scene, Vec<u8>> {
             return Err([&start[..], b"\"", &quoted].concat());
         }
         let known = names.iter().position(|known| *known == name);
-        match (of_object, known) {
-            (true, None) => return Err([b"Material not found: [", name, b"]", &quoted[..]].concat()),
-            (true, Some(material)) => {
-                scene.objects.push(Object { shape: shape(&numbers), material: material as MaterialId });
+        match (thing, known) {
+            (Thing::Shape(_), None) => return Err([b"Material not found: [", name, b"]", &quoted[..]].concat()),
+            (Thing::Shape(shape), Some(material)) => {
+                scene.objects.push(Object { shape, material: material as MaterialId });
             }
-            (false, Some(_)) => {
+            (Thing::Material(_), Some(_)) => {
                 return Err([b"Material with name [", name, b"] already exists", &quoted[..]].concat());
             }
-            (false, None) => {
+            (Thing::Material(material), None) => {
                 names.push(name);
-                scene.materials.push(material(&numbers));
+                scene.materials.push(material);
             }
         }
     }
     Ok(scene)
 }
 
-fn are_valid(tag: &[u8], numbers: &[f64]) -> bool {
-    let colors = |colors: &[f64]| colors.iter().all(|channel| (0.0..=1.0).contains(channel));
-    match tag {
-        b"matte:" => colors(numbers),
-        b"metal:" => colors(&numbers[..3]) && numbers[3] >= 0.0,
-        b"refractive:" => numbers[0] > 0.0,
-        b"sphere:" => numbers[3] > 0.0,
-        // The height is the length of the axis, which must be positive and finite.
-        _ => {
-            let height = (numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]).sqrt();
-            numbers[3] > 0.0 && height > 0.0 && height < f64::INFINITY
-        }
-    }
+/// What a line defines.
+enum Thing {
+    Material(Material),
+    Shape(Shape),
 }
 
-fn material(numbers: &[f64]) -> Material {
-    match *numbers {
-        [red, green, blue] => Material::Matte { reflectance: Vec3::new(red, green, blue) },
-        [red, green, blue, diffusion] => Material::Metal { reflectance: Vec3::new(red, green, blue), diffusion },
-        [index] => Material::Refractive { index },
-        _ => panic!("no material has {} numbers", numbers.len()),
-    }
-}
-
-fn shape(numbers: &[f64]) -> Shape {
-    match *numbers {
-        [x, y, z, radius] => Shape::Sphere(Sphere { center: Vec3::new(x, y, z), radius }),
-        [x, y, z, radius, along_x, along_y, along_z] => {
-            let (center, axis) = (Vec3::new(x, y, z), Vec3::new(along_x, along_y, along_z));
-            Shape::Cylinder(Cylinder { center, radius, axis })
+/// Returns what the tag and the numbers of a line define, or `None` if the numbers are invalid.
+fn thing(tag: &[u8], numbers: &[f64]) -> Option<Thing> {
+    let vector = |from: usize| Vec3::new(numbers[from], numbers[from + 1], numbers[from + 2]);
+    let reflectance = || Some(vector(0)).filter(|it| it.to_array().iter().all(|channel| (0.0..=1.0).contains(channel)));
+    let material = match (tag, numbers) {
+        (b"matte:", _) => Material::Matte { reflectance: reflectance()? },
+        (b"metal:", &[_, _, _, diffusion]) if diffusion >= 0.0 => {
+            Material::Metal { reflectance: reflectance()?, diffusion }
         }
-        _ => panic!("no shape has {} numbers", numbers.len()),
-    }
+        (b"refractive:", &[index]) if index > 0.0 => Material::Refractive { index },
+        (b"sphere:", &[_, _, _, radius]) if radius > 0.0 => {
+            return Some(Thing::Shape(Shape::Sphere(Sphere { center: vector(0), radius })));
+        }
+        (b"cylinder:", &[_, _, _, radius, x, y, z]) if radius > 0.0 => {
+            // The height is the length of the axis, which must be positive and finite.
+            let height = (x * x + y * y + z * z).sqrt();
+            let shape = Shape::Cylinder(Cylinder { center: vector(0), radius, axis: vector(4) });
+            return (height > 0.0 && height < f64::INFINITY).then_some(Thing::Shape(shape));
+        }
+        _ => return None,
+    };
+    Some(Thing::Material(material))
 }

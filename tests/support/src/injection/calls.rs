@@ -4,33 +4,8 @@ use std::collections::HashMap;
 
 /// Names of the system calls of Linux about files. Other calls are about memory, signals and time, and are not
 /// disturbed.
-const CALLS: [&str; 25] = [
-    "access",
-    "close",
-    "dup",
-    "faccessat",
-    "faccessat2",
-    "fchmod",
-    "fchown",
-    "fcntl",
-    "fstat",
-    "fsync",
-    "ftruncate",
-    "getcwd",
-    "linkat",
-    "lseek",
-    "mkdir",
-    "newfstatat",
-    "open",
-    "openat",
-    "read",
-    "readlink",
-    "rename",
-    "renameat",
-    "statx",
-    "unlinkat",
-    "write",
-];
+const CALLS: &str = "access close dup faccessat faccessat2 fchmod fchown fcntl fstat fsync ftruncate getcwd linkat lseek \
+    mkdir newfstatat open openat read readlink rename renameat statx unlinkat write";
 
 /// A system call: its thread, its name, its number among the calls with this name in this thread (from 1), and its text
 /// in the output of strace.
@@ -53,7 +28,7 @@ pub fn calls(text: &str, folder: &str, only_folder: bool) -> Vec<Call> {
         let starts_with_number = line.starts_with(|c: char| c.is_ascii_digit());
         let (thread, text) = line.split_once(' ').filter(|_| starts_with_number).unwrap_or(("", line));
         let Some((name, _)) = text.trim_start().split_once('(') else { continue };
-        let Some(name) = CALLS.iter().find(|known| **known == name) else { continue };
+        let Some(name) = CALLS.split(' ').find(|known| *known == name) else { continue };
         let number = counts.entry((thread, name)).or_default();
         *number += 1;
         let is_about_folder = text.contains(folder);

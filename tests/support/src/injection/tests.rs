@@ -81,7 +81,7 @@ fn a_program_that_leaves_a_second_file_when_it_is_stopped_is_found_out() {
 }
 
 #[test]
-fn the_runs_are_told_with_those_that_were_left_out() {
+fn a_program_that_is_never_disturbed_is_found_out() {
     if unavailable(Disturbance::Signal).is_some() {
         return;
     }
@@ -89,7 +89,4 @@ fn the_runs_are_told_with_those_that_were_left_out() {
     let (_folder, some) = job(script, false);
     let error = Job { most: 0, ..some }.disturb(Disturbance::Signal).expect_err("no call is chosen");
     assert_eq!(error, "nothing was disturbed");
-    let runs = [Runs { made: 2, all: 9 }, Runs { made: 3, all: 3 }];
-    assert_eq!(runs[1].to_string(), "3 of 3 runs");
-    assert_eq!(runs.into_iter().sum::<Runs>().to_string(), "5 of 12 runs, all with RENDER_INJECTIONS=all");
 }

@@ -3,18 +3,9 @@
 //! them runs no code of any package.
 
 use std::collections::BTreeSet;
-use std::process::Command;
 
 use serde_json::Value;
-
-/// Runs cargo in `folder` of the project, and returns what it prints.
-fn cargo(folder: &str, arguments: &[&str]) -> String {
-    let mut command = Command::new(env!("CARGO"));
-    command.args(arguments).arg("--locked").current_dir(test_support::project_root().join(folder));
-    let output = command.output().expect("cargo runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).expect("names are text")
-}
+use test_support::cargo;
 
 /// Returns cargo's metadata of every package that a build on Linux may compile.
 fn packages(folder: &str) -> Vec<Value> {

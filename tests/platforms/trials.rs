@@ -1,24 +1,21 @@
 //! The evaluated programs on other systems give the same digests. Each platform is built with Debian's compiler for
 //! WebAssembly and ARM, and run by Node.js, by Chromium or by an emulator.
 //!
-//! A platform whose tools are missing is shown as ignored, with the packages that it needs. `tests/run --platforms`
-//! installs the packages, and takes the pictures that need minutes too.
+//! `tests/run --platforms` installs the packages that are needed, and takes the pictures that need minutes too.
 
-#[path = "platforms/build.rs"]
+#[path = "build.rs"]
 mod build;
-#[path = "platforms/host.rs"]
+#[path = "host.rs"]
 mod host;
-#[path = "platforms/random_scenes.rs"]
+#[path = "random_scenes.rs"]
 mod random_scenes;
-#[path = "platforms/table.rs"]
+#[path = "table.rs"]
 mod table;
-#[path = "platforms/unit_tests.rs"]
-mod unit_tests;
 
 use std::sync::Arc;
 
 use cpu::Scatter;
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use test_support::golden::{self, Golden};
 
 use host::{Host, Job};
@@ -52,13 +49,13 @@ fn has_its_digest(platform: &Platform, golden: &Golden, layout: &str, set: &str)
 }
 
 /// Returns the trials of a platform, and for each of them whether it is slow.
-fn trials(platform: &Arc<Platform>) -> Vec<(Trial, bool)> {
+fn trials_of(platform: &Arc<Platform>) -> Vec<(Trial, bool)> {
     let mut trials = Vec::new();
     for golden in pictures() {
         for (number, &set) in platform.sets.iter().enumerate() {
             // Both layouts are tried, one for each instruction set.
             let layout = if number % 2 == 0 { "aos" } else { "soa" };
-            let name = format!("{} {} by render-{layout} with {set}", platform.name, golden.name);
+            let name = format!("platforms: {} {} by render-{layout} with {set}", platform.name, golden.name);
             let (shared, golden) = (Arc::clone(platform), golden.clone());
             let trial = Trial::test(name, move || has_its_digest(&shared, &golden, layout, set));
             trials.push((trial, platform.is_slow));
@@ -67,28 +64,42 @@ fn trials(platform: &Arc<Platform>) -> Vec<(Trial, bool)> {
     // Chromium has the modules of Node.js, and needs a second to start.
     if !matches!(platform.host, Host::Chromium) {
         let shared = Arc::clone(platform);
-        let trial = Trial::test(format!("{} random scenes", platform.name), move || random_scenes::are_equal(&shared));
+        let trial = Trial::test(format!("platforms: {} random scenes", platform.name), move || {
+            random_scenes::are_equal(&shared)
+        });
         trials.push((trial, true));
     }
     // Only the packages of ARM have a library for tests.
     if platform.name == "aarch64" && all_are_asked_for() {
         let shared = Arc::clone(platform);
-        trials.push((Trial::test("aarch64 unit tests of cpu", move || unit_tests::pass(&shared)), true));
+        trials.push((Trial::test("platforms: aarch64 unit tests of cpu", move || unit_tests_pass(&shared)), true));
     }
     trials
 }
 
-fn main() {
+/// Returns the trials of all platforms.
+pub fn trials() -> Vec<Trial> {
     let mut all = Vec::new();
     for platform in platforms().into_iter().map(Arc::new) {
-        for (trial, is_slow) in trials(&platform) {
+        let missing = platform.missing();
+        for (trial, is_slow) in trials_of(&platform) {
             let is_left_out = is_slow && std::env::var_os(VARIABLE).is_none();
-            let reason = platform.missing().or_else(|| is_left_out.then(|| format!("needs {VARIABLE}=1")));
-            all.push(match reason {
-                Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
-                None => trial,
-            });
+            let reason = missing.clone().or_else(|| is_left_out.then(|| format!("needs {VARIABLE}=1")));
+            let is_ignored = reason.is_some();
+            all.push(trial.with_kind(reason.unwrap_or_default()).with_ignored_flag(is_ignored));
         }
     }
-    libtest_mimic::run(&Arguments::from_args(), all).exit();
+    all
+}
+
+/// Builds the unit tests of `cpu` for a platform, and runs them in its emulator.
+fn unit_tests_pass(platform: &Platform) -> Result<(), Failed> {
+    let Host::Emulator { qemu, libraries } = &platform.host else { return Err("there is no emulator".into()) };
+    let path = format!("LD_LIBRARY_PATH={libraries}/lib");
+    let runner = format!("target.{}.runner={:?}", platform.build.target, [qemu.0, "-L", libraries, "-E", &path]);
+    let printed = platform.build.cargo(&["test", "-p", "cpu", "--lib", "--tests", "--config", &runner])?;
+    let results = printed.lines().filter_map(|line| line.strip_prefix("test result: ok. ")?.split_once(" passed"));
+    let passed: u64 = results.filter_map(|(count, _)| count.parse::<u64>().ok()).sum();
+    // The package has some more.
+    if passed >= 200 { Ok(()) } else { Err(format!("only {passed} tests passed:\n{printed}").into()) }
 }

@@ -1,7 +1,9 @@
-//! Records system calls with `strace`, and checks the contents that are possible after each call.
+//! Simulates a loss of power at any moment. The tests record the system calls of a process that writes a file. After
+//! each call, a model of a file system gives the contents that POSIX allows if the power fails then. With
+//! [`Options::sync`] these must be the old file or the new one.
 
-#[path = "model.rs"]
-mod model;
+#[path = "file_system.rs"]
+mod file_system;
 
 use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
@@ -11,8 +13,9 @@ use libtest_mimic::{Failed, Trial};
 use output::{Options, Output};
 use test_support::folder::Folder;
 use test_support::injection::{Disturbance, unavailable};
+use test_support::trial;
 
-use model::{Event, outcomes};
+use file_system::{Event, outcomes};
 
 /// Names of environment variables for the process that writes: the file's path, and a variable that is set if the file
 /// must be synced.
@@ -24,13 +27,10 @@ const PIECES: [&[u8]; 3] = [b"the first piece, ", b"the second, ", b"and the las
 
 pub fn trials() -> Vec<Trial> {
     let missing = unavailable(Disturbance::Errors);
-    let trial = |name: &str, test: fn() -> Result<(), Failed>| {
-        Trial::test(name, test).with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
-    };
     vec![
-        Trial::test("the_model_knows_what_a_careless_program_loses", model::is_right),
-        trial("a_synced_file_is_the_old_one_or_the_new_one_at_any_moment", synced),
-        trial("without_syncing_a_half_file_may_stand", not_synced),
+        trial("power_loss: the_model_knows_what_a_careless_program_loses", None, file_system::is_right),
+        trial("power_loss: a_synced_file_is_the_old_one_or_the_new_one_at_any_moment", missing, synced),
+        trial("power_loss: without_syncing_a_half_file_may_stand", missing, not_synced),
     ]
 }
 
@@ -77,23 +77,18 @@ fn not_synced() -> Result<(), Failed> {
 /// Runs a process that writes the file `out` in a folder. Returns the events in that folder. `old` is the content of
 /// `out` before; `named` makes the new file have a temporary name.
 fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Failed> {
-    let folder = Folder::new();
-    let out = folder.file("out");
-    if let Some(old) = old {
-        std::fs::write(&out, old)?;
-    }
     let run = |more: &[&str]| {
+        let folder = Folder::new();
+        let out = folder.file("out");
+        old.into_iter().try_for_each(|old| std::fs::write(&out, old))?;
         let mut strace = Command::new("strace");
         strace.args(["-f", "-qq", "-o", "/dev/stdout", "-s", "4096"]).args(more).arg(std::env::current_exe()?);
-        strace.env(FILE, &out);
-        if sync {
-            strace.env(SYNC, "1");
-        }
+        strace.env(FILE, &out).envs(sync.then_some((SYNC, "1")));
         let output = strace.output()?;
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        if output.status.success() { Ok(text) } else { Err(Failed::from(format!("{output:?}"))) }
+        if output.status.success() { Ok((folder, text)) } else { Err(Failed::from(format!("{output:?}"))) }
     };
-    let text = run(&[])?;
+    let (folder, text) = run(&[])?;
     if !named {
         return events(&text, folder.path());
     }
@@ -101,12 +96,7 @@ fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Fai
     // files.
     let opened = text.lines().filter(|line| line.contains(" openat("));
     let number = 1 + opened.take_while(|line| !line.contains("O_TMPFILE")).count();
-    if old.is_some() {
-        std::fs::write(&out, b"old")?;
-    } else {
-        std::fs::remove_file(&out)?;
-    }
-    let text = run(&["-e", &format!("inject=openat:error=EOPNOTSUPP:when={number}")])?;
+    let (folder, text) = run(&["-e", &format!("inject=openat:error=EOPNOTSUPP:when={number}")])?;
     assert!(text.contains("O_EXCL"), "no file with a name was made");
     events(&text, folder.path())
 }
