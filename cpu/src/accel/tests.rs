@@ -116,35 +116,20 @@ fn accel(objects: &mut AosObjects) -> Accel {
 }
 
 #[test]
-fn up_to_eight_objects_get_a_small_scene() {
-    let mut objects = objects(7, 3.0, 1);
-    let accel = accel(&mut objects);
-    assert!(matches!(accel, Accel::SmallScene(_)));
-    agrees_with_plain(&accel, &objects, 2000);
-}
-
-#[test]
-fn some_tens_of_objects_get_a_flat_filter() {
-    let mut objects = objects(90, 2.0, 2);
-    let accel = accel(&mut objects);
-    assert!(matches!(accel, Accel::FlatFilter(_)));
-    agrees_with_plain(&accel, &objects, 1000);
-}
-
-#[test]
-fn many_objects_get_a_bvh() {
-    let mut objects = objects(1000, 1.0, 3);
-    let accel = accel(&mut objects);
-    assert!(matches!(accel, Accel::Bvh(_)));
-    agrees_with_plain(&accel, &objects, 300);
-}
-
-#[test]
-fn more_objects_get_a_bvh_with_boxes_of_bytes() {
-    let mut objects = objects(MOST_WIDE, 0.05, 4);
-    let accel = accel(&mut objects);
-    assert!(matches!(accel, Accel::LargeBvh(_)));
-    agrees_with_plain(&accel, &objects, 40);
+fn each_number_of_objects_gets_its_structure() {
+    type Case = (usize, f64, usize, fn(&Accel) -> bool);
+    let cases: [Case; 4] = [
+        (7, 3.0, 2000, |accel| matches!(accel, Accel::SmallScene(_))),
+        (90, 2.0, 1000, |accel| matches!(accel, Accel::FlatFilter(_))),
+        (1000, 1.0, 300, |accel| matches!(accel, Accel::Bvh(_))),
+        (MOST_WIDE, 0.05, 40, |accel| matches!(accel, Accel::LargeBvh(_))),
+    ];
+    for (seed, (count, size, rays, is_expected)) in (1..).zip(cases) {
+        let mut objects = objects(count, size, seed);
+        let accel = accel(&mut objects);
+        assert!(is_expected(&accel), "{count} objects");
+        agrees_with_plain(&accel, &objects, rays);
+    }
 }
 
 #[test]

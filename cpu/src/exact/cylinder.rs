@@ -235,35 +235,29 @@ mod tests {
     }
 
     #[test]
-    fn through_the_rim_the_side_counts() {
-        assert_eq!(hit(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Side)));
-        assert_eq!(hit(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, CylinderPart::Side)));
-        // The ray leaves the cylinder through the rim.
-        assert_eq!(hit(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, CylinderPart::Side)));
-    }
+    fn rims_axes_planes_and_tangents_are_decided_exactly() {
+        use CylinderPart::{Side, Top};
 
-    #[test]
-    fn along_the_axis_only_caps_are_hit() {
-        for axis in [UPRIGHT, [1.0, 2.0, -0.3]] {
-            let direction = axis.map(|component| component * 0.25);
-            let actual = hit(axis, &ray([0.0; 3], direction));
-            assert_eq!(actual, Some((2.0, CylinderPart::Top)), "{axis:?}");
+        let beyond_1 = 1.0_f64.next_up();
+        for (what, origin, direction, expected) in [
+            ("through the rim the side counts", [0.0, 4.0, -3.0], [0.0, -1.0, 1.0], Some((2.0, Side))),
+            ("through the other rim", [0.0, -4.0, -3.0], [0.0, 1.0, 1.0], Some((2.0, Side))),
+            ("through the rim from inside", [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], Some((1.0, Side))),
+            ("along the axis", [0.0; 3], [0.0, 1.0, 0.0], Some((2.0, Top))),
+            ("along the axis on the rim", [1.0, 5.0, 0.0], [0.0, -2.0, 0.0], Some((1.5, Top))),
+            ("along the axis beside the rim", [beyond_1, 5.0, 0.0], [0.0, -2.0, 0.0], None),
+            ("in the plane of a cap", [0.0, 2.0, -3.0], [0.0, 0.0, 1.0], Some((2.0, Side))),
+            ("above that plane", [0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0], None),
+            ("parallel to the caps", [0.0, 0.0, -3.0], [0.0, 0.0, 0.5], Some((4.0, Side))),
+            ("a tangent", [1.0, 0.0, -3.0], [0.0, 0.0, 0.5], Some((6.0, Side))),
+            ("beside the tangent", [beyond_1, 0.0, -3.0], [0.0, 0.0, 0.5], None),
+            ("a null direction", [0.0; 3], [0.0; 3], None),
+            ("no number", [0.0, f64::NAN, 0.0], [0.0, 1.0, 0.0], None),
+        ] {
+            assert_eq!(hit(UPRIGHT, &ray(origin, direction)), expected, "{what}");
         }
-        assert_eq!(hit(UPRIGHT, &ray([1.0, 5.0, 0.0], [0.0, -2.0, 0.0])), Some((1.5, CylinderPart::Top)), "on the rim");
-        assert_eq!(hit(UPRIGHT, &ray([1.0_f64.next_up(), 5.0, 0.0], [0.0, -2.0, 0.0])), None);
-    }
-
-    #[test]
-    fn parallel_to_the_caps_only_the_side_is_hit() {
-        assert_eq!(
-            hit(UPRIGHT, &ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0])),
-            Some((2.0, CylinderPart::Side)),
-            "in the plane"
-        );
-        assert_eq!(hit(UPRIGHT, &ray([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
-        assert_eq!(hit(UPRIGHT, &ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((4.0, CylinderPart::Side)));
-        assert_eq!(hit(UPRIGHT, &ray([1.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((6.0, CylinderPart::Side)), "tangent");
-        assert_eq!(hit(UPRIGHT, &ray([1.0_f64.next_up(), 0.0, -3.0], [0.0, 0.0, 0.5])), None);
+        let leaning = [1.0, 2.0, -0.3];
+        assert_eq!(hit(leaning, &ray([0.0; 3], leaning.map(|component| component * 0.25))), Some((2.0, Top)));
     }
 
     #[test]
@@ -275,11 +269,5 @@ mod tests {
         let flat = [0.0, 2.0, 0.0];
         assert_eq!(hit(flat, &toward(PARALLEL)).map(|(_, part)| part), Some(CylinderPart::Top));
         assert_eq!(hit(flat, &toward(PARALLEL.next_down())), None, "the side is hit beyond the cap");
-    }
-
-    #[test]
-    fn a_null_direction_and_nan_have_the_plain_formulas_hits() {
-        assert_eq!(hit(UPRIGHT, &ray([0.0; 3], [0.0; 3])), None);
-        assert_eq!(hit(UPRIGHT, &ray([0.0, f64::NAN, 0.0], [0.0, 1.0, 0.0])), None);
     }
 }

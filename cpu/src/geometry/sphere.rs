@@ -108,35 +108,24 @@ mod tests {
 
     const UNIT: SphereRecord = SphereRecord { center: Vec3::ZERO, radius: 1.0, radius_squared: 1.0 };
 
-    fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
-        Ray { origin: origin.into(), direction: direction.into() }
-    }
-
     #[test]
-    fn from_outside_the_smaller_root_counts() {
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -3.0], [0.0, 0.0, 1.0])), Some(2.0));
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some(4.0));
-    }
-
-    #[test]
-    fn from_inside_or_the_surface_the_larger_root_counts() {
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])), Some(1.0));
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 0.5])), Some(2.0));
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -1.0], [0.0, 0.0, 1.0])), Some(2.0));
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -1.000_488_281_25], [0.0, 0.0, 1.0])), Some(2.000_488_281_25));
-    }
-
-    #[test]
-    fn a_tangent_hits_and_a_ray_beside_it_misses() {
-        assert_eq!(UNIT.intersect(&ray([1.0, 0.0, -3.0], [0.0, 0.0, 1.0])), Some(3.0));
-        assert_eq!(UNIT.intersect(&ray([1.1, 0.0, -3.0], [0.0, 0.0, 1.0])), None);
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 3.0], [0.0, 0.0, 1.0])), None, "both roots lie behind");
-    }
-
-    #[test]
-    fn a_null_direction_hits_nothing() {
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0; 3])), None);
-        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 3.0], [0.0; 3])), None);
+    fn rays_hit_where_they_should() {
+        for (what, origin, direction, expected) in [
+            ("from outside the smaller root", [0.0, 0.0, -3.0], [0.0, 0.0, 1.0], Some(2.0)),
+            ("from outside, a short direction", [0.0, 0.0, -3.0], [0.0, 0.0, 0.5], Some(4.0)),
+            ("from inside the larger root", [0.0, 0.0, 0.0], [0.0, 0.0, 1.0], Some(1.0)),
+            ("from inside, a short direction", [0.0, 0.0, 0.0], [0.0, 0.0, 0.5], Some(2.0)),
+            ("from the surface the larger root", [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], Some(2.0)),
+            ("nearer than the limit", [0.0, 0.0, -1.000_488_281_25], [0.0, 0.0, 1.0], Some(2.000_488_281_25)),
+            ("a tangent", [1.0, 0.0, -3.0], [0.0, 0.0, 1.0], Some(3.0)),
+            ("beside", [1.1, 0.0, -3.0], [0.0, 0.0, 1.0], None),
+            ("both roots lie behind", [0.0, 0.0, 3.0], [0.0, 0.0, 1.0], None),
+            ("a null direction inside", [0.0, 0.0, 0.0], [0.0; 3], None),
+            ("a null direction outside", [0.0, 0.0, 3.0], [0.0; 3], None),
+        ] {
+            let ray = Ray { origin: origin.into(), direction: direction.into() };
+            assert_eq!(UNIT.intersect(&ray), expected, "{what}");
+        }
     }
 
     #[test]

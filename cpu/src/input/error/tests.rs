@@ -3,16 +3,6 @@
 use crate::input::error::*;
 
 #[test]
-fn keys_are_shown_with_exactly_one_colon_and_entities_without() {
-    let key = |key: &[u8]| Error::UnknownKey { key: key.to_vec() }.to_string();
-    assert_eq!(key(b"image_xwidth:"), "Unknown configuration key: [image_xwidth:]");
-    assert_eq!(key(b"width"), "Unknown configuration key: [width:]");
-    let name = |name: &[u8]| Error::UnknownEntity { name: name.to_vec() }.to_string();
-    assert_eq!(name(b"triangle:"), "Unknown scene entity: triangle");
-    assert_eq!(name(b"triangle"), "Unknown scene entity: triangle");
-}
-
-#[test]
 fn lines_are_shown_byte_for_byte() {
     let error = Error::InvalidParameters { entity: "sphere", line: b"sphere: \xff \0 ".to_vec() };
     assert_eq!(error.message(), b"Invalid sphere parameters\nLine: \"sphere: \xff \0 \"");

@@ -79,12 +79,3 @@ fn objects_that_shrink_towards_a_point_keep_the_depth_bounded() {
         (0..2000).map(|step| Bounds { low: [at(step % 100); 3], high: [at(step % 100) * 1.01; 3] }).collect();
     assert!(check(&build_all(&bounds), &bounds) <= 20);
 }
-
-#[test]
-fn a_hierarchy_takes_less_than_twenty_bytes_an_object() {
-    for count in [257, 1000, 1025, 4097, 20_000] {
-        let nodes = build_all(&random(count, 0.01)).nodes;
-        let bytes = nodes.len() * size_of::<Node<ByteBoxes>>();
-        assert!(bytes < 20 * count, "{bytes} bytes for {count} objects");
-    }
-}
