@@ -46,7 +46,7 @@ mod unix {
             only_folder: false,
             most,
         };
-        println!("{}", job.disturb(disturbance)?);
+        println!("{} runs", job.disturb(disturbance)?);
         Ok(())
     }
 }

@@ -11,7 +11,6 @@
 mod calls;
 mod check;
 mod gate;
-mod runs;
 mod syncs;
 
 use std::collections::BTreeMap;
@@ -22,9 +21,6 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use calls::Call;
-pub use runs::most;
-#[cfg(feature = "programs")]
-pub use runs::run;
 pub use syncs::check_syncs;
 
 /// The errors that each call returns, one error in each run.
@@ -56,6 +52,25 @@ pub struct Job {
     /// Largest number of calls with one name that are disturbed: the first, the last, and others evenly between them.
     /// See [`most`].
     pub most: usize,
+}
+
+/// Name of the environment variable that switches every run on.
+const VARIABLE: &str = "RENDER_INJECTIONS";
+
+/// Returns the number of calls with one name to disturb: `some`, or all calls if the variable `RENDER_INJECTIONS` is
+/// `all`.
+///
+/// # Panics
+/// If `RENDER_INJECTIONS` has another value.
+#[must_use]
+pub fn most(some: usize) -> usize {
+    match std::env::var_os(VARIABLE) {
+        None => some,
+        Some(value) => {
+            assert_eq!(value, "all", "{VARIABLE} may only be \"all\"");
+            usize::MAX
+        }
+    }
 }
 
 /// A way to disturb calls.
@@ -138,14 +153,9 @@ impl Job {
         if runs == 0 { Err("nothing was disturbed".to_owned()) } else { Ok(runs) }
     }
 
-    /// Chooses some of `calls` and runs `disturb` on them. Returns the number of runs. `disturb` must make an equal
-    /// number of runs for each call.
+    /// Chooses some of `calls` and runs `disturb` on them. Returns the number of runs.
     fn each(&self, calls: Vec<Call>, disturb: impl Fn(&[Call]) -> Result<usize, String>) -> Result<usize, String> {
-        let all = calls.len();
-        let chosen = calls::spread(calls, self.most);
-        let made = disturb(&chosen)?;
-        runs::add(made, made * all / chosen.len().max(1));
-        Ok(made)
+        disturb(&calls::spread(calls, self.most))
     }
 
     fn fail(&self, new: &Files, calls: &[Call], more: &[&str]) -> Result<usize, String> {
