@@ -27,6 +27,8 @@ pub struct Tally {
     pub nonzero: usize,
     /// Number of cases in which at least one result differs.
     pub differing: usize,
+    /// The index of the first case in which a result differs.
+    pub first: Option<usize>,
     /// Texts that describe the first differing cases, at most five.
     pub shown: Vec<String>,
 }
@@ -103,7 +105,7 @@ pub(crate) fn compare_rows<T: Float>(
     results: &[T],
 ) -> Tally {
     let mut expected = vec![T::of(0.0); names.len()];
-    let mut tally = Tally { kernel, cases: 0, numbers: 0, nonzero: 0, differing: 0, shown: Vec::new() };
+    let mut tally = Tally { kernel, cases: 0, numbers: 0, nonzero: 0, differing: 0, first: None, shown: Vec::new() };
     for (case, actual) in cases.chunks(inputs).zip(results.chunks(names.len())) {
         formula(case, &mut expected);
         tally.cases += 1;
@@ -111,23 +113,13 @@ pub(crate) fn compare_rows<T: Float>(
         tally.nonzero += usize::from(expected[0].wide() != 0.0);
         if expected.iter().zip(actual).any(|(expected, actual)| !expected.same(*actual)) {
             tally.differing += 1;
+            tally.first.get_or_insert(tally.cases - 1);
             if tally.shown.len() < SHOWN {
                 tally.shown.push(show(names, case, &expected, actual));
             }
         }
     }
     tally
-}
-
-/// Returns the index of the first case whose result differs from that of the formula in Rust.
-#[must_use]
-pub fn first_differing<T: Formulas>(kernel: &Kernel, cases: &[T], results: &[T]) -> Option<usize> {
-    let mut expected = vec![T::of(0.0); kernel.outputs.len()];
-    let rows = cases.chunks(kernel.inputs).zip(results.chunks(kernel.outputs.len()));
-    rows.into_iter().position(|(case, actual)| {
-        T::formula(kernel)(case, &mut expected);
-        expected.iter().zip(actual).any(|(expected, actual)| !expected.same(*actual))
-    })
 }
 
 /// Runs the kernel for `cases`, and compares its results with those of the formula in Rust.

@@ -5,6 +5,7 @@
 
 use std::io::{self, Write};
 use std::path::Path;
+use std::process::ExitCode;
 
 use output::{Options, Output};
 
@@ -34,6 +35,26 @@ pub fn write(text: &str) -> Result<(), output::Error> {
 /// is no other stream on which to report it.
 pub fn note(text: &str) {
     let _ = io::stderr().write_all(format!("{}\n", escaped(text)).as_bytes());
+}
+
+/// Exit status for an error.
+pub const TROUBLE: u8 = 2;
+
+/// Writes an error for the user, and returns the exit status for it.
+pub fn failed(message: &str) -> ExitCode {
+    note(&format!("Error: {message}"));
+    ExitCode::from(TROUBLE)
+}
+
+/// Writes what clap answers instead of arguments, and returns the exit status. The help goes to standard output, and a
+/// message to standard error. The message repeats the arguments, so its control characters are escaped.
+pub fn answer(answer: &clap::Error) -> ExitCode {
+    let text = answer.render().to_string();
+    if answer.use_stderr() {
+        note(text.trim_end());
+        return ExitCode::from(TROUBLE);
+    }
+    print(&text).map_or_else(|error| failed(&error.to_string()), |()| ExitCode::SUCCESS)
 }
 
 /// Returns `text` with all control characters except line ends escaped, so that it cannot send commands to the

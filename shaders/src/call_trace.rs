@@ -5,6 +5,8 @@
 //! other recorded calls), the arguments and the result. A record is written when the call returns, so the calls inside
 //! a function come before it. Lines keep their numbers.
 
+use std::ops::Range;
+
 use naga::{Function, Handle, Module, ScalarKind, Type, TypeInner};
 
 use crate::limits::tokens;
@@ -54,11 +56,10 @@ impl Composition {
     /// The errors of [`Composition::validate`], also if the text already has names that begin with `call_trace`.
     pub fn with_call_trace(&self) -> Result<CallTrace, Error> {
         let module = self.validate()?.module;
-        let tokens: Vec<_> = tokens(self.source().as_bytes()).collect();
         let (mut functions, mut wrappers, mut renamed) = (Vec::new(), String::new(), Vec::new());
-        for (_, function) in module.functions.iter() {
-            let declaration = function.name.as_deref().and_then(|name| Declaration::find(&tokens, name));
-            if let Some(declaration) = declaration
+        for (handle, function) in module.functions.iter() {
+            let range = module.functions.get_span(handle).to_range();
+            if let Some(declaration) = range.and_then(|range| Declaration::find(self.source(), &range))
                 && let Some(recorded) = Recorded::new(&module, function, self.source(), &declaration)
             {
                 let signature = self.source()[declaration.start..declaration.body].trim_end();
@@ -190,24 +191,13 @@ struct Declaration {
 }
 
 impl Declaration {
-    /// Returns the places of the function `name`.
-    fn find(tokens: &[(usize, &[u8])], name: &str) -> Option<Self> {
-        let is_it =
-            |three: &[(usize, &[u8])]| three[0].1 == b"fn" && three[1].1 == name.as_bytes() && three[2].1 == b"(";
-        let first = tokens.windows(3).position(is_it)?;
-        let [(start, _), (at_name, _)] = [tokens[first], tokens[first + 1]];
-        let mut rest = tokens[first..].iter().skip_while(|(_, token)| *token != b"{");
-        let body = rest.clone().next()?.0;
-        let mut depth = 0_usize;
-        let end = rest.find(|(_, token)| {
-            match *token {
-                b"{" => depth += 1,
-                b"}" => depth = depth.saturating_sub(1),
-                _ => {}
-            }
-            depth == 0
-        });
-        Some(Self { start, after_name: at_name + name.len(), body, end: end?.0 })
+    /// Returns the places of the declaration that `range` covers, with its attributes.
+    fn find(source: &str, range: &Range<usize>) -> Option<Self> {
+        let mut tokens = tokens(&source.as_bytes()[range.clone()]).map(|(offset, token)| (range.start + offset, token));
+        let start = tokens.find(|(_, token)| *token == b"fn")?.0;
+        let (at_name, name) = tokens.next()?;
+        let body = tokens.find(|(_, token)| *token == b"{")?.0;
+        Some(Self { start, after_name: at_name + name.len(), body, end: tokens.last()?.0 })
     }
 }
 

@@ -180,13 +180,8 @@ impl Place {
 
     /// Returns the place of the character at `offset`, in bytes from the start of the composition.
     fn at(offset: usize, composition: &Composition) -> Option<Self> {
-        // naga counts lines from 1, and bytes within a line from 1.
-        let before = composition.source().get(..offset)?;
-        let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |end| end + 1);
-        let [line_number, line_position, offset] =
-            [line, offset - start + 1, offset].map(|number| u32::try_from(number).unwrap_or(u32::MAX));
-        Self::new(Some(SourceLocation { line_number, line_position, offset, length: 1 }), composition)
+        let offset = u32::try_from(offset).ok()?;
+        Self::new(Some(Span::new(offset, offset + 1).location(composition.source())), composition)
     }
 
     /// Returns the place of the entry point or the type that `error` is about.

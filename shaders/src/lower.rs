@@ -46,7 +46,8 @@ pub use arithmetic::Arithmetic;
 use naga::back::wgsl::{WriterFlags, write_string};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-use crate::{Composition, Diagnostic, Error, Precision, Validated, limits, transcendental, validate};
+use crate::validate::within_limits;
+use crate::{Composition, Error, Precision, Validated};
 use lowering::Lowering;
 
 /// Returns the text of a module without f64 that computes what `source` computes. Messages show `path` as the file of
@@ -75,18 +76,11 @@ pub fn constants(lowered: &Validated, constants: &[(&str, f64)]) -> Vec<(String,
 
 /// Returns the lowered text of `composition`; see [`lower_text`].
 pub(crate) fn lower(composition: &Composition, arithmetic: &Arithmetic) -> Result<String, Error> {
-    limits::check(composition.source())
-        .map_err(|excess| Error::Invalid(Box::new(Diagnostic::of_excess(&excess, composition))))?;
-    validate::on_a_large_stack(|| by_naga(composition, arithmetic))?
+    within_limits(composition, || by_naga(composition, arithmetic))
 }
 
 fn by_naga(composition: &Composition, arithmetic: &Arithmetic) -> Result<String, Error> {
-    let source = naga::front::wgsl::parse_str(composition.source())
-        .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
-    let info = Validator::new(ValidationFlags::all(), Capabilities::all())
-        .validate(&source)
-        .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, &source, composition))))?;
-    transcendental::refuse(&source, &info, composition).map_err(Error::Invalid)?;
+    let Validated { module: source, info, .. } = Validated::by_naga(composition, Capabilities::all())?;
     let (mut module, functions) = Lowering::new(&source, &info, arithmetic.module()?)
         .run()
         .map_err(|refusal| Error::CannotLower(Box::new(refusal.diagnostic(composition))))?;

@@ -43,16 +43,15 @@ pub struct Validated {
 
 impl Validated {
     pub(crate) fn new(composition: &Composition) -> Result<Self, Error> {
-        limits::check(composition.source())
-            .map_err(|excess| Error::Invalid(Box::new(Diagnostic::of_excess(&excess, composition))))?;
-        on_a_large_stack(|| Self::by_naga(composition))?
-    }
-
-    fn by_naga(composition: &Composition) -> Result<Self, Error> {
-        let module = naga::front::wgsl::parse_str(composition.source())
-            .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
         // f64 is allowed only where it is needed, so that other compositions run on devices without f64.
         let capabilities = if composition.needs_f64() { Capabilities::FLOAT64 } else { Capabilities::empty() };
+        within_limits(composition, || Self::by_naga(composition, capabilities))
+    }
+
+    /// Returns the parsed module if it needs nothing but `capabilities`. Call it in [`within_limits`].
+    pub(crate) fn by_naga(composition: &Composition, capabilities: Capabilities) -> Result<Self, Error> {
+        let module = naga::front::wgsl::parse_str(composition.source())
+            .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
         let info = Validator::new(ValidationFlags::all(), capabilities)
             .validate(&module)
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, &module, composition))))?;
@@ -87,13 +86,19 @@ impl Validated {
     }
 }
 
-/// Runs `work` on a thread with a stack of [`limits::STACK_BYTES`], because the caller's stack may be too small for
-/// naga. Returns the result of `work`, or an error if the thread cannot be started.
-pub(crate) fn on_a_large_stack<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R, Error> {
+/// Checks the limits on the text of `composition`, and runs `work` on a thread with a stack of [`limits::STACK_BYTES`],
+/// because the caller's stack may be too small for naga. Returns the result of `work`, or an error if a limit is
+/// exceeded or if the thread cannot be started.
+pub(crate) fn within_limits<R: Send>(
+    composition: &Composition,
+    work: impl FnOnce() -> Result<R, Error> + Send,
+) -> Result<R, Error> {
+    limits::check(composition.source())
+        .map_err(|excess| Error::Invalid(Box::new(Diagnostic::of_excess(&excess, composition))))?;
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().name("naga".to_owned()).stack_size(limits::STACK_BYTES);
         match thread.spawn_scoped(scope, work) {
-            Ok(thread) => thread.join().map_err(|panic| std::panic::resume_unwind(panic)),
+            Ok(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
             Err(cause) => Err(Error::NoStack { bytes: limits::STACK_BYTES, cause: cause.to_string() }),
         }
     })

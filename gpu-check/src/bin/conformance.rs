@@ -17,8 +17,6 @@ use output::{Options, Output, stop};
 
 /// Exit status if a driver fails a probe.
 const FAILS: u8 = 1;
-/// Exit status for an error.
-const TROUBLE: u8 = 2;
 /// Exit status if a signal has interrupted the program.
 const INTERRUPTED: u8 = 130;
 /// Largest size of a table in bytes that is read.
@@ -34,25 +32,14 @@ fn main() -> ExitCode {
     stop::note_first_request();
     let result = match Arguments::try_parse() {
         Ok(arguments) => run(&arguments),
-        Err(message) if message.use_stderr() => {
-            // The message repeats the arguments, so its control characters must be escaped for the terminal.
-            terminal::note(message.render().to_string().trim_end());
-            return ExitCode::from(TROUBLE);
-        }
-        Err(help) => terminal::print(&help.render().to_string()).map(|()| ExitCode::SUCCESS).map_err(|e| e.to_string()),
+        Err(answer) => return terminal::answer(&answer),
     };
     if stop::requested() { ExitCode::from(INTERRUPTED) } else { status(result) }
 }
 
 /// Returns the exit status for a result. An error is written to standard error.
 fn status(result: Result<ExitCode, String>) -> ExitCode {
-    match result {
-        Ok(status) => status,
-        Err(message) => {
-            terminal::note(&format!("Error: {message}"));
-            ExitCode::from(TROUBLE)
-        }
-    }
+    result.unwrap_or_else(|message| terminal::failed(&message))
 }
 
 fn run(arguments: &Arguments) -> Result<ExitCode, String> {

@@ -14,9 +14,6 @@ use gpu_check::terminal;
 use shaders::Error;
 use shaders::lower::{Arithmetic, lower_text};
 
-/// Exit status for an error.
-const TROUBLE: u8 = REFUSED as u8;
-
 /// The first argument of the separate process, which lowers the text from its standard input.
 const FLAG: &str = "--lower-standard-input";
 
@@ -45,10 +42,7 @@ fn main() -> ExitCode {
     };
     match result.and_then(|text| terminal::write(&text).map_err(|error| error.to_string())) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            terminal::note(&format!("Error: {message}"));
-            ExitCode::from(TROUBLE)
-        }
+        Err(message) => terminal::failed(&message),
     }
 }
 
@@ -80,7 +74,7 @@ fn in_separate_process(arguments: impl Iterator<Item = OsString>) -> ExitCode {
     });
     let (text, status) = match lowered {
         Ok(text) => (text, ExitCode::SUCCESS),
-        Err(message) => (message, ExitCode::from(TROUBLE)),
+        Err(message) => (message, ExitCode::from(REFUSED as u8)),
     };
     if terminal::write(&text).is_ok() { status } else { ExitCode::FAILURE }
 }

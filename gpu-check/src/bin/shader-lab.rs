@@ -4,17 +4,16 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::process::ExitCode;
 
+use gpu_check::Error;
 use gpu_check::shader_lab::args::Arguments;
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
 use gpu_check::shader_lab::{TEMPLATE, guard, watch::Lab};
-use gpu_check::{Error, terminal};
+use gpu_check::terminal::{self, TROUBLE, failed};
 use output::{Options, Output, stop};
 
 /// Exit status with `--check` if the picture differs from the CPU's, as for `diff` and `render-lab`.
 const DIFFERS: u8 = 1;
-/// Exit status for an error.
-const TROUBLE: u8 = 2;
 /// Exit status of a panic, the same as that of the standard library. [`guard::check`] uses it to distinguish a panic
 /// from an error message.
 const PANICKED: u8 = 101;
@@ -42,12 +41,7 @@ fn run() -> ExitCode {
     }
     let arguments = match Arguments::read(std::env::args_os()) {
         Ok(arguments) => arguments,
-        Err(message) if message.use_stderr() => {
-            // The message repeats the arguments, so its control characters must be escaped for the terminal.
-            terminal::note(message.render().to_string().trim_end());
-            return ExitCode::from(TROUBLE);
-        }
-        Err(help) => return said(&help.render().to_string()),
+        Err(answer) => return terminal::answer(&answer),
     };
     match arguments {
         Arguments { template: Some(path), .. } => template(&path),
@@ -107,9 +101,4 @@ fn said(text: &str) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => failed(&error.to_string()),
     }
-}
-
-fn failed(message: &str) -> ExitCode {
-    terminal::note(&format!("Error: {message}"));
-    ExitCode::from(TROUBLE)
 }

@@ -7,6 +7,7 @@ use cpu::{Config, Ray, Scatter, Vec3, reference};
 use shaders::{Features, Library, Precision};
 
 use super::Mutant;
+use crate::check::Tally;
 use crate::closest_hits::{closest_hits, random};
 use crate::conformance::single;
 use crate::difference::first_differing;
@@ -106,12 +107,13 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// An error of the device or of the library's WGSL.
     pub fn examine(&self, library: &Library, module: &str) -> Result<Option<String>, Error> {
+        let noticed = |tally: &Tally| format!("{}, {} of {} cases", tally.kernel, tally.differing, tally.cases);
         for (kernel, cases) in &self.kernels {
             if runs(kernel.module, module)? {
                 let pipeline = check::compile::<f64>(self.gpu, library, kernel)?;
                 let tally = check::check(self.gpu, &pipeline, kernel, cases)?;
                 if tally.differing > 0 {
-                    return Ok(Some(format!("{}, {} of {} cases", tally.kernel, tally.differing, tally.cases)));
+                    return Ok(Some(noticed(&tally)));
                 }
             }
         }
@@ -119,7 +121,7 @@ impl<'a> Examiner<'a> {
             if runs(kernel.module, module)? {
                 let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
                 if tally.differing > 0 {
-                    return Ok(Some(format!("{}, {} of {} cases", tally.kernel, tally.differing, tally.cases)));
+                    return Ok(Some(noticed(&tally)));
                 }
             }
         }
@@ -155,8 +157,7 @@ impl<'a> Examiner<'a> {
                 continue;
             }
             let pipeline = check::compile::<f64>(self.gpu, library, kernel)?;
-            let results = check::results(self.gpu, &pipeline, kernel, cases)?;
-            if let Some(index) = check::first_differing(kernel, cases, &results) {
+            if let Some(index) = check::check(self.gpu, &pipeline, kernel, cases)?.first {
                 let case = &cases[index * kernel.inputs..][..kernel.inputs];
                 let start = Instant::now();
                 return timed(first_difference::of_case(self.gpu, library, kernel, case), start);

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use shaders::{Library, module};
+use shaders::diagnostic::Place;
+use shaders::{Diagnostic, Library, module};
 
 use crate::Error;
 use crate::hierarchy::WORTHWHILE;
@@ -74,12 +75,10 @@ fn unknown(path: &Path, text: &str, name: &str) -> Error {
     let known = known.join(", ");
     match text.lines().next().and_then(|line| Some((line, line.strip_prefix(MARK)?))) {
         Some((line, rest)) => {
-            let before = line.len() - rest.trim_start().len();
-            let (column, spaces) = (before + 1, " ".repeat(before));
-            let carets = "^".repeat(name.chars().count().max(1));
-            let place = PathBuf::from(format!("{}:1:{column}", shown(path)));
-            let line = line.trim_end();
-            fault(&place, format!("no module is called [{name}]; there are: {known}\n1 | {line}\n    {spaces}{carets}"))
+            let (column, length) = (line.len() - rest.trim_start().len() + 1, name.chars().count().max(1));
+            let place = Place { file: shown(path), line: 1, column, length, text: line.trim_end().to_owned() };
+            let message = format!("no module is called [{name}]; there are: {known}");
+            shaders::Error::Invalid(Box::new(Diagnostic { message, place: Some(place) })).into()
         }
         None => {
             let advice = format!("its first line may say which it is, as in [{MARK} kernels/image]");
@@ -143,13 +142,6 @@ mod tests {
     #[test]
     fn the_first_line_of_a_file_may_name_another_module() {
         assert_eq!(name(Path::new("mine/normals.wgsl"), "// module: kernels/image\n"), "kernels/image");
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn an_endless_file_is_refused() {
-        let error = read_one(Path::new("/dev/zero")).expect_err("it has no end");
-        assert!(error.to_string().contains("larger than 1048576 bytes"), "{error}");
     }
 
     #[test]

@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 use shaders::{Features, Library, Precision};
 
 use super::files::{self, UserModule};
-use super::progress::Progress;
+use super::progress::bar;
 use super::truth::Truth;
 use super::{args, guard};
 use crate::sampled::{SampleRenderer, SampledRendering};
-use crate::{Error, Float, Gpu, Picture, Renderer, Rendering, terminal};
+use crate::{Error, Float, Gpu, Picture, Renderer, Rendering};
 
 /// The kernel of a picture in deterministic mode.
 const IMAGE: &str = "kernels/image";
@@ -64,11 +64,10 @@ pub(super) fn render<T: Float>(
     picture: &Picture<T>,
     truth: &Truth,
 ) -> Result<Rendered<T>, Error> {
-    let mut progress = Progress::start("WGSL renders");
+    let progress = bar("WGSL renders", 0);
     let tell = |done, of| {
-        if let Some(text) = progress.tell(done, of) {
-            terminal::note(&text);
-        }
+        progress.set_length(of);
+        progress.set_position(done);
     };
     let start = Instant::now();
     let Some(recording) = &truth.recording else {

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use cpu::{Config, Scatter, Scene, Vec3, reference};
 
-use super::progress::Progress;
+use super::progress::bar;
 use crate::hierarchy::WORTHWHILE;
 use crate::picture::depth;
 use crate::sampled::twin::means;
@@ -75,10 +75,10 @@ impl Truth {
         let mut wide = Vec::new();
         let start = Instant::now();
         let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
-        let mut progress = Progress::start(WORDS);
+        let progress = bar(WORDS, size.pixels());
         let recording = match samples {
             Some(convention) => {
-                let tell = |pixels, size| progress.note_row(pixels, size);
+                let tell = |pixels, _| progress.set_position(pixels as u64);
                 let mut recording = Recording::telling(&config, &scene, convention, tell)?;
                 wide = std::mem::take(&mut recording.means);
                 Some(recording)
@@ -86,7 +86,7 @@ impl Truth {
             None => {
                 reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| {
                     wide.push(color);
-                    progress.note_row(wide.len(), size);
+                    progress.inc(1);
                 })?;
                 None
             }
@@ -101,16 +101,11 @@ impl Truth {
     pub fn single(&self) -> &[Vec3<f32>] {
         let (picture, colors) = &self.single;
         colors.get_or_init(|| {
-            let mut progress = Progress::start(WORDS);
+            let progress = bar(WORDS, picture.size.pixels());
             if let Some(recording) = &self.recording {
-                return means(picture, recording, |pixels| progress.note_row(pixels, picture.size));
+                return means(picture, recording, |pixels| progress.set_position(pixels as u64));
             }
-            let mut colors = Vec::with_capacity(picture.size.pixels());
-            for index in 0..picture.size.pixels() {
-                colors.push(picture.color(index));
-                progress.note_row(colors.len(), picture.size);
-            }
-            colors
+            progress.wrap_iter(0..picture.size.pixels()).map(|index| picture.color(index)).collect()
         })
     }
 }

@@ -93,18 +93,6 @@ fn numbers_that_a_kernel_does_not_write_are_noticed() {
     assert_eq!(error.to_string(), "the kernel [kernels/sphere] did not write 20 of the numbers it should have written");
 }
 
-#[test]
-fn a_fault_in_a_replaced_module_is_shown_where_it_stands() {
-    let gpu = common::gpu();
-    let mut library = Library::standard();
-    let source = library.source("background").expect("it exists").replace("real(2.0)", "2.0 * m2");
-    library.replace("background", "my/background.wgsl", source).expect("it exists");
-    let error = Renderer::<f64>::new(&gpu, &library, &Features::all(5)).expect_err("m2 is nothing");
-    let lines: Vec<_> = error.to_string().lines().map(str::to_owned).collect();
-    assert!(lines[0].starts_with("my/background.wgsl:11:72: no definition in scope for identifier"), "{error}");
-    assert!(lines[1].starts_with("11 |     let m = ") && lines[2].trim_start() == "^^", "{error}");
-}
-
 /// Returns the number of sums whose rounding error differs from Rust's.
 fn wrong_errors<T: Formulas>(gpu: &Gpu) -> usize {
     let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/two_sum").expect("it is listed");

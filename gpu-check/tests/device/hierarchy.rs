@@ -5,17 +5,18 @@
 
 mod large;
 
+use cpu::Config;
 use cpu::internals::sampling::uniform::Uniform;
-use cpu::{Config, Scene};
 use gpu_check::closest_hits::{closest_hits, random};
 use gpu_check::difference::difference;
 use gpu_check::running::Accuracy;
-use gpu_check::scenes::{self, Case};
+use gpu_check::scenes;
 use gpu_check::steps::{Follower, first_difference};
-use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
+use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::Library;
 
 use crate::common;
+use crate::pictures::on_device;
 
 /// Number of random rays, and their number if everything is compared, unless the variable sets another one.
 const RAYS: usize = 1 << 17;
@@ -30,14 +31,6 @@ fn is_everything() -> bool {
     std::env::var_os("RENDER_HIERARCHY").is_some_and(|value| value == "all")
 }
 
-fn render<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Rendering<T> {
-    features_of(&case.config, &case.scene)
-        .map_err(gpu_check::Error::from)
-        .and_then(|features| Renderer::<T>::new(gpu, library, &features))
-        .and_then(|renderer| renderer.render(&Picture::new(&case.config, &case.scene)?))
-        .unwrap_or_else(|error| panic!("{}: {error}", case.name))
-}
-
 fn pictures_have_the_same_bits<T: Float>() {
     let gpu = common::gpu();
     let (all, tree) = (Library::standard(), Library::standard().in_hierarchy());
@@ -48,7 +41,7 @@ fn pictures_have_the_same_bits<T: Float>() {
     cases.extend((0..20).map(scenes::random));
     let mut pixels = 0;
     for case in cases.into_iter().map(|case| if is_everything() { case } else { case.within(TESTS) }) {
-        let (expected, actual) = (render::<T>(&gpu, &all, &case), render::<T>(&gpu, &tree, &case));
+        let (expected, actual) = (on_device::<T>(&gpu, &all, &case), on_device::<T>(&gpu, &tree, &case));
         let found = difference(&actual.pixels, &expected.pixels);
         println!("{}: {found}; {:.1?} in the hierarchy, {:.1?} without", case.name, actual.time, expected.time);
         assert_eq!(found.differing, 0, "{}: {found}", case.name);
@@ -148,23 +141,4 @@ fn a_ray_that_visits_too_many_nodes_is_an_error_and_not_a_wrong_colour() {
     let renderer = Renderer::<f64>::new(&gpu, &library, &features).expect("it compiles");
     let error = renderer.render(&picture).map(|rendering| rendering.size).expect_err("20 nodes are too few");
     assert!(error.to_string().contains("did not write"), "{error}");
-}
-
-#[test]
-fn more_objects_than_a_loop_may_pass_are_rendered_in_a_hierarchy() {
-    let gpu = common::gpu();
-    // Only the last of 70,000 spheres is in front of the camera.
-    let mut text = String::from("matte: red .9 .1 .1\n");
-    for number in 0..70_000 {
-        text.push_str(&format!("sphere: {} {} -900 1 red\n", number % 300 * 3, number / 300 * 3));
-    }
-    text.push_str("sphere: 0 0 0 5 red\n");
-    let scene = Scene::parse(text.as_bytes()).expect("it is valid");
-    let config = Config { image_width: 16, aspect_ratio: [1, 1], max_depth: 3, ..Config::default() };
-    let case = Case { name: "70,001 spheres".to_owned(), config, scene };
-    let rendering = render::<f64>(&gpu, &Library::standard().in_hierarchy(), &case);
-    let twin = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
-    let expected: Vec<_> = (0..rendering.pixels.len()).map(|index| twin.color(index)).collect();
-    let found = difference(&rendering.pixels, &expected);
-    assert_eq!(found.differing, 0, "{found}");
 }

@@ -1,14 +1,15 @@
 //! Compares whole pictures in WGSL with pictures in Rust, in deterministic mode: every scene of the repository, random
 //! scenes, and edge cases.
 
-use cpu::{Scatter, Vec3, reference};
+use cpu::Vec3;
 use gpu_check::difference::difference;
 use gpu_check::running::{self, Accuracy, Running};
 use gpu_check::scenes::{self, Case};
-use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
+use gpu_check::{Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
 use crate::common;
+use crate::pictures::{Compared, by_reference, on_device};
 
 const RANDOM_SCENES: u64 = 60;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
@@ -28,42 +29,17 @@ fn cases() -> (Vec<Case>, usize) {
     (cases.into_iter().map(|case| case.within(TESTS)).collect(), files)
 }
 
-fn on_device<T: Float>(gpu: &Gpu, case: &Case) -> Rendering<T> {
-    let render = || {
-        let features = features_of(&case.config, &case.scene)?;
-        let renderer = Renderer::<T>::new(gpu, &Library::standard(), &features)?;
-        renderer.render(&Picture::new(&case.config, &case.scene)?)
-    };
-    render().unwrap_or_else(|error: gpu_check::Error| panic!("{}: {error}", case.name))
-}
-
-fn by_reference(case: &Case) -> Vec<Vec3> {
-    let mut means = Vec::new();
-    reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| means.push(mean))
-        .unwrap_or_else(|error| panic!("{}: {error}", case.name));
-    means
-}
-
 #[test]
 fn f64_pictures_are_the_references_to_the_bit() {
     let gpu = common::gpu();
     let (cases, files) = cases();
     assert!(files >= 16, "the repository has scenes: {files}");
     let cases: Vec<_> = cases.into_iter().chain(scenes::hard_cameras()).collect();
-    let (mut pixels, mut lit, mut faults) = (0, 0, Vec::new());
+    let mut compared = Compared::default();
     for case in &cases {
-        let rendering = on_device::<f64>(&gpu, case);
-        let expected = by_reference(case);
-        let found = difference(&rendering.pixels, &expected);
-        pixels += found.pixels;
-        lit += expected.iter().filter(|color| **color != Vec3::ZERO).count();
-        if found.differing > 0 {
-            faults.push(format!("{}: {found}", case.name));
-        }
+        compared.add(case, &on_device::<f64>(&gpu, &Library::standard(), case).pixels);
     }
-    println!("f64: {} pictures, {pixels} pixels compared, {lit} of them not black", cases.len());
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(lit > 200_000, "{lit} pixels with light are too few");
+    compared.check(200_000);
 }
 
 #[test]
@@ -73,7 +49,7 @@ fn f32_pictures_are_near_the_reference_and_with_the_arithmetic_of_ieee_their_twi
     let (cases, _) = cases();
     let (mut faults, mut all) = (Vec::new(), Reasons::default());
     for case in &cases {
-        let rendering = on_device::<f32>(&gpu, case);
+        let rendering = on_device::<f32>(&gpu, &Library::standard(), case);
         let twin = Picture::<f32>::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
         let twin: Vec<_> = (0..rendering.pixels.len()).map(|index| twin.color(index)).collect();
         let found = difference(&rendering.pixels, &twin);

@@ -4,9 +4,7 @@
 
 use std::time::Duration;
 
-use cpu::{Scatter, reference};
 use gpu_check::check::{check as check_kernel, compile};
-use gpu_check::difference::difference;
 use gpu_check::kernels::KERNELS;
 use gpu_check::lowered::{check, operations};
 use gpu_check::pipeline::Content;
@@ -17,6 +15,7 @@ use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
 
 use crate::common;
+use crate::pictures::Compared;
 
 /// Number of cases of each operation, unless `LOWERED_CASES` sets another.
 const CASES: usize = 1_000_000;
@@ -80,7 +79,7 @@ fn every_formula_gives_the_bits_of_cpu() {
 #[test]
 fn every_picture_is_the_references_to_the_bit() {
     let gpu = common::gpu();
-    let (mut pixels, mut lit, mut faults) = (0, 0, Vec::new());
+    let mut compared = Compared::default();
     let cases = scenes::all(RANDOM_SCENES, TESTS).unwrap_or_else(|error| panic!("{error}"));
     assert!(cases.len() >= 16 + RANDOM_SCENES as usize + scenes::edges().len(), "the repository has scenes");
     // A pipeline of so many instructions takes seconds to compile, so all scenes share one.
@@ -89,20 +88,10 @@ fn every_picture_is_the_references_to_the_bit() {
     for case in &cases {
         let picture = Picture::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
         let rendering = renderer.render(&picture).unwrap_or_else(|error| panic!("{}: {error}", case.name));
-        let mut expected = Vec::new();
-        reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| expected.push(mean))
-            .unwrap_or_else(|error| panic!("{}: {error}", case.name));
-        let found = difference(&rendering.pixels, &expected);
-        pixels += found.pixels;
-        lit += expected.iter().filter(|color| **color != cpu::Vec3::ZERO).count();
-        println!("{}: {found}, {:.1?}", case.name, rendering.time);
-        if found.differing > 0 {
-            faults.push(format!("{}: {found}", case.name));
-        }
+        println!("{}: {:.1?}", case.name, rendering.time);
+        compared.add(case, &rendering.pixels);
     }
-    println!("{} pictures, {pixels} pixels compared, {lit} of them not black", cases.len());
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(lit > 40_000, "{lit} pixels with light are too few");
+    compared.check(40_000);
 }
 
 /// Runs a module with every construct, and returns its results and the time of the device.

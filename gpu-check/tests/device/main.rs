@@ -11,6 +11,7 @@ mod hierarchy;
 mod images;
 mod lowered;
 mod mutants;
+mod pictures;
 #[path = "../common/sampled.rs"]
 mod sampled;
 mod samples;

@@ -14,7 +14,7 @@ use std::fmt::Write;
 use std::iter;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use cpu::{Config, Scene, Vec3};
+use cpu::{Config, Scene};
 use gpu_check::difference::difference;
 use gpu_check::sampled::{Convention, Recording, SampledRendering};
 use gpu_check::scenes::Case;
@@ -46,8 +46,7 @@ pub fn trials() -> Vec<Trial> {
         let others: Vec<_> = other_forms.map(|form| trial(form, false, golden.clone())).collect();
         iter::once(trial(Form::AsWritten, is_quick, golden)).chain(others)
     });
-    let bytes = Trial::test("course::a byte is the truncated power", a_byte_is_the_truncated_power);
-    pictures.chain([bytes]).collect()
+    pictures.collect()
 }
 
 /// Returns the text of the P3 file.
@@ -71,17 +70,6 @@ fn byte(mean: f64, gamma: f64) -> u8 {
         assert_eq!(near, [of_power(power); 2], "the power {power} is too close to a boundary between bytes");
     }
     of_power(power)
-}
-
-fn a_byte_is_the_truncated_power() -> Result<(), Failed> {
-    let bytes = [0.0, 1.0, 2.0, 0.5, f64::MIN_POSITIVE].map(|mean| byte(mean, 2.0));
-    assert_eq!(bytes, [0, 255, 255, 180, 0]);
-    let size = cpu::Size::new(1, 1)?;
-    let pixels = vec![Vec3::new(0.25, 0.0, 1.0)];
-    let rendering =
-        SampledRendering { size, pixels, disagreeing: 0, first_disagreeing: None, time: std::time::Duration::ZERO };
-    assert_eq!(ppm(&rendering, 2.0), "P3\n1 1\n255\n127 0 255\n");
-    Ok(())
 }
 
 /// Whether a device is chosen that is not the default, which calculates on the CPU.

@@ -40,31 +40,6 @@ impl<T: Copy> Step<T> {
     pub const fn is_hit(&self) -> T {
         self.0[0]
     }
-
-    /// Returns the lambda of the hit.
-    pub const fn lambda(&self) -> T {
-        self.0[1]
-    }
-
-    /// Returns the object's index in the scene file.
-    pub const fn object(&self) -> T {
-        self.0[2]
-    }
-
-    /// Returns the number of the part of a cylinder, or 0 for a sphere.
-    pub const fn part(&self) -> T {
-        self.0[3]
-    }
-
-    /// Returns 1 if the ray comes from outside the object, and otherwise 0.
-    pub const fn front(&self) -> T {
-        self.0[4]
-    }
-
-    /// Returns the normal on the side from which the ray comes.
-    pub const fn normal(&self) -> [T; 3] {
-        [self.0[15], self.0[16], self.0[17]]
-    }
 }
 
 /// Returns the index of the first number in which two steps differ, or `None` if they are equal.

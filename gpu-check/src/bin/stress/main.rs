@@ -80,16 +80,11 @@ fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
     // From here on, a signal that ends the process first removes the temporary files.
     output::stop::remove_temporary_when_stopped();
-    let result = match Arguments::try_parse() {
-        Ok(arguments) => run(&arguments),
-        Err(message) if message.use_stderr() => {
-            // The message repeats the arguments, so its control characters must be escaped for the terminal.
-            terminal::note(message.render().to_string().trim_end());
-            return ExitCode::from(2);
-        }
-        Err(help) => terminal::print(&help.render().to_string()).map_err(Into::into),
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(answer) => return terminal::answer(&answer),
     };
-    match result {
+    match run(&arguments) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             terminal::note(&format!("Error: {error}"));

@@ -11,10 +11,6 @@ fn sampled(folder: &Path, arguments: &str) -> Output {
     command.output().expect("the program starts")
 }
 
-fn words(output: &Output) -> String {
-    format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr))
-}
-
 #[test]
 fn a_picture_with_random_numbers_differs_in_no_bit_in_either_convention() {
     common::gpu();

@@ -13,10 +13,6 @@ fn bash(folder: &Path, line: &str) -> Output {
     bash.output().expect("bash starts")
 }
 
-fn words(output: &Output) -> String {
-    format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr))
-}
-
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("the folder is readable");
     let mut names: Vec<_> =
@@ -30,29 +26,6 @@ fn a_pipe_as_configuration_is_read_once_and_its_values_count() {
     let folder = Folder::new();
     let output = bash(folder.path(), "$lab my.wgsl --config <(cat config) --scene <(cat scene) --out o.png");
     assert!(output.status.success() && words(&output).contains("\n16 x 9 pixels in "), "{}", words(&output));
-}
-
-#[test]
-fn endless_files_are_refused() {
-    let folder = Folder::new();
-    for files in ["--config /dev/zero --scene scene", "--config config --scene /dev/zero"] {
-        let command = format!("$lab my.wgsl {files} --out o.png");
-        let output = bash(folder.path(), &command);
-        let expected = "Cannot read file [/dev/zero]: it is larger than 16777216 bytes";
-        assert_eq!(output.status.code(), Some(2), "{command}: {}", words(&output));
-        assert!(words(&output).contains(expected), "{command}: {}", words(&output));
-    }
-}
-
-#[test]
-fn a_valid_scene_of_one_byte_more_than_the_limit_is_refused() {
-    let folder = Folder::new();
-    // Blank lines are valid, so only the size is wrong.
-    let line = "head -c 16777217 < <(yes '') > blank; $lab my.wgsl --config config --scene blank --out o.png";
-    let output = bash(folder.path(), line);
-    assert_eq!(output.status.code(), Some(2), "{}", words(&output));
-    let expected = "Error: Cannot read file [blank]: it is larger than 16777216 bytes";
-    assert!(words(&output).contains(expected), "{}", words(&output));
 }
 
 #[test]

@@ -8,7 +8,8 @@ use gpu_check::scenes::{self, Case};
 use gpu_check::{Float, Form, Picture, Renderer, features_of};
 use shaders::Library;
 
-use super::{is_everything, render};
+use super::is_everything;
+use crate::pictures::on_device;
 
 /// Number of spheres of the largest scene, if everything is rendered. By default it has 70,000, which are more than the
 /// iterations of a loop.
@@ -33,7 +34,7 @@ fn ten_thousand_objects_are_rendered<T: Float>(form: Form) {
     assert_eq!((tree.size.width(), tree.size.height()), (480, 270));
     println!("ten-thousand, 480 x 270, {}, {form}: {:.2?} in the hierarchy", T::PRECISION, tree.time);
     if is_everything() && form == Form::AsWritten {
-        let all = render::<T>(&gpu, &Library::standard(), &case);
+        let all = on_device::<T>(&gpu, &Library::standard(), &case);
         let found = difference(&tree.pixels, &all.pixels);
         println!("ten-thousand, 480 x 270, {}: {found}; {:.1?} without the hierarchy", T::PRECISION, all.time);
         assert_eq!(found.differing, 0, "{found}");
@@ -55,7 +56,7 @@ fn ten_thousand_objects_are_rendered_in_f32() {
 }
 
 #[test]
-fn a_million_spheres_are_rendered() {
+fn a_million_spheres_or_more_than_a_loop_may_pass_are_rendered() {
     let count = if is_everything() { MOST_SPHERES } else { 70_000 };
     let side = (count as f64).cbrt().ceil() as usize;
     let mut text = String::from("matte: red .9 .1 .1\nmetal: grey .6 .6 .6 0\n");
@@ -76,7 +77,7 @@ fn a_million_spheres_are_rendered() {
     let case = Case { name: format!("{count} spheres"), config, scene };
     let gpu = crate::common::gpu();
     let start = Instant::now();
-    let tree = render::<f64>(&gpu, &Library::standard().in_hierarchy(), &case);
+    let tree = on_device::<f64>(&gpu, &Library::standard().in_hierarchy(), &case);
     println!("{}: {:.2?} on the device, {:.1?} with building and transfers", case.name, tree.time, start.elapsed());
     // The CPU loops over all objects too, so it computes a few pixels.
     let twin = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
