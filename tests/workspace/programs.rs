@@ -19,12 +19,10 @@ const EVALUATED: [&str; 2] = ["render-aos", "render-soa"];
 /// Programs that do nothing without the name of a file or folder.
 const NEED_FILES: [&str; 6] = ["charts", "compare", "read_scene", "reference", "shader-lab", "stress"];
 
-/// The names and paths of all binaries and examples of the workspace. They are built on the first use.
+/// The names and paths of all binaries and examples of the workspace. They are built on the first use. After
+/// `cargo test --workspace` only the examples are left to build.
 static PROGRAMS: LazyLock<Vec<(String, PathBuf)>> = LazyLock::new(|| {
-    // With a test among the targets, the packages have the features that `cargo test --workspace` gives them. So what
-    // that command has built is not built again.
-    let targets = ["--workspace", "--bins", "--examples", "--test", "workspace"];
-    let messages = cargo("", &[&["build", "--message-format", "json"], &targets[..]].concat());
+    let messages = cargo("", &["build", "--message-format", "json", "--workspace", "--bins", "--examples"]);
     let mut programs = Vec::new();
     for message in messages.lines() {
         let message: Value = serde_json::from_str(message).expect("cargo writes JSON");
