@@ -77,7 +77,7 @@ fn read() {
         let mut objects = AosObjects::build(&scene).expect("it fits");
         let extent = Extent::new(&objects, &camera, &scene.materials_in_use().expect("they fit"));
         let search = Accel::new(&mut objects, &extent).expect("it fits");
-        assert!(matches!(search, Accel::Bvh(_)) && order_of(&objects, 0) < OBJECTS as u32);
+        assert!(matches!(search, Accel::LargeBvh(_)) && order_of(&objects, 0) < OBJECTS as u32);
         search
     };
     let (read, built) = (fastest(3, parse), fastest(3, build));

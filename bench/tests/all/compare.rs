@@ -7,14 +7,13 @@ use std::process::Command;
 
 use libtest_mimic::Trial;
 use test_support::folder::Folder;
-
-use crate::trial;
+use test_support::trial;
 
 /// Returns the trials.
 pub fn trials() -> Vec<Trial> {
     vec![
-        trial("equal programs have a ratio and status 0", equal_programs),
-        trial("different pictures have status 1, and a program that fails has 2", other_programs),
+        trial("equal programs have a ratio and status 0", None, || Ok(equal_programs()?)),
+        trial("different pictures have status 1, and a program that fails has 2", None, || Ok(other_programs()?)),
     ]
 }
 

@@ -3,12 +3,7 @@
 mod compare;
 mod nearest;
 
-use libtest_mimic::{Arguments, Failed, Trial};
-
-/// Returns a trial with this name.
-fn trial(name: &str, test: fn() -> Result<(), String>) -> Trial {
-    Trial::test(name, move || test().map_err(Failed::from))
-}
+use libtest_mimic::Arguments;
 
 fn main() {
     let trials = compare::trials().into_iter().chain(nearest::trials()).collect();

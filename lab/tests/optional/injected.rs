@@ -11,8 +11,7 @@ use std::path::{Path, PathBuf};
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
-
-use crate::unless;
+use test_support::trial;
 
 /// Number of calls with one name that are disturbed.
 const MOST: usize = 3;
@@ -57,14 +56,12 @@ pub fn trials() -> Vec<Trial> {
                     continue;
                 }
                 let test = move || disturb(job, old, disturbance);
-                let trial = Trial::test(format!("injected::{name}_{command}_{place}"), test);
-                trials.push(unless(missing.map(str::to_owned), trial));
+                trials.push(trial(format!("injected::{name}_{command}_{place}"), missing, test));
             }
         }
     }
     let missing = unavailable(Disturbance::Errors);
-    let trial = Trial::test("injected::a_picture_and_its_folder_are_synced_except_with_no_sync", sync);
-    trials.push(unless(missing.map(str::to_owned), trial));
+    trials.push(trial("injected::a_picture_and_its_folder_are_synced_except_with_no_sync", missing, sync));
     trials
 }
 

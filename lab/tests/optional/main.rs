@@ -7,15 +7,7 @@ mod published;
 mod shells;
 mod site;
 
-use libtest_mimic::{Arguments, Trial};
-
-/// Returns the trial, which is ignored if `obstacle` says what is missing.
-fn unless(obstacle: Option<String>, trial: Trial) -> Trial {
-    match obstacle {
-        Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
-        None => trial,
-    }
-}
+use libtest_mimic::Arguments;
 
 fn main() {
     let mut trials = published::trials();

@@ -6,8 +6,7 @@ use std::process::{Command, Output};
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
-
-use crate::unless;
+use test_support::trial;
 
 /// Returns a trial for each convention.
 pub fn trials() -> Vec<Trial> {
@@ -17,12 +16,12 @@ pub fn trials() -> Vec<Trial> {
         ("statement", &["RMSE       0.841 ", "maximum    7.667 ", "verdict    accepted"][..]),
         ("published", &["identical: 90000 pixels"][..]),
     ];
-    let trial = |(convention, expected): (&'static str, &'static [&'static str])| {
+    let of_convention = |(convention, expected): (&'static str, &'static [&'static str])| {
         let folder = folder.clone();
         let name = format!("published::second_picture_against_the_{convention}_convention");
-        unless(obstacle.clone(), Trial::test(name, move || compares_as_known(&folder, convention, expected)))
+        trial(name, obstacle.as_deref(), move || compares_as_known(&folder, convention, expected))
     };
-    cases.map(trial).into()
+    cases.map(of_convention).into()
 }
 
 fn compares_as_known(folder: &Path, convention: &str, expected: &[&str]) -> Result<(), Failed> {

@@ -6,8 +6,7 @@ use std::process::Command;
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
-
-use crate::unless;
+use test_support::trial;
 
 /// `_arguments` of zsh needs a terminal. A function in its place prints its arguments, and sets the first word to
 /// render.
@@ -22,14 +21,14 @@ pub fn trials() -> Vec<Trial> {
         ("zsh", "-f", ZSH, &["--scatter=[How surfaces scatter light]"][..]),
         ("fish", "--no-config", FISH, &["--scatter\t", "scale\t"]),
     ];
-    let trial =
+    let of_shell =
         |(shell, option, text, expected): (&'static str, &'static str, &'static str, &'static [&'static str])| {
             let is_missing = Command::new(shell).arg("--version").output().is_err();
             let test = move || completes(shell, option, text, expected);
-            let trial = Trial::test(format!("shells::{shell}_completes_options_of_a_command"), test);
-            unless(is_missing.then(|| format!("needs {shell}")), trial)
+            let missing = is_missing.then(|| format!("needs {shell}"));
+            trial(format!("shells::{shell}_completes_options_of_a_command"), missing.as_deref(), test)
         };
-    shells.map(trial).into()
+    shells.map(of_shell).into()
 }
 
 /// Runs `text` in a shell, with `$SCRIPT` as the completion script for this shell, and looks for `expected`.

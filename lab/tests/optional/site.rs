@@ -11,9 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use cpu::{Aos, Scatter};
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
-use test_support::{golden, project_root};
-
-use crate::unless;
+use test_support::{golden, project_root, trial};
 
 /// Lines that are added to the configurations of the large scenes. The last line with a key counts.
 const REDUCED: &str = "\nimage_width: 160\nsamples_per_pixel: 8\n";
@@ -110,10 +108,10 @@ pub fn trials() -> Vec<Trial> {
         Err(reason) if is_required || obstacle().is_none() => {
             return vec![Trial::test("site::the_page", move || Err(reason.into()))];
         }
-        Err(reason) => return vec![unless(Some(reason), Trial::test("site::the_page", || Ok(())))],
+        Err(reason) => return vec![trial("site::the_page", Some(&reason), || Ok(()))],
     };
     let expected = Arc::new(Mutex::new(None));
-    let trial = |name: String| {
+    let of_name = |name: String| {
         let expected = Arc::clone(&expected);
         Trial::test(format!("site::{name}"), move || {
             let mut expected = expected.lock().unwrap_or_else(PoisonError::into_inner);
@@ -126,5 +124,5 @@ pub fn trials() -> Vec<Trial> {
             passes(&name, &folder.file("expected.json"))
         })
     };
-    names.into_iter().map(trial).collect()
+    names.into_iter().map(of_name).collect()
 }
