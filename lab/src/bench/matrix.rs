@@ -96,28 +96,28 @@ pub struct Plan {
 impl Plan {
     /// Returns the width of pictures in pixels, for all tasks that do not vary the width.
     const fn width(&self) -> u64 {
-        if self.quick { 96 } else { 320 }
+        if self.quick { 96 } else { 240 }
     }
 
     /// Returns the longest time in seconds that one picture may take. A picture with a longer predicted time is left
     /// out.
     const fn patience(&self) -> f64 {
-        if self.quick { 0.7 } else { 10.0 }
+        if self.quick { 0.7 } else { 4.0 }
     }
 
     fn values(&self, parameter: &str) -> Vec<u64> {
         let powers = |from: u32, to: u32| (from..=to).map(|power| 1 << power).collect();
         match (parameter, self.quick) {
             ("width", true) => vec![32, 64, 128, 256],
-            ("width", false) => vec![64, 128, 256, 512, 1024, 2048],
+            ("width", false) => vec![64, 128, 256, 512, 1024],
             ("samples", true) => powers(0, 5),
-            ("samples", false) => powers(0, 10),
+            ("samples", false) => powers(0, 8),
             ("depth", true) => powers(0, 5),
             ("depth", false) => powers(0, 8),
             ("density", true) => vec![1000, 2000, 4000, 8000],
             ("density", false) => vec![1000, 3162, 10_000, 31_623, 100_000],
             (_, true) => vec![4, 16, 64, 256, 1024, 4096],
-            (_, false) => vec![4, 16, 64, 256, 1024, 4096, 16_384, 65_536],
+            (_, false) => vec![4, 16, 64, 256, 1024, 4096, 16_384],
         }
     }
 
@@ -166,7 +166,7 @@ impl Plan {
     fn error(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
         let (config, scene) = scene(name)?;
         let config = Config { image_width: self.width(), ..config };
-        let samples: Vec<u64> = (0..=if self.quick { 6 } else { 8 }).map(|power| 1 << power).collect();
+        let samples: Vec<u64> = (0..=if self.quick { 5 } else { 6 }).map(|power| 1 << power).collect();
         // The converged picture has 64 times the samples of the finest picture, so its error is an eighth of that
         // picture's.
         let reference = 64 * samples.iter().max().copied().unwrap_or(1);
@@ -190,25 +190,25 @@ impl Plan {
             }
             (Some(index), Some(folder)) => {
                 let file = |kind: &str| folder.join(format!("{kind}{}.txt", index + 1));
-                let (config, scene) = (sources::config(&file("config"), &[])?, sources::scene(&file("scene"))?);
-                // The full matrix renders the course's cases with the size and the number of samples of their own
-                // configurations.
-                let small = Config { image_width: self.width(), samples_per_pixel: samples, ..config.clone() };
-                (if self.quick { small } else { config }, scene)
+                (sources::config(&file("config"), &[])?, sources::scene(&file("scene"))?)
             }
             (None, _) => {
-                let (config, scene) = if name == BOARD { board(BOARD_OBJECTS, self.width()) } else { scene(name)? };
-                (Config { image_width: self.width(), samples_per_pixel: samples, ..config }, scene)
+                if name == BOARD {
+                    board(BOARD_OBJECTS, self.width())
+                } else {
+                    scene(name)?
+                }
             }
         };
-        let picture = (config.samples_per_pixel, config, scene);
+        let config = Config { image_width: self.width(), samples_per_pixel: samples, ..config };
+        let picture = (samples, config, scene);
         self.times(["gain", name, "samples"], &Engine::changed(), [picture].into_iter(), results, interrupt)
     }
 
     fn energy(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
         let (config, scene) = scene(name)?;
         let meter = Meter::here();
-        let shortest = Duration::from_secs(if self.quick { 2 } else { 20 });
+        let shortest = Duration::from_secs(if self.quick { 2 } else { 8 });
         for engine in Engine::main() {
             let names = [name, &engine.to_string()];
             results.energy.push(energy::measure(&meter, names, self.idle, shortest, || {
