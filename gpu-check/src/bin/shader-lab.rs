@@ -88,8 +88,8 @@ fn template(path: &Path) -> ExitCode {
     let output = Output::open(path, Options { sync: true });
     match output.and_then(|output| output.fill(|file| file.write_all(TEMPLATE.as_bytes()))) {
         Ok(()) => said(&format!(
-            "wrote {path}; now:\nshader-lab {path} --config scenes/materials/config.txt --scene \
-             scenes/materials/scene.txt --out out.png --watch\n",
+            "wrote {path}; now:\ncargo run -p gpu-check --bin shader-lab -- {path} --config scenes/materials/config.txt \
+             --scene scenes/materials/scene.txt --out out.png --watch\n",
             path = shown(path)
         )),
         Err(error) => failed(&Error::from(error).to_string()),
