@@ -14,11 +14,15 @@ use crate::geometry::{
 };
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// The constants of the error bound for cylinders. The error constant is 192: `cpu/stability/src/proof.rs` proves that
-/// 138 is enough, and the rest is a margin. The condition limit, 65,536, decides the accuracy. With it, the relative
-/// error of lambda is proven to be at most 1.7e-10 on the side and 6.2e-10 on a cap. The largest error that `stress`
-/// finds is 2.0e-11 (docs/accuracy).
+/// The constants of the error bound for cylinders. The error constant is 192: `cpu/stability/src/proof/exact.rs` proves
+/// that 138 is enough, and the rest is a margin. The condition limit, 65,536, decides the accuracy. With it, the
+/// relative error of lambda is proven to be at most 1.7e-10 on the side and 6.2e-10 on a cap. The largest error that
+/// `stress` finds is 2.0e-11 (docs/accuracy).
 pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 65536.0 };
+
+/// A ray is steep enough for the side of a cylinder if `|d|^2` is at most this multiple of `k^2 |d'|^2`, where `k` is
+/// the condition limit and `d'` the part of the direction `d` across the axis.
+pub const STEEPNESS: f64 = 64.0;
 
 /// The quadratic of one ray and an infinite cylinder, with its error bound.
 pub(super) struct Side<T> {
@@ -84,7 +88,7 @@ impl<T: Rounding> Side<T> {
     #[inline(always)]
     fn is_steep_enough(&self) -> T::Mask {
         let condition = LIMITS.condition_limit::<T>();
-        self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition))
+        self.length_squared.less_equal(self.a * T::of(STEEPNESS * condition * condition))
     }
 
     /// Whether the lambda `numerator / a` certainly is below the smallest lambda in range. `root` is the square root of

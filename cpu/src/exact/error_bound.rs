@@ -59,6 +59,9 @@ impl Limits {
     }
 }
 
+/// The weight of the square of the numerator in the condition number of a root; see [`Limits::condition_limit`].
+pub const NUMERATOR_WEIGHT: f64 = 4.0;
+
 /// The constant that covers underflow, 2^-600. It is added to terms whose products may underflow.
 pub const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
 /// The limit of `M`, 2^1000. If `M` is smaller, its products cannot overflow.
@@ -120,7 +123,8 @@ impl<T: Rounding> ErrorBound<T> {
         let share = 1.0 / self.limits.condition_limit::<T>();
         // The compiler computes the first sum once for both roots. If both sides are infinite, the root is not
         // accurate.
-        let least = (self.size * T::of(share) + T::of(UNDERFLOW)) + numerator * numerator * T::of(4.0 * share);
+        let least =
+            (self.size * T::of(share) + T::of(UNDERFLOW)) + numerator * numerator * T::of(NUMERATOR_WEIGHT * share);
         let accurate = least.less(root * numerator);
         let finite = self.size.less(T::of(OVERFLOW));
         let hits = accurate & finite & self.limits.in_range(lambda);

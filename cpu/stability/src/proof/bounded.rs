@@ -19,8 +19,9 @@ pub struct Bounds {
     pub size: Polynomial,
     /// Bounds the rounding error, in units of the unit roundoff.
     pub error: Polynomial,
-    /// Bounds the part of the error that the operands bring, without the last rounding.
-    pub(super) before: Polynomial,
+    /// Bounds the part of the error that the operands bring, without the last rounding. `None` for inputs and
+    /// constants.
+    pub(super) before: Option<Polynomial>,
 }
 
 /// The rounding of an arithmetic.
@@ -49,6 +50,9 @@ pub(super) enum Operation {
     Product(Bounded, Bounded),
     Fused(Bounded, Bounded, Bounded),
     Quotient(Bounded, Bounded),
+    Negative(Bounded),
+    Magnitude(Bounded),
+    Flipped(Bounded, Bounded),
     Root(Bounded),
 }
 
@@ -90,23 +94,19 @@ pub(super) fn arithmetic() -> Arithmetic {
     TABLE.with_borrow(|table| table.arithmetic)
 }
 
-/// Whether a constant of the code is the margin that is proved.
-pub(super) fn is_margin(value: f64) -> bool {
-    TABLE.with_borrow(|table| table.margin == value.abs())
-}
-
 impl Bounds {
     /// Returns the bounds of a result with this exact size, into which the operands bring the error `before`, and which
     /// is then rounded once.
     pub(super) fn rounded(size: Polynomial, before: Polynomial) -> Self {
         let rounding = size.clone().plus(&before.clone().scaled(arithmetic().roundoff));
-        Self { size, error: before.clone().plus(&rounding), before }
+        Self { size, error: before.clone().plus(&rounding), before: Some(before) }
     }
 
     /// Returns the bounds with lengths of vectors in place of products of components.
     #[must_use]
     pub fn in_lengths(&self) -> Self {
-        Self { size: self.size.in_lengths(), error: self.error.in_lengths(), before: self.before.in_lengths() }
+        let before = self.before.as_ref().map(Polynomial::in_lengths);
+        Self { size: self.size.in_lengths(), error: self.error.in_lengths(), before }
     }
 }
 
@@ -114,20 +114,30 @@ impl Bounded {
     /// Returns an input whose exact magnitude is the variable, and whose relative error is at most `error u`.
     #[must_use]
     pub fn input(variable: Variable, error: f64) -> Self {
-        let size = Polynomial::of([variable]);
-        Self::of_operation(Operation::Input(variable), || Bounds {
-            error: size.clone().scaled(error),
-            before: Polynomial::default(),
-            size,
-        })
+        Self::known(variable, Polynomial::of([variable]), error)
     }
 
     /// Returns an input whose exact magnitude is at most `size`, and whose error is at most `error u size`. `family`
     /// must have no other input.
     #[must_use]
     pub fn of_size(family: u8, size: Polynomial, error: f64) -> Self {
-        let bounds = Bounds { error: size.clone().scaled(error), before: Polynomial::default(), size };
-        Self::of_operation(Operation::Input((family, LENGTH)), || bounds)
+        Self::known((family, LENGTH), size, error)
+    }
+
+    fn known(variable: Variable, size: Polynomial, error: f64) -> Self {
+        let bounds = Bounds { error: size.clone().scaled(error), before: None, size };
+        let number = Self::of_operation(Operation::Input(variable), || bounds.clone());
+        assert_eq!(number.raw().error, bounds.error, "another input has this name");
+        number
+    }
+
+    /// Returns a constant of the code with a relative error of at most `error u`, or the margin that is proved.
+    #[must_use]
+    pub fn constant(value: f64, error: f64) -> Self {
+        let is_margin = TABLE.with_borrow(|table| table.margin == value.abs());
+        let size = if is_margin { Polynomial::of([MARGIN]) } else { Polynomial::constant(value.abs()) };
+        let bounds = Bounds { error: size.clone().scaled(error), before: None, size };
+        Self::of_operation(Operation::Constant(value.to_bits()), || bounds)
     }
 
     /// Returns the vector with the components of a family, with a relative error of at most `error u` each.
@@ -155,9 +165,11 @@ impl Bounded {
 
     /// Applies a lemma: the exact magnitude of the number is at most `size`. Numbers that were computed from it before
     /// keep their bounds.
+    ///
+    /// # Panics
+    /// If the number is an input.
     pub fn assume(self, size: Polynomial) {
-        let before = TABLE.with_borrow(|table| table.bounds[self.0 as usize].before.clone());
-        let bounds = Bounds::rounded(size, before);
+        let bounds = Bounds::rounded(size, self.raw().before.expect("only a computed number has a lemma"));
         TABLE.with_borrow_mut(|table| table.bounds[self.0 as usize] = bounds);
     }
 
@@ -191,6 +203,11 @@ impl Bounded {
         [a.size.times(&b.size), error.plus(&Polynomial::constant(arithmetic().underflow))]
     }
 
+    /// Returns the number with another sign, which has the same bounds.
+    pub(super) fn with_sign(self, operation: Operation) -> Self {
+        Self::of_operation(operation, || self.raw())
+    }
+
     /// Notes that the code compares two numbers.
     pub(super) fn compare(self, other: Self) {
         TABLE.with_borrow_mut(|table| table.compared.push([self, other]));
@@ -198,6 +215,7 @@ impl Bounded {
 
     /// Returns a number of which nothing is known.
     pub(super) fn unknown(operation: Operation) -> Self {
-        Self::of_operation(operation, || Bounds { size: Polynomial::constant(f64::INFINITY), ..Bounds::default() })
+        let infinite = Polynomial::constant(f64::INFINITY);
+        Self::of_operation(operation, || Bounds::rounded(infinite.clone(), infinite))
     }
 }

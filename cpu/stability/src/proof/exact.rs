@@ -4,7 +4,9 @@ use std::slice;
 
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_parts::{self, Plane};
-use cpu::internals::exact::{error_bound::Limits, error_bound::UNDERFLOW, sphere_filter};
+use cpu::internals::exact::{
+    error_bound::Limits, error_bound::NUMERATOR_WEIGHT, error_bound::UNDERFLOW, sphere_filter,
+};
 use cpu::internals::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
 use cpu::{Ray, Vec3};
@@ -29,7 +31,7 @@ struct Quadratic {
     constant: f64,
     file: &'static str,
     /// Relative to `|d|^2` for a sphere, and to `|d| |d'|` for a cylinder, where `d'` is the part of `d` across the
-    /// axis.
+    /// axis: each term of first order has a factor `|d'|`.
     a: f64,
     /// Relative to `|d| |O - C|`.
     h: f64,
@@ -60,8 +62,8 @@ pub fn rows() -> Vec<Row> {
         let named = names.into_iter().zip(margins);
         rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
     }
-    // A ray is steep enough if `|d|^2 <= 64 k^2 |d'|^2`.
-    let steep = 8.0 * cylinder.limits.condition_limit;
+    // A ray is steep enough if `|d|^2 <= 64 k^2 |d'|^2`, with 64 for the constant of the code.
+    let steep = cylinder_parts::STEEPNESS.sqrt() * cylinder.limits.condition_limit;
     let constant = cylinder.limits.lambda_error::<f64>() / U;
     let (what, file) = ("a of a steep ray and a side", cylinder.file);
     rows.push(Row { what, file, constant, need: cylinder.a * steep, unit: "u a" });
@@ -74,19 +76,20 @@ pub fn rows() -> Vec<Row> {
 impl Quadratic {
     /// Returns what the numerator `n = h -+ sqrt(D)` needs, times `sqrt(D)`, relative to `M`.
     ///
-    /// `sqrt(D) <= |d| r` and `sqrt(D) <= sqrt(M)`. The error of `h` times `sqrt(D)` is at most `e |d|^2 |O - C| r <= e
-    /// M / 2`. The error of the root times `sqrt(D)` is at most that of `D`, and one rounding. The rounding of the
-    /// difference is at most `|h| sqrt(D) + D <= (1/2 + 1) M`.
+    /// `sqrt(D) <= |d| r` and `sqrt(D) <= sqrt(M)`, up to the error of `D`, which adds less than 10^-5. The error of
+    /// `h` times `sqrt(D)` is at most `e |d|^2 |O - C| r <= e M / 2`. The error of the root times `sqrt(D)` is at most
+    /// that of `D`, and one rounding. The rounding of the difference is at most `|h| sqrt(D) + D <= (1/2 + 1) M`.
     fn numerator(&self) -> f64 {
         self.discriminant + 1.0 + self.h / 2.0 + 1.5
     }
 
-    /// Returns the largest relative error of an accepted lambda, where `M + 4 n^2 < k n sqrt(D)`.
+    /// Returns the largest relative error of an accepted lambda, where `M + w n^2 < k n sqrt(D)` with the
+    /// weight `w = 4`.
     ///
     /// The errors of the coefficients move a root by at most `(lambda^2 Ea + 2 lambda Eh + Ec) / (2 sqrt(D))`. Its
     /// evaluation adds `(h^2 + a |c| + D) / (2 sqrt(D)) + sqrt(D) + 2 n` roundings. Relative to lambda, and times `n
     /// sqrt(D)`, the sum is at most `A M + B n sqrt(M) + C n^2`, plus `2 n sqrt(D)`. By the condition it is at most `k`
-    /// times the largest value of `(A + B t + C t^2) / (1 + 4 t^2)`, plus 2.
+    /// times the largest value of `(A + B t + C t^2) / (1 + w t^2)`, plus 2.
     ///
     /// `h^2 + a |c| + 3 D` is `4 D <= 4 a r^2` if `c < 0`, and otherwise `2 h^2 + 2 D <= 2 a (|O - C|^2 + r^2)`. For a
     /// cylinder `Ea` is relative to `|d| |d'|`. As `n <= |d'| (|O - C| + r)`, `Ea` adds to `B`, and not to `C`:
@@ -95,8 +98,9 @@ impl Quadratic {
         let [q, p] = self.c.map(|error| error / 2.0);
         let a = (q + 1.0).max(p + 2.0);
         let (b, c) = if across > 0.0 { (self.h + across, 0.0) } else { (self.h, self.a / 2.0) };
-        // The smallest s with A + B t + C t^2 <= s (1 + 4 t^2) for all t has B^2 = 4 (s - A) (4 s - C).
-        let (sum, product) = (a + c / 4.0, a * c / 4.0 - b * b / 16.0);
+        // The smallest s with A + B t + C t^2 <= s (1 + w t^2) for all t has B^2 = 4 (s - A) (w s - C).
+        let w = NUMERATOR_WEIGHT;
+        let (sum, product) = (a + c / w, (a * c - b * b / 4.0) / w);
         let largest = (sum + (sum * sum - 4.0 * product).sqrt()) / 2.0;
         largest * self.limits.condition_limit + 2.0
     }
@@ -117,9 +121,11 @@ fn quadratic(limits: Limits, file: &'static str, [a, h, c, discriminant]: [Bound
     let margin = limits.error_constant * U;
     let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
     let pairs = compared();
-    let [error, _] = pairs.iter().find(|pair| pair[1] == discriminant).expect("a filter compares the discriminant");
+    let [error, _] = pairs.iter().find(|pair| pair[1] == -discriminant).expect("a filter compares the discriminant");
     let relative = |number: Bounded, size: &Polynomial| IN_SCALE.relative(&number.bounds().error, size, margin);
     let c = enlarged(&c.bounds().error);
+    let constant = error.bounds().size.coefficient(&Polynomial::constant(1.0));
+    assert_eq!(constant, UNDERFLOW, "the error bound covers underflow");
     Quadratic {
         limits,
         constant: added(*error, &size, margin, U),
@@ -173,15 +179,17 @@ fn cap() -> [Row; 2] {
         is(record.top - ray.origin, TO_CENTER);
         _ = Plane::new(&record, &ray, record.top);
         let compared = compared();
-        (compared[0], compared[2])
+        ([compared[0][0], compared[1][0]], compared[2])
     };
-    let ([steep, _], _) = plane(8.0 * U);
+    let ([steep, parallel], _) = plane(8.0 * U);
     let sum = |parts: &[Polynomial]| parts.iter().fold(Polynomial::default(), |sum, part| sum.plus(part));
     let components = |family: u8| sum(&[0, 1, 2].map(|component| Polynomial::of([(family, component)])));
     let direction = components(DIRECTION);
     // Each component of the axis is at most 1.
     let need = relative_to_sizes(&steep.raw().error, 8.0 * U, slice::from_ref(&direction), IN_SCALE.direction);
-    let constant = added(steep, &direction, 8.0 * U, U);
+    // The slope is compared with the limit of parallel rays from both sides.
+    let constant =
+        [steep, parallel].map(|number| added(number, &direction, 8.0 * U, U)).into_iter().fold(f64::MAX, f64::min);
     let slope = Row { what: "slope of a ray along an axis", file, constant, need, unit: "u abs(d)" };
     let (_, [distance, _]) = plane(16.0 * U);
     let lengths = sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length));

@@ -1,7 +1,8 @@
 //! [`Bounded`] as a lane of `f32`, for tests that load their numbers from arrays.
 //!
 //! Such a test takes values, not numbers of any type. So a value that has been [named](name) stands for a number with
-//! bounds, and every other value is a constant.
+//! bounds, and every other value is a constant, which is rounded if it is no whole
+//! number.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -51,7 +52,7 @@ impl SimdF32 for Lane {
 
     fn splat(value: f32) -> Self {
         let named = NAMES.with_borrow(|names| names.get(&value.abs().to_bits()).copied());
-        Self(named.unwrap_or_else(|| Bounded::of(value.into())))
+        Self(named.unwrap_or_else(|| Bounded::constant(value.into(), if value.fract() == 0.0 { 0.0 } else { 1.0 })))
     }
     fn load(values: &[f32]) -> Self {
         Self::splat(values[0])

@@ -5,8 +5,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use cpu::internals::math::real::Real;
 use cpu::internals::math::rounding::{MulAdd, Rounding};
 
-use super::bounded::{Bounded, Bounds, MARGIN, Operation, is_margin};
-use super::polynomial::Polynomial;
+use super::bounded::{Bounded, Bounds, Operation};
 
 impl Add for Bounded {
     type Output = Self;
@@ -35,7 +34,7 @@ impl Mul for Bounded {
 impl Neg for Bounded {
     type Output = Self;
     fn neg(self) -> Self {
-        self
+        self.with_sign(Operation::Negative(self))
     }
 }
 
@@ -75,14 +74,13 @@ impl Real for Bounded {
     type Mask = Unknown;
 
     fn of(value: f64) -> Self {
-        let size = if is_margin(value) { Polynomial::of([MARGIN]) } else { Polynomial::constant(value.abs()) };
-        Self::of_operation(Operation::Constant(value.to_bits()), || Bounds { size, ..Bounds::default() })
+        Self::constant(value, 0.0)
     }
     fn sqrt(self) -> Self {
         Self::unknown(Operation::Root(self))
     }
     fn abs(self) -> Self {
-        self
+        self.with_sign(Operation::Magnitude(self))
     }
     fn less(self, other: Self) -> Unknown {
         self.compare(other);
@@ -95,8 +93,8 @@ impl Real for Bounded {
     fn select(_: Unknown, yes: Self, no: Self) -> Self {
         yes.sum(no, Operation::Sum(yes, no))
     }
-    fn flipped_by(self, _: Self) -> Self {
-        self
+    fn flipped_by(self, other: Self) -> Self {
+        self.with_sign(Operation::Flipped(self, other))
     }
 }
 

@@ -47,6 +47,9 @@ impl Polynomial {
     /// Returns the product with a factor that is not negative.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
+        if factor == 0.0 {
+            return Self::default();
+        }
         self.0.values_mut().for_each(|coefficient| *coefficient *= factor);
         self
     }
@@ -117,14 +120,14 @@ impl Polynomial {
         result
     }
 
-    /// Returns the polynomial in which lengths of families are replaced by lengths that are at least as large, or by 1
-    /// for a family that is mapped to `None`. It must be [in lengths](Self::in_lengths).
+    /// Returns the polynomial in which lengths of families, and components of their vectors, are replaced by lengths
+    /// that are at least as large, or by 1 for a family that is mapped to `None`.
     #[must_use]
     pub fn enlarged(&self, larger: &[(u8, Option<u8>)]) -> Self {
         let mut result = Self::default();
         for (monomial, &coefficient) in &self.0 {
             let replaced = |&(family, component): &Variable| match larger.iter().find(|(old, _)| *old == family) {
-                Some((_, new)) => new.map(|new| (new, component)),
+                Some((_, new)) => new.map(|new| (new, LENGTH)),
                 None => Some((family, component)),
             };
             let mut monomial: Monomial = monomial.iter().filter_map(replaced).collect();
@@ -159,6 +162,7 @@ impl Polynomial {
             }
         }
         let factor = carried.into_iter().map(|(monomial, carried)| carried / size.0[monomial]).fold(0.0, f64::max);
+        assert!(!self.0.values().any(|coefficient| coefficient.is_nan()), "{self:?}");
         (factor * OUTWARD, rest)
     }
 }

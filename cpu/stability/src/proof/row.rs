@@ -33,7 +33,7 @@ use family::*;
 const LARGER: [(u8, Option<u8>); 3] =
     [(AXIS, None), (DIRECTION_ACROSS, Some(DIRECTION)), (TO_CENTER_ACROSS, Some(TO_CENTER))];
 
-/// A margin: the constant in the code, and what is proved to be enough, in units of `u`.
+/// A margin: the constant in the code, and what is proved to be enough, in units of the unit roundoff.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// What the margin covers.
@@ -116,6 +116,7 @@ pub fn relative_to_sizes(error: &Polynomial, margin: f64, sizes: &[Polynomial], 
     }
     let most = rest.sum() / least;
     assert!(most < 1e-9, "underflow adds {most:e} u: {rest:?}");
+    assert!(sum.is_finite(), "nothing is known of a part of the error");
     sum + most
 }
 
@@ -132,9 +133,14 @@ impl Domain {
     #[must_use]
     pub fn relative(&self, error: &Polynomial, size: &Polynomial, margin: f64) -> f64 {
         let (factor, rest) = with_margin(error, margin).relative_to(size);
+        for monomial in rest.0.keys() {
+            let directions = monomial.iter().filter(|variable| variable.0 == DIRECTION).count();
+            assert!(directions <= 2 && monomial.len() - directions <= 2, "{monomial:?}");
+        }
         let (size, limit) = if self.size > 0.0 { (self.size, 1e-6) } else { (1.0, self.underflow) };
         let most = rest.sum() / (self.direction * size).powi(2);
         assert!(most < limit, "underflow adds {most:e} u: {rest:?}");
+        assert!(factor.is_finite(), "nothing is known of a part of the error");
         factor + most
     }
 }
