@@ -19,7 +19,7 @@ use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::layout::Objects;
 use cpu::internals::{Camera, InstructionSet, Prepared};
-use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Size, Soa};
+use cpu::{Aos, Config, Error, Image, Layout, Renderable, Scatter, Scene, Size, Soa};
 
 #[global_allocator]
 static REFUSING: Refusing = Refusing { least: AtomicUsize::new(usize::MAX), left: AtomicUsize::new(0) };
@@ -108,7 +108,7 @@ fn config() -> Config {
 }
 
 /// Checks the preparation in the layout `L`, for a scene with `count` objects of each kind.
-fn preparation<L: Layout>(count: usize) {
+fn preparation<L: Renderable>(count: usize) {
     let (config, scene) = (config(), scene(count));
     let camera = config.image_size().and_then(|size| Camera::new(&config, size)).expect("there is a picture");
     let mut objects = L::Objects::build(&scene).expect("there is enough memory");
@@ -123,7 +123,7 @@ fn preparation<L: Layout>(count: usize) {
 const LEAST: usize = 300_000;
 
 /// Checks the preparation and the rendering of a whole picture in the layout `L`.
-fn rendering<L: Layout>() {
+fn rendering<L: Renderable>() {
     let (config, scene) = (config(), scene(80_000));
     let prepare = || Prepared::<L>::new(&config, &scene, Scatter::Statement);
     let preparing = refused("preparation", LEAST, || prepare().map(drop));

@@ -13,7 +13,7 @@ pub use crate::error::Error;
 /// of an error is written to standard error byte for byte. If standard error is a terminal, control characters are
 /// escaped.
 #[must_use]
-pub fn main<L: cpu::Layout>() -> ExitCode {
+pub fn main<L: cpu::Renderable>() -> ExitCode {
     #[cfg(unix)]
     output::stop::remove_temporary_when_stopped();
     match program::run::<L>(std::env::args_os().skip(1)) {

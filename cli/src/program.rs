@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use cpu::{Config, Layout, Scatter, Scene};
+use cpu::{Config, Renderable, Scatter, Scene};
 use output::{Options, Output};
 
 use crate::{Error, stack};
@@ -14,7 +14,7 @@ use crate::{Error, stack};
 /// Returns the first error, in this order: [`Error::ArgumentCount`]; [`Error::Stack`]; an output that is
 /// also an input; an error of the configuration, the scene, the picture or the output. A regular output file is then
 /// unchanged.
-pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
+pub fn run<L: Renderable>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let [config, scene, out] = &arguments[..] else {
         return Err(Error::ArgumentCount(arguments.len()));
@@ -27,7 +27,7 @@ pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(
 ///
 /// # Errors
 /// The errors of [`run`], except [`Error::ArgumentCount`] and [`Error::Stack`].
-pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
+pub fn render_files<L: Renderable>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
     output::refuse_inputs(out, &[config, scene])?;
     let config_path = config;
     let config = Config::read(config_path)?;

@@ -7,7 +7,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use cpu::{Aos, Config, Layout, Scatter, Scene, Soa};
+use cpu::{Aos, Config, Renderable, Scatter, Scene, Soa};
 use libtest_mimic::{Arguments, Failed, Trial};
 use test_support::folder::Folder;
 use test_support::golden::{self, Golden};
@@ -100,7 +100,7 @@ fn through_the_program(golden: &Golden, program: &str) -> Result<Vec<u8>, Failed
     Ok(std::fs::read(out)?)
 }
 
-fn through_the_library<L: Layout>(golden: &Golden) -> Result<Vec<u8>, Failed> {
+fn through_the_library<L: Renderable>(golden: &Golden) -> Result<Vec<u8>, Failed> {
     let (config, scene) = (Config::read(&golden.config)?, Scene::read(&golden.scene)?);
     Ok(ppm(&cpu::render::<L>(&config, &scene, golden.scatter)?))
 }

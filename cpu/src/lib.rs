@@ -47,7 +47,7 @@ pub use crate::input::scene::{Object, Scene, Shape};
 pub use crate::input::{config::Config, error::Error, material::Material, size::Size, text::escape};
 pub use crate::layout::{Layout, aos::Aos, soa::Soa};
 pub use crate::math::vec3::Vec3;
-pub use crate::render::render;
+pub use crate::render::{Renderable, render};
 pub use crate::sampling::scatter_vectors::Scatter;
 
 /// Every module, for the project's own tests, tools and measurements.

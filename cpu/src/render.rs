@@ -49,8 +49,8 @@ use crate::render::{
 };
 use crate::{
     counters::Counter, counters::add, image::Image, image::Rgb, input::config::Config, input::error::Error,
-    input::scene::Scene, layout::Layout, math::vec3::Vec3, sampling::scatter_vectors::Scatter, simd::Kernel,
-    simd::Simd, simd::instruction_set::InstructionSet,
+    input::scene::Scene, layout::Layout, layout::aos::Aos, layout::soa::Soa, math::vec3::Vec3,
+    sampling::scatter_vectors::Scatter, simd::Kernel, simd::Simd, simd::instruction_set::InstructionSet,
 };
 
 /// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. `scatter` says how
@@ -65,7 +65,7 @@ use crate::{
 /// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its position
 /// equals its target, north is null or parallel to the view, or the window is not finite. [`Error::OutOfMemory`] if
 /// memory is short.
-pub fn render<L: Layout>(config: &Config, scene: impl Borrow<Scene>, scatter: Scatter) -> Result<L::Image, Error> {
+pub fn render<L: Renderable>(config: &Config, scene: impl Borrow<Scene>, scatter: Scatter) -> Result<L::Image, Error> {
     render_with(&Prepared::<L>::new(config, scene, scatter)?, InstructionSet::chosen())
 }
 
@@ -73,7 +73,7 @@ pub fn render<L: Layout>(config: &Config, scene: impl Borrow<Scene>, scatter: Sc
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
-pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
+pub fn render_with<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
     // The result is always `Continue`.
     let _ = render_into(prepared, set, &mut image, |_, _| ControlFlow::Continue(()))?;
@@ -86,7 +86,7 @@ pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Re
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
-pub fn render_into<L: Layout>(
+pub fn render_into<L: Renderable>(
     prepared: &Prepared<L>,
     set: InstructionSet,
     image: &mut L::Image,
@@ -102,7 +102,7 @@ pub fn render_into<L: Layout>(
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
-pub fn render_within<L: Layout>(
+pub fn render_within<L: Renderable>(
     prepared: &Prepared<L>,
     set: InstructionSet,
     limits: &Limits,
@@ -112,7 +112,7 @@ pub fn render_within<L: Layout>(
     debug_assert_eq!(image.size(), prepared.size);
     let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     state.set_limits(limits);
-    set.run(Picture { state, accumulator, target: Target::Image(image, &mut after_row) })
+    L::run(set, Picture { state, accumulator, target: Target::Image(image, &mut after_row) })
 }
 
 /// Renders the prepared scene. Calls `pixel` for every pixel, with its index and its mean colour before quantisation.
@@ -120,16 +120,39 @@ pub fn render_within<L: Layout>(
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
 #[cfg_attr(not(feature = "internals"), expect(dead_code, reason = "for tests and tools"))]
-pub fn render_linear<L: Layout>(
+pub fn render_linear<L: Renderable>(
     prepared: &Prepared<L>,
     set: InstructionSet,
     mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
     let (state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     // The result is always `None`.
-    let _ = set.run(Picture { state, accumulator, target: Target::Means(&mut pixel) })?;
+    let _ = L::run(set, Picture { state, accumulator, target: Target::Means(&mut pixel) })?;
     Ok(())
 }
+
+/// A layout for which the renderer is compiled. The kernel is large: it exists for each instruction set and
+/// acceleration structure. A function of this trait is no template, so it is compiled once, in this crate, and not in
+/// each crate that renders.
+pub trait Renderable: Layout + Sized {
+    /// Renders a picture, and returns why it ended early, if it did.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`] if memory is short.
+    fn run(set: InstructionSet, picture: Picture<'_, Self>) -> Result<Option<Ended>, Error>;
+}
+
+macro_rules! renderable {
+    ($($layout:ty)+) => {
+        $(impl Renderable for $layout {
+            #[inline(never)]
+            fn run(set: InstructionSet, picture: Picture<'_, Self>) -> Result<Option<Ended>, Error> {
+                set.run(picture)
+            }
+        })+
+    };
+}
+renderable!(Aos Soa);
 
 /// The destination of the pixels.
 enum Target<'a, I> {
@@ -141,7 +164,7 @@ enum Target<'a, I> {
 }
 
 /// A kernel that renders the whole picture, row by row.
-struct Picture<'a, L: Layout> {
+pub struct Picture<'a, L: Layout> {
     state: SpanState<'a, L>,
     accumulator: Accumulator,
     target: Target<'a, L::Image>,

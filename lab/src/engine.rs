@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use clap::ValueEnum;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::{InstructionSet, Prepared};
-use cpu::{Aos, Config, Error, Layout, Scatter, Scene, Soa, Vec3};
+use cpu::{Aos, Config, Error, Layout, Renderable, Scatter, Scene, Soa, Vec3};
 
 use crate::picture::Picture;
 
@@ -122,11 +122,11 @@ impl Engine {
     }
 }
 
-fn prepared<L: Layout>(config: &Config, scene: &Scene) -> Result<Prepared<L>, Error> {
+fn prepared<L: Renderable>(config: &Config, scene: &Scene) -> Result<Prepared<L>, Error> {
     Prepared::new(config, scene, Scatter::Statement)
 }
 
-fn rendered<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec<u8>, Error> {
+fn rendered<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec<u8>, Error> {
     cpu::internals::render_with(prepared, set).map(|image| bytes(&image))
 }
 
@@ -154,7 +154,7 @@ pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
 ///
 /// # Errors
 /// An error of the renderer.
-pub fn render_rows<L: Layout>(
+pub fn render_rows<L: Renderable>(
     prepared: &Prepared<L>,
     rows: usize,
     mut after_row: impl FnMut(usize) -> ControlFlow<()>,

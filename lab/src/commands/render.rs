@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use clap::Args;
 use cpu::internals::Prepared;
-use cpu::{Aos, Config, Error, Layout, Scene, Soa};
+use cpu::{Aos, Config, Error, Renderable, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use measure::clock::{own_seconds, peak_memory};
 use output::{Options, Output};
@@ -139,7 +139,7 @@ impl Arguments {
     }
 
     /// Renders the picture and writes its file. Returns the time, the memory and the rays.
-    fn write_picture<L: Layout>(
+    fn write_picture<L: Renderable>(
         &self,
         config: &Config,
         scene: &Scene,

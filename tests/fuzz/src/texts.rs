@@ -8,7 +8,7 @@ use cpu::{Config, Error, Scene};
 
 use crate::plain;
 
-/// Checks a configuration with [`agreed`]. For every valid configuration, `image_size` and `Camera::new` must return a
+/// Checks a configuration with `agreed`. For every valid configuration, `image_size` and `Camera::new` must return a
 /// value or an error.
 ///
 /// # Panics
@@ -20,7 +20,7 @@ pub fn config(bytes: &[u8]) {
     let _ = Camera::new(&config, size);
 }
 
-/// Checks a scene with [`agreed`].
+/// Checks a scene with `agreed`.
 ///
 /// # Panics
 /// If a check fails.

@@ -4,7 +4,7 @@
 use cpu::internals::layout::aos::AosImage;
 use cpu::internals::{InstructionSet, Prepared, render_linear, render_with};
 use cpu::reference::intersect::Exact;
-use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Soa, Vec3};
+use cpu::{Aos, Config, Error, Image, Renderable, Scatter, Scene, Soa, Vec3};
 
 use generator::write;
 
@@ -65,7 +65,7 @@ pub fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Pic
     Ok(Picture { image, means })
 }
 
-fn agrees<L: Layout>(
+fn agrees<L: Renderable>(
     config: &Config,
     scene: &Scene,
     scatter: Scatter,

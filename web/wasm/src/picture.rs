@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use cpu::internals::image::Image;
 use cpu::internals::{InstructionSet, Prepared, render_into};
-use cpu::{Error, Layout, Scatter};
+use cpu::{Error, Renderable, Scatter};
 
 use crate::fault::Fault;
 use crate::page;
@@ -18,13 +18,13 @@ const FILE: &str = "the file of the picture";
 ///
 /// # Errors
 /// The first fault of the texts, or too little memory.
-pub fn file<L: Layout>(state: &State, scatter: Scatter, set: InstructionSet) -> Result<Vec<u8>, Fault> {
+pub fn file<L: Renderable>(state: &State, scatter: Scatter, set: InstructionSet) -> Result<Vec<u8>, Fault> {
     let (config, scene) = (state.config()?, state.scene()?);
     let prepared = Prepared::<L>::new(&config, &scene, scatter);
     prepared.and_then(|prepared| ppm(&prepared, set)).map_err(|error| Fault::without_line(error, 0))
 }
 
-fn ppm<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec<u8>, Error> {
+fn ppm<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec<u8>, Error> {
     let (width, height) = (prepared.size.width(), prepared.size.height());
     let mut image = L::Image::black(prepared.size)?;
     let mut row = Vec::new();
