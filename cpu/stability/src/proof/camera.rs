@@ -13,12 +13,11 @@ const DELTA_Y: u8 = DERIVED + 1;
 const WIDTH: u8 = DERIVED + 2;
 const HEIGHT: u8 = DERIVED + 3;
 
-/// Returns the row of the error of a camera ray's direction, relative to `|P| + s` with `s = |O - P| + W |dx| + H
-/// |dy|`.
+/// Returns the row of the error of a camera ray's direction, relative to `|P| + s`. As in `render/ray_error.rs`, `s` is
+/// `|O - P| + W |dx| + H |dy|`.
 ///
-/// Each component has the same bound, so the length of the error is at most the same multiple of the lengths. `|O| <=
-/// |P| +
-/// |O - P|`, so what multiplies `|O|` counts for `|P|` and for `s`.
+/// Each component has the same bound, so the length of the error is at most the same multiple of the lengths. The
+/// length of `O` is at most `|P| + |O - P|`, so what multiplies it counts for `|P|` and for `s`.
 #[must_use]
 pub fn row() -> Row {
     begin(Arithmetic::F64, f64::NAN);

@@ -2,6 +2,7 @@
 
 use std::slice;
 
+use cpu::Ray;
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_parts::{self, Plane};
 use cpu::internals::exact::{
@@ -9,11 +10,10 @@ use cpu::internals::exact::{
 };
 use cpu::internals::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
-use cpu::{Ray, Vec3};
 
 use super::bounded::{Arithmetic, Bounded, begin, compared};
 use super::polynomial::Polynomial;
-use super::row::{Domain, Row, added, enlarged, family::*, length, relative_to_sizes, squared};
+use super::row::{Domain, Row, added, enlarged, family::*, is, length, relative_to_sizes, squared};
 
 /// The unit roundoff.
 pub const U: f64 = Arithmetic::F64.roundoff;
@@ -108,13 +108,6 @@ impl Quadratic {
 
 fn ray() -> Ray<Bounded> {
     Ray { origin: Bounded::vector(ORIGIN, 0.0), direction: Bounded::vector(DIRECTION, 0.0) }
-}
-
-/// States that a vector is the exact one of `family`, up to the errors that are known of it.
-fn is(vector: Vec3<Bounded>, family: u8) {
-    for (component, number) in (0..).zip(vector.to_array()) {
-        number.assume(Polynomial::of([(family, component)]));
-    }
 }
 
 fn quadratic(limits: Limits, file: &'static str, [a, h, c, discriminant]: [Bounded; 4]) -> Quadratic {

@@ -14,7 +14,7 @@ use super::bounded::{Arithmetic, Bounded, begin, compared};
 use super::exact::{AXIS_ERROR, U};
 use super::lanes::{Lane, name};
 use super::polynomial::Polynomial;
-use super::row::{Domain, Row, added, family::*, length, relative_to_sizes, squared};
+use super::row::{Domain, Row, added, family::*, is, length, relative_to_sizes, squared};
 
 /// The directions that are not too short, and the scenes of moderate extent.
 const MODERATE: Domain = Domain { direction: 1e-7, size: 1e-6, underflow: 0.0 };
@@ -51,9 +51,7 @@ fn conservative(is_sphere: bool) -> [Row; 3] {
         bounding_radius_squared: Bounded::of_size(DERIVED + 1, squared(RADIUS), 2.0 * AXIS_ERROR + 2.0),
         half_height: Bounded::number(HALF_HEIGHT, AXIS_ERROR),
     };
-    for (component, number) in (0..).zip((target.center - ray.origin).to_array()) {
-        number.assume(Polynomial::of([(TO_CENTER, component)]));
-    }
+    is(target.center - ray.origin, TO_CENTER);
     let test = ConservativeRay::new(ray);
     let quadratic = if is_sphere {
         _ = test.sphere(&target);

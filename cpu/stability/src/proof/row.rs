@@ -1,5 +1,7 @@
 //! A margin of the code, and the proof that it is enough.
 
+use cpu::Vec3;
+
 use super::bounded::{Bounded, MARGIN};
 use super::polynomial::{LENGTH, Polynomial};
 
@@ -69,6 +71,13 @@ pub fn squared(family: u8) -> Polynomial {
 #[must_use]
 pub fn length(family: u8) -> Polynomial {
     Polynomial::of([(family, LENGTH)])
+}
+
+/// States that a vector is the exact one of `family`, up to the errors that are known of it.
+pub fn is(vector: Vec3<Bounded>, family: u8) {
+    for (component, number) in (0..).zip(vector.to_array()) {
+        number.assume(Polynomial::of([(family, component)]));
+    }
 }
 
 /// Returns the bound in which lengths are replaced by lengths that are at least as large.
