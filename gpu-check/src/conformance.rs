@@ -7,7 +7,7 @@
 //! - [`value`] has the types of numbers, and [`ulp`] measures errors;
 //! - [`reading`] is one allowed way to calculate a program, and [`draft`] builds probes;
 //! - [`inputs`] and [`probes`] are the inputs and the list of all probes;
-//! - [`native`] runs a probe through wgpu, [`isolated`] runs all in a separate process, and [`browser`] in a browser;
+//! - [`native`] runs a probe through wgpu, and [`isolated`] runs all in a separate process;
 //! - [`outcome`] is what a driver made of a probe;
 //! - [`report`] writes verdicts as a table, and as text that can be sent to the authors of a driver;
 //! - [`csv`] is the table that several machines fill;
@@ -16,7 +16,6 @@
 //! The numbers of sections are those of the WGSL specification, <https://www.w3.org/TR/WGSL/>.
 
 pub mod args;
-pub mod browser;
 pub mod csv;
 pub mod draft;
 pub mod inputs;

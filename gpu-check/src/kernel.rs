@@ -8,7 +8,6 @@ use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
 
 use crate::Float;
-use crate::flushed::Flushed;
 use crate::running::Running;
 
 /// A formula of `cpu`, and the kernel of `shaders` that should give its bits.
@@ -40,7 +39,6 @@ pub struct Kernel {
     pub(crate) wide: fn(&[f64], &mut [f64]),
     pub(crate) single: fn(&[f32], &mut [f32]),
     pub(crate) running: fn(&[Running], &mut [Running]),
-    flushed: fn(&[Flushed], &mut [Flushed]),
     edges: fn() -> Vec<f64>,
     random: fn(&mut Uniform, &mut [f64]),
 }
@@ -56,19 +54,9 @@ impl Kernel {
             wide: F::evaluate::<f64>,
             single: F::evaluate::<f32>,
             running: F::evaluate::<Running>,
-            flushed: F::evaluate::<Flushed>,
             edges: F::edges,
             random: F::random,
         }
-    }
-
-    /// Returns the result of `case` in f32 arithmetic that flushes subnormal numbers to zero.
-    #[must_use]
-    pub fn flushed(&self, case: &[f32]) -> Vec<f32> {
-        let case: Vec<_> = case.iter().copied().map(Flushed).collect();
-        let mut result = vec![Flushed(0.0); self.outputs.len()];
-        (self.flushed)(&case, &mut result);
-        result.into_iter().map(|Flushed(number)| number).collect()
     }
 
     /// Returns the inputs of all edge cases: a row of [`Self::inputs`] numbers for each case.

@@ -10,13 +10,12 @@
 //! - [`lowered`] compares operations on f64 that integers calculate;
 //! - [`exact`] compares the exact intersections, whose decisions rounding cannot change;
 //! - [`methods`] lets `stability` compare the intersections in WGSL with exact arithmetic;
-//! - [`running`] computes a bound on the error of f32, and [`flushed`] is f32 arithmetic without subnormal numbers;
+//! - [`running`] computes a bound on the error of f32;
 //! - [`renderer`] and the package [`mod@twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
 //! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
 //! - [`steps`] traces single pixels step by step on both, and [`first_difference`] finds the function that differs;
 //! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take;
-//! - [`web`] runs shaders in a browser, which has another shader compiler;
 //! - [`conformance`] holds drivers to IEEE 754 and WGSL;
 //! - [`mutants`] are deliberate errors that these checks must notice.
 //!
@@ -45,7 +44,6 @@ pub mod error;
 pub mod exact;
 pub mod first_difference;
 pub mod float;
-pub mod flushed;
 pub mod form;
 pub mod gpu;
 pub mod guard;
@@ -66,7 +64,6 @@ pub mod shader_lab;
 pub mod special;
 pub mod steps;
 pub mod terminal;
-pub mod web;
 
 pub use error::Error;
 pub use float::{Float, Formulas};

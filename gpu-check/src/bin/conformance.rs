@@ -9,16 +9,13 @@ use gpu_check::conformance::args::Arguments;
 use gpu_check::conformance::csv::Table;
 use gpu_check::conformance::probe::Probe;
 use gpu_check::conformance::report::{self, Run};
-use gpu_check::conformance::{browser, isolated, native, probes};
+use gpu_check::conformance::{isolated, native, probes};
 use gpu_check::shader_lab::files::shown;
-use gpu_check::web::chromium;
 use gpu_check::{Form, Gpu, terminal};
 use output::{Options, Output, stop};
 
 /// Exit status if a driver fails a probe.
 const FAILS: u8 = 1;
-/// Exit status if a signal has interrupted the program.
-const INTERRUPTED: u8 = 130;
 /// Largest size of a table in bytes that is read.
 const MAX_TABLE: u64 = 1 << 20;
 
@@ -28,13 +25,11 @@ fn main() -> ExitCode {
     if arguments.next().is_some_and(|first| first == isolated::FLAG) {
         return status(isolated::report(arguments).map(|()| ExitCode::SUCCESS));
     }
-    // After a first signal the program ends the browser and removes its folder.
-    stop::note_first_request();
-    let result = match Arguments::try_parse() {
-        Ok(arguments) => run(&arguments),
-        Err(answer) => return terminal::answer(&answer),
-    };
-    if stop::requested() { ExitCode::from(INTERRUPTED) } else { status(result) }
+    stop::remove_temporary_when_stopped();
+    match Arguments::try_parse() {
+        Ok(arguments) => status(run(&arguments)),
+        Err(answer) => terminal::answer(&answer),
+    }
 }
 
 /// Returns the exit status for a result. An error is written to standard error.
@@ -82,11 +77,7 @@ fn open(path: &Path) -> Result<(Table, Output), String> {
 /// Runs the probes on all drivers that the arguments ask for.
 fn runs(arguments: &Arguments, probes: &[Probe]) -> Result<Vec<Run>, String> {
     let mut runs = Vec::new();
-    let gpus = match (arguments.no_native, arguments.all) {
-        (true, _) => Ok(Vec::new()),
-        (false, true) => Gpu::open_all(),
-        (false, false) => Gpu::open().map(|gpu| vec![gpu]),
-    };
+    let gpus = if arguments.all { Gpu::open_all() } else { Gpu::open().map(|gpu| vec![gpu]) };
     let form = if arguments.as_driver_likes { Form::AsDriverLikes } else { Form::AsWritten };
     let gpus = gpus.map_err(|error| error.to_string())?.into_iter().map(|gpu| gpu.with_form(form));
     let drivers: Vec<_> = gpus.map(|gpu| native::driver(&gpu)).collect();
@@ -95,10 +86,6 @@ fn runs(arguments: &Arguments, probes: &[Probe]) -> Result<Vec<Run>, String> {
         let device = arguments.all.then_some(device);
         let outcomes = isolated::run(probes, |rest| isolated::command(&program, device, form, rest))?;
         runs.push(Run { driver, outcomes });
-    }
-    if arguments.browser {
-        let chromium = chromium::find().ok_or("there is no Chromium in PATH; on Debian: apt-get install chromium")?;
-        runs.push(browser::run(&chromium, probes)?);
     }
     Ok(runs)
 }

@@ -14,7 +14,7 @@ use super::probes;
     after_help = "\
 Examples:
   conformance                            the table for lavapipe
-  conformance --all --browser            a column for every adapter, and one for Chromium
+  conformance --all                      a column for every adapter
   conformance --probe loop-limit         one program with its inputs and results, for a report to its authors
   WGPU_ADAPTER_NAME=nvidia conformance --csv docs/gpu/probes.csv
 
@@ -28,7 +28,7 @@ Exit status: 0 no driver fails a probe
 )]
 pub struct Arguments {
     /// Print the name, program and rule of each probe, and run nothing
-    #[arg(long, conflicts_with_all = ["probe", "csv", "browser", "all"])]
+    #[arg(long, conflicts_with_all = ["probe", "csv", "all"])]
     pub list: bool,
     /// Run this probe alone, and print its program, inputs and results; may be repeated
     #[arg(long, value_name = "NAME", value_parser = known, conflicts_with = "csv")]
@@ -42,12 +42,6 @@ pub struct Arguments {
     /// Let drivers rewrite the arithmetic, which they otherwise do as it is written
     #[arg(long)]
     pub as_driver_likes: bool,
-    /// Run in headless Chromium too, which is looked for in PATH or is the file that CHROMIUM names
-    #[arg(long)]
-    pub browser: bool,
-    /// Run in the browser alone, on no adapter
-    #[arg(long, requires = "browser", conflicts_with = "all")]
-    pub no_native: bool,
 }
 
 /// Returns the name of a probe, or a message with the most similar name if there is no such probe.
@@ -75,8 +69,7 @@ mod tests {
     #[test]
     fn options_that_exclude_each_other_are_refused() {
         let parse = |arguments: &[&str]| Arguments::try_parse_from([&["conformance"], arguments].concat()).is_ok();
-        assert!(parse(&["--all", "--browser", "--csv", "x"]) && parse(&["--browser", "--no-native"]));
-        assert!(!parse(&["--no-native"]) && !parse(&["--list", "--all"]) && !parse(&["more"]));
+        assert!(parse(&["--all", "--csv", "x"]) && !parse(&["--list", "--all"]) && !parse(&["more"]));
         assert!(!parse(&["--probe", "sum", "--csv", "y"]) && parse(&["--probe", "sum"]));
     }
 }

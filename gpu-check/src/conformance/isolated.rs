@@ -9,14 +9,11 @@ use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::mpsc::{self, RecvTimeoutError};
-use std::time::{Duration, Instant};
-
-use output::stop;
+use std::time::Duration;
 
 use super::outcome::Outcome;
 use super::probe::Probe;
 use super::{native, probes};
-use crate::web::chromium::INTERVAL;
 use crate::{Form, Gpu, gpu, guard, terminal};
 
 /// The first argument of the separate process. With this argument the program only runs probes and writes outcomes.
@@ -83,18 +80,10 @@ fn first_outcomes(mut command: Command, probes: &[Probe], patience: Duration) ->
     std::thread::spawn(move || lines.map_while(Result::ok).try_for_each(|line| sender.send(line)));
     let late = || Outcome::Ended(format!("there was no result within {} s", patience.as_secs()));
     let mut outcomes = Vec::new();
-    let mut latest = Instant::now();
     while let Some(probe) = probes.get(outcomes.len()).filter(|_| !matches!(outcomes.last(), Some(Outcome::Ended(_)))) {
-        match receiver.recv_timeout(INTERVAL) {
-            Ok(line) => {
-                // Other lines are ignored, because a driver may write them.
-                let outcome = line.strip_prefix(&probe.name).and_then(Outcome::of_line);
-                if outcome.is_some() {
-                    latest = Instant::now();
-                }
-                outcomes.extend(outcome);
-            }
-            Err(RecvTimeoutError::Timeout) if latest.elapsed() < patience && !stop::requested() => {}
+        match receiver.recv_timeout(patience) {
+            // Other lines are ignored, because a driver may write them.
+            Ok(line) => outcomes.extend(line.strip_prefix(&probe.name).and_then(Outcome::of_line)),
             Err(RecvTimeoutError::Timeout) => outcomes.push(late()),
             Err(RecvTimeoutError::Disconnected) => outcomes.push(match guard::wait(&mut child, patience)? {
                 Some(status) => Outcome::Ended(format!("the process ended by {status}")),
@@ -105,7 +94,7 @@ fn first_outcomes(mut command: Command, probes: &[Probe], patience: Duration) ->
     // A process that hangs is ended. If it has ended already, the call fails, which is no error.
     let _ = child.kill();
     child.wait()?;
-    if stop::requested() { Err(io::Error::other("interrupted")) } else { Ok(outcomes) }
+    Ok(outcomes)
 }
 
 #[cfg(all(test, unix))]

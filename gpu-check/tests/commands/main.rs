@@ -3,8 +3,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod conformance;
-#[path = "../common/documented.rs"]
-mod documented;
 mod limits;
 #[cfg(target_os = "linux")]
 mod little_memory;
