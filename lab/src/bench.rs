@@ -1,16 +1,13 @@
 //! Measures three things: user time, in turn; the error against a converged picture; and energy, if the machine can
 //! measure it.
 //!
-//! [`matrix`] lists what is measured. [`timing`], [`error`], [`intersections`] and [`energy`] measure it. [`results`]
-//! stores the measured data and the machine. [`fit`] and [`gain`] derive other figures from the data. Times are the
-//! user time of this process, which has one thread. Work of other processes is not counted, but a busy machine still
-//! makes the times longer.
+//! [`matrix`] lists what is measured. [`timing`], [`error`] and [`energy`] measure it. [`results`] stores the measured
+//! data and the machine. [`fit`] derives other figures from the data. Times are the user time of this process, which has
+//! one thread. Work of other processes is not counted, but a busy machine still makes the times longer.
 
 pub mod energy;
 pub mod error;
 pub mod fit;
-pub mod gain;
-pub mod intersections;
 pub mod machine;
 pub mod matrix;
 pub mod progress;

@@ -5,7 +5,6 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use clap::ValueEnum;
-use cpu::internals::accel::choice::Accel;
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Error, Layout, Renderable, Scatter, Scene, Soa, Vec3};
 
@@ -62,17 +61,10 @@ pub enum Engine {
     Reference,
     /// The real renderer with this layout and this instruction set.
     Real(LayoutName, InstructionSet),
-    /// The real renderer with arrays of structures and the best instruction set, but without an acceleration structure:
-    /// it intersects every ray with every object. Used only for measurements.
-    PlainSearch,
 }
 
-/// Names of the instruction sets that results may have, from the slowest to the fastest: the present ones, and `sse2`,
-/// which the renderer had until November 2026.
-pub const MEASURED_SETS: [&str; 7] = ["portable", "simd128", "sse2", "neon", "avx2", "avx512", "avx512-throughout"];
-
 impl Engine {
-    /// Returns every implementation that this machine can run, except [`Engine::PlainSearch`].
+    /// Returns every implementation that this machine can run.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let sets = InstructionSet::available();
@@ -88,19 +80,6 @@ impl Engine {
         vec![Self::Reference, Self::Real(LayoutName::Aos, best), Self::Real(LayoutName::Soa, best)]
     }
 
-    /// Returns the real renderer with all optimisations, followed by engines that each lack or change one: instruction
-    /// set, layout, acceleration structure. The last engine is the reference, which has no optimisation.
-    #[must_use]
-    pub fn changed() -> Vec<Self> {
-        let best = InstructionSet::best();
-        let slower = InstructionSet::available().rev().filter(|set| *set != best);
-        let mut engines = vec![Self::Real(LayoutName::Aos, best)];
-        engines.extend(slower.map(|set| Self::Real(LayoutName::Aos, set)));
-        engines.push(Self::Real(LayoutName::Soa, best));
-        engines.extend([Self::PlainSearch, Self::Reference]);
-        engines
-    }
-
     /// Returns the picture as the bytes of a PPM file. Measurements time this call: it does all the work of the
     /// evaluated programs except reading and writing files.
     ///
@@ -113,11 +92,6 @@ impl Engine {
             }
             Self::Real(LayoutName::Aos, set) => rendered(&prepared::<Aos>(config, scene)?, set),
             Self::Real(LayoutName::Soa, set) => rendered(&prepared::<Soa>(config, scene)?, set),
-            Self::PlainSearch => {
-                let prepared =
-                    Prepared { accel: Accel::EveryObject, moderate: false, ..prepared::<Aos>(config, scene)? };
-                rendered(&prepared, InstructionSet::best())
-            }
         }
     }
 }
@@ -174,7 +148,6 @@ impl fmt::Display for Engine {
         match self {
             Self::Reference => out.write_str("reference"),
             Self::Real(layout, set) => write!(out, "{}-{}", layout.name(), set.name()),
-            Self::PlainSearch => write!(out, "aos-{}-plain-search", InstructionSet::best().name()),
         }
     }
 }
@@ -188,18 +161,11 @@ mod tests {
         let config = Config::parse(&b"image_width: 24\nsamples_per_pixel: 3\n"[..]).expect("it is valid");
         let scene = generator::scene(&generator::Options { objects: 20, ..Default::default() });
         let expected = Engine::Reference.ppm(&config, &scene).expect("it is small");
-        let engines = [Engine::all(), Engine::changed()].concat();
-        assert!(engines.len() >= 3 + 5, "the reference and the portable one in two layouts, and what is switched off");
+        let engines = Engine::all();
+        assert!(engines.len() >= 3, "the reference, and the portable one in two layouts");
         for engine in engines {
             assert!(engine.ppm(&config, &scene).expect("it is small") == expected, "{engine}");
         }
-    }
-
-    #[test]
-    fn results_may_have_every_set_of_today_in_its_order() {
-        let today = InstructionSet::ALL.map(InstructionSet::name);
-        let measured: Vec<_> = MEASURED_SETS.into_iter().filter(|name| today.contains(name)).collect();
-        assert_eq!(measured, today);
     }
 
     #[test]

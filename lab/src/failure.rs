@@ -11,8 +11,6 @@ pub enum Failure {
     Other(String),
     /// A signal stopped the command, and no results were kept.
     Interrupted,
-    /// A signal stopped the command, and the results of finished work were kept. The text tells how to continue.
-    Paused(String),
     /// The command line is not valid. Its message has been printed already.
     CommandLine,
     /// The help was printed. This is not an error: the exit status is 0.
@@ -28,7 +26,7 @@ impl Failure {
             Self::Rejected => 1,
             Self::Help => 0,
             Self::Renderer(_) | Self::Other(_) | Self::CommandLine => 2,
-            Self::Interrupted | Self::Paused(_) => 130,
+            Self::Interrupted => 130,
         }
     }
 
@@ -38,7 +36,7 @@ impl Failure {
         match self {
             Self::Rejected | Self::CommandLine | Self::Help => None,
             Self::Renderer(error) => Some(String::from_utf8_lossy(&error.message_for_terminal()).into_owned()),
-            Self::Other(text) | Self::Paused(text) => Some(text.clone()),
+            Self::Other(text) => Some(text.clone()),
             Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }
     }

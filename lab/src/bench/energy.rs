@@ -15,9 +15,6 @@ use crate::Failure;
 /// The folder in which Linux has the files of the RAPL counters.
 pub const POWERCAP: &str = "/sys/class/powercap";
 
-/// The reason of older results, which tried `perf` too, on a machine without the counter.
-pub const NO_COUNTER: &str = "no counter power/energy-pkg/";
-
 /// The energy of one picture. A figure that could not be measured is `null`, and `reason` gives the reason.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Energy {

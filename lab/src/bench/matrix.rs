@@ -2,7 +2,6 @@
 
 mod times;
 
-use std::path::PathBuf;
 use std::time::Duration;
 
 use cpu::{Config, Scene};
@@ -10,12 +9,11 @@ use generator::{self, Arrangement, Options};
 
 use super::energy::{self, Meter};
 use super::error;
-use super::intersections::{self, OBJECTS};
-use super::results::{Omitted, Results, Setting};
+use super::results::Results;
 use super::scenes;
+use crate::Failure;
 use crate::engine::Engine;
 use crate::interrupt::Interrupt;
-use crate::{Failure, sources};
 
 /// A task: one part of the matrix, which is everything that `bench all` measures.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,10 +22,6 @@ pub enum Task {
     Scale(&'static str),
     /// Measures, for this scene, the error and the time of every engine for each number of samples.
     Error(&'static str),
-    /// Measures the time and the error of intersections with this kind of object.
-    Intersection(&'static str),
-    /// Measures the time of this scene's picture, each time without one optimisation.
-    Gain(&'static str),
     /// Measures the energy of this scene's picture.
     Energy(&'static str),
 }
@@ -37,8 +31,6 @@ impl std::fmt::Display for Task {
         match self {
             Self::Scale(parameter) => write!(out, "scale {parameter}"),
             Self::Error(scene) => write!(out, "error {scene}"),
-            Self::Intersection(object) => write!(out, "intersection {object}"),
-            Self::Gain(scene) => write!(out, "gain {scene}"),
             Self::Energy(scene) => write!(out, "energy {scene}"),
         }
     }
@@ -49,9 +41,6 @@ pub const BOARD: &str = "board";
 
 /// Number of objects of [`BOARD`] where their number does not vary.
 pub const BOARD_OBJECTS: u64 = 1024;
-
-/// Names of the course's four cases. Their files are in a folder that is not part of this project.
-const CASES: [&str; 4] = ["case-1", "case-2", "case-3", "case-4"];
 
 /// Name of the scene in which width, samples and depth are varied. For the other parameters, scenes are generated.
 const SCALED: &str = "materials";
@@ -65,21 +54,14 @@ pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "dens
 #[must_use]
 pub fn tasks() -> Vec<Task> {
     let scale = PARAMETERS.map(Task::Scale);
-    let gains = scenes::NAMES.into_iter().chain([BOARD]).chain(CASES).map(Task::Gain);
-    scale
-        .into_iter()
-        .chain(scenes::NAMES.map(Task::Error))
-        .chain(OBJECTS.map(Task::Intersection))
-        .chain(gains)
-        .chain(scenes::NAMES.map(Task::Energy))
-        .collect()
+    scale.into_iter().chain(scenes::NAMES.map(Task::Error)).chain(scenes::NAMES.map(Task::Energy)).collect()
 }
 
 fn scene(name: &str) -> Result<(Config, Scene), Failure> {
     Ok(scenes::named(name).ok_or_else(|| format!("there is no scene [{name}]"))?)
 }
 
-/// Options for the tasks: how much to measure, and where the course's cases are.
+/// Options for the tasks.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// Whether to measure the small matrix, with smaller pictures and fewer values.
@@ -88,9 +70,6 @@ pub struct Plan {
     pub repeats: usize,
     /// Whether to subtract the power of the idle machine from energies.
     pub idle: bool,
-    /// The folder of the course's cases, with `config1.txt`, `scene1.txt` and so on. `None` if their gains are not
-    /// measured.
-    pub reference: Option<PathBuf>,
 }
 
 impl Plan {
@@ -121,12 +100,6 @@ impl Plan {
         }
     }
 
-    /// Returns whether a task has nothing to measure, because the folder of the course's cases was not given.
-    #[must_use]
-    pub fn is_empty(&self, task: &Task) -> bool {
-        self.reference.is_none() && matches!(task, Task::Gain(scene) if CASES.contains(scene))
-    }
-
     /// Measures a task, and adds its figures to `results`.
     ///
     /// # Errors
@@ -135,13 +108,6 @@ impl Plan {
         match task {
             Task::Scale(parameter) => self.scale(parameter, results, interrupt),
             Task::Error(scene) => self.error(scene, results, interrupt),
-            Task::Intersection(object) => {
-                let count = if self.quick { 2_000 } else { 20_000 };
-                let found = intersections::measure(object, count, self.repeats, interrupt)?;
-                results.intersections.extend(found);
-                Ok(())
-            }
-            Task::Gain(scene) => self.gain(scene, results, interrupt),
             Task::Energy(scene) => self.energy(scene, results, interrupt),
         }
     }
@@ -178,33 +144,6 @@ impl Plan {
         self.times(["error", name, "samples"], &Engine::all(), pictures, results, interrupt)
     }
 
-    fn gain(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
-        let samples = if self.quick { 4 } else { 16 };
-        let (config, scene) = match (CASES.iter().position(|case| *case == name), &self.reference) {
-            (Some(_), None) => {
-                let [suite, scene, parameter, engine] = ["gain", name, "samples", "all"].map(str::to_owned);
-                let setting = Setting { suite, scene, parameter, value: 0, engine };
-                let reason = "the folder of the course's cases was not given (--reference)".to_owned();
-                results.omitted.push(Omitted { setting, reason });
-                return Ok(());
-            }
-            (Some(index), Some(folder)) => {
-                let file = |kind: &str| folder.join(format!("{kind}{}.txt", index + 1));
-                (sources::config(&file("config"), &[])?, sources::scene(&file("scene"))?)
-            }
-            (None, _) => {
-                if name == BOARD {
-                    board(BOARD_OBJECTS, self.width())
-                } else {
-                    scene(name)?
-                }
-            }
-        };
-        let config = Config { image_width: self.width(), samples_per_pixel: samples, ..config };
-        let picture = (samples, config, scene);
-        self.times(["gain", name, "samples"], &Engine::changed(), [picture].into_iter(), results, interrupt)
-    }
-
     fn energy(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
         let (config, scene) = scene(name)?;
         let meter = Meter::here();
@@ -238,7 +177,7 @@ mod tests {
     #[test]
     fn parameters_rise() {
         for quick in [true, false] {
-            let plan = Plan { quick, repeats: 1, idle: false, reference: None };
+            let plan = Plan { quick, repeats: 1, idle: false };
             for parameter in PARAMETERS {
                 let values = plan.values(parameter);
                 assert!(values.len() >= 4 && values.is_sorted_by(|a, b| a < b), "{parameter}: {values:?}");

@@ -4,7 +4,6 @@ pub mod check;
 mod derived;
 mod files;
 mod merge;
-mod names;
 
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +19,7 @@ pub const TARGETS: [f64; 3] = [0.05, 0.02, 0.01];
 /// Identifies a measurement: what was rendered, by which implementation, and with which value of which parameter.
 #[derive(Clone, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
 pub struct Setting {
-    /// The suite, which is the group of tasks: `scale`, `error` or `gain`.
+    /// The suite, which is the group of tasks: `scale` or `error`.
     pub suite: String,
     /// The scene's name.
     pub scene: String,
@@ -56,39 +55,6 @@ pub struct Omitted {
     pub reason: String,
 }
 
-/// The time and the errors of one implementation of the intersections.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Intersection {
-    /// Identifies what was measured.
-    #[serde(flatten)]
-    pub trial: Trial,
-    /// Number of cases tested.
-    pub cases: usize,
-    /// Number of cases with a wrong hit, miss, root or part.
-    pub wrong: usize,
-    /// Relative errors of lambda against exact arithmetic, for the cases with the right decision: the median, the value
-    /// that 99.9 % of the errors do not exceed, and the largest.
-    pub lambda_error: [f64; 3],
-    /// The time of one intersection in nanoseconds for every repeat, in the order measured.
-    pub nanoseconds: Vec<f64>,
-    /// Median of the times of all repeats, in nanoseconds.
-    pub median: Median,
-}
-
-/// Identifies a measurement of intersections: the object, the rays and the implementation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Trial {
-    /// The kind of object: `sphere` or `cylinder`.
-    pub object: String,
-    /// `ordinary`, or `hard`. The hard rays come from all other regimes of `docs/accuracy/errors.csv`, in equal
-    /// numbers.
-    pub rays: String,
-    /// The name of the implementation, as in `docs/accuracy/errors.csv`.
-    pub implementation: String,
-    /// Seed of the random rays.
-    pub seed: u64,
-}
-
 /// The power law by which the time grows with a parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
@@ -100,22 +66,6 @@ pub struct Growth {
     pub engine: String,
     /// The time in seconds as a power of the parameter.
     pub law: PowerLaw,
-}
-
-/// The gain of one optimisation: how much longer a picture takes without it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Gain {
-    /// The scene's name.
-    pub scene: String,
-    /// The name of what is switched off or used instead, such as `no search` (no acceleration structure) or `avx2
-    /// lanes`.
-    pub without: String,
-    /// Median time without the optimisation, divided by the median time with all optimisations.
-    pub ratio: f64,
-    /// The smallest ratio that the bounds of both medians allow.
-    pub low: f64,
-    /// The largest ratio that the bounds of both medians allow.
-    pub high: f64,
 }
 
 /// The time after which a picture has at most a given error against the converged picture.
@@ -155,9 +105,6 @@ pub struct Results {
     pub timings: Vec<Timing>,
     /// Errors of pictures for each number of samples.
     pub curves: Vec<ErrorCurve>,
-    /// Times and errors of intersections outside the renderer.
-    #[serde(default)]
-    pub intersections: Vec<Intersection>,
     /// Energy of pictures.
     pub energy: Vec<Energy>,
     /// Measurements that were left out.
@@ -166,9 +113,6 @@ pub struct Results {
     pub growth: Vec<Growth>,
     /// The times to reach given errors, derived from `timings` and `curves`.
     pub times_to_error: Vec<TimeToError>,
-    /// The gain of each optimisation, derived from `timings`.
-    #[serde(default)]
-    pub gains: Vec<Gain>,
 }
 
 impl Results {

@@ -33,16 +33,9 @@ enum What {
         #[command(flatten)]
         how: How,
     },
-    /// Run time against error of a picture for every implementation, and cost against error of an intersection
+    /// Run time against error of a picture for every implementation
     #[command(after_help = "Examples:\n  render-lab bench error --repeats 9 --out error.json")]
     Error {
-        #[command(flatten)]
-        how: How,
-    },
-    /// Time with one thing switched off at a time: lanes, layout, search, or all of it
-    #[command(after_help = "Examples:\n  render-lab bench gain --quick --out gain.json\n  \
-                            render-lab bench gain --reference ../shared/reference --out gain.json")]
-    Gain {
         #[command(flatten)]
         how: How,
     },
@@ -80,16 +73,12 @@ enum What {
 /// How it is measured, and where to.
 #[derive(Debug, Args)]
 struct How {
-    /// File to write; OUT.csv, OUT-error.csv and OUT-intersections.csv go beside it. - is standard output, without
-    /// those
+    /// File to write; OUT.csv and OUT-error.csv go beside it. - is standard output, without those
     #[arg(long, value_name = "OUT.json")]
     out: PathBuf,
     /// Small pictures, to try it out in minutes
     #[arg(long)]
     quick: bool,
-    /// Go on with an interrupted measurement; OUT.json.partial has what was done
-    #[arg(long)]
-    resume: bool,
     /// Say nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -99,9 +88,6 @@ struct How {
     /// Measure the idle machine's power too and subtract it from energies
     #[arg(long)]
     subtract_idle: bool,
-    /// Folder of the course's cases, config1.txt, scene1.txt and so on, to measure the gains on them too
-    #[arg(long, value_name = "FOLDER")]
-    reference: Option<PathBuf>,
 }
 
 fn parse_part(text: &str) -> Result<(usize, usize), String> {
@@ -121,10 +107,7 @@ impl Arguments {
                 let is_wanted = |name: &str| parameter.as_ref().is_none_or(|parameter| parameter == name);
                 how.run(options, all.iter().filter(|task| matches!(task, Task::Scale(name) if is_wanted(name))))
             }
-            What::Error { how } => {
-                how.run(options, all.iter().filter(|task| matches!(task, Task::Error(_) | Task::Intersection(_))))
-            }
-            What::Gain { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Gain(_)))),
+            What::Error { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Error(_)))),
             What::Energy { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Energy(_)))),
             What::All { part: (part, parts), how } => how.run(options, all.iter().skip(part - 1).step_by(*parts)),
             What::Tasks => {

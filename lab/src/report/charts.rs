@@ -1,10 +1,11 @@
 //! Chooses which charts the report has, and which points each chart has.
 
+use cpu::internals::InstructionSet;
+
 use super::chart::{Axis, Bounds, Chart, Point, Series};
-use super::style::{power_of_ten, seconds, short};
+use super::style::{seconds, short};
 use crate::bench::energy::Energy;
 use crate::bench::results::{Results, Timing};
-use crate::engine::MEASURED_SETS;
 use measure::statistics::Median;
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
@@ -20,9 +21,7 @@ pub fn all(results: &Results) -> Vec<Chart> {
     scale
         .chain(error_by_samples(results))
         .chain(curves.filter_map(|scene| error_by_time(results, scene)))
-        .chain(["sphere", "cylinder"].into_iter().filter_map(|object| intersections(results, object)))
         .chain(speed_ups(results))
-        .chain(gains(results))
         .chain(energy(results))
         .collect()
 }
@@ -87,38 +86,6 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
     chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y: ERROR, series, rows: Vec::new() })
 }
 
-/// Returns the chart of the errors of intersections against their times, or `None` if there are no data. Each
-/// implementation has a line from ordinary rays to hard rays.
-fn intersections(results: &Results, object: &str) -> Option<Chart> {
-    let mut series: Vec<Series> = Vec::new();
-    for intersection in results.intersections.iter().filter(|intersection| intersection.trial.object == object) {
-        let name = &intersection.trial.implementation;
-        let color = crate::bench::intersections::METHODS.iter().position(|method| method == name)?;
-        let (cost, [_, high, _]) = (intersection.median, intersection.lambda_error);
-        // A logarithmic axis cannot show an error of 0. Half a unit in the last place is drawn instead, which is the
-        // largest error of a correctly rounded answer.
-        let bounds = Some(Bounds::Horizontal(cost.low, cost.high));
-        push(&mut series, name, color, Point { x: cost.median, y: high.max(f64::EPSILON / 2.0), bounds });
-    }
-    let x = Axis { label: "ns a test", format: short };
-    let y = Axis { label: "relative error of lambda, 99.9 %", format: power_of_ten };
-    let title = format!("What an intersection costs, and its error: {object}s");
-    chart(Chart { name: format!("intersection-{object}"), title, x, y, series, rows: Vec::new() })
-}
-
-/// Returns the chart of gains, or `None` if there are no data. A gain is the time without an optimisation, divided by
-/// the time with all. Each optimisation has a row.
-fn gains(results: &Results) -> Option<Chart> {
-    let (mut rows, mut series) = (Vec::new(), Vec::new());
-    for gain in &results.gains {
-        let bounds = Some(Bounds::Horizontal(gain.low, gain.high));
-        push_dot(&mut rows, &mut series, [&gain.without, &gain.scene], (gain.ratio, bounds));
-    }
-    let x = Axis { label: "times as long", format: short };
-    let title = "Time with one thing switched off".to_owned();
-    chart(Chart { name: "gain".to_owned(), title, x, y: ROWS, series, rows })
-}
-
 /// Returns the charts of the energy of a picture, and of the power during its rendering, with a row for each
 /// implementation. If no energy was measured, there are no charts.
 fn energy(results: &Results) -> Vec<Chart> {
@@ -131,7 +98,7 @@ fn energy(results: &Results) -> Vec<Chart> {
         let (mut rows, mut series) = (Vec::new(), Vec::new());
         for energy in &results.energy {
             let Some(value) = figure(energy).filter(|&value| value > 0.0) else { continue };
-            push_dot(&mut rows, &mut series, [&energy.engine, &energy.scene], (value, None));
+            push_dot(&mut rows, &mut series, [&energy.engine, &energy.scene], value);
         }
         let x = Axis { label, format: short };
         chart(Chart { name: name.to_owned(), title: title.to_owned(), x, y: ROWS, series, rows })
@@ -143,7 +110,8 @@ fn energy(results: &Results) -> Vec<Chart> {
 /// reference was measured.
 fn speed_ups(results: &Results) -> Option<Chart> {
     // The slowest instruction set comes first. The two layouts of each instruction set have neighbouring rows.
-    let engines = MEASURED_SETS.iter().flat_map(|set| ["aos", "soa"].map(|layout| format!("{layout}-{set}")));
+    let sets = InstructionSet::ALL.map(InstructionSet::name);
+    let engines = sets.iter().flat_map(|set| ["aos", "soa"].map(|layout| format!("{layout}-{set}")));
     let is_there = |engine: &String| results.timings.iter().any(|timing| timing.setting.engine == *engine);
     let rows: Vec<String> = engines.filter(is_there).collect();
     let mut series: Vec<Series> = Vec::new();
@@ -184,18 +152,13 @@ fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {
 
 /// Adds a dot at `x` to the row `row` and the series `name`. Adds the row or the series first if it does not exist.
 /// Each series gets its own colour.
-fn push_dot(
-    rows: &mut Vec<String>,
-    series: &mut Vec<Series>,
-    [row, name]: [&str; 2],
-    (x, bounds): (f64, Option<Bounds>),
-) {
+fn push_dot(rows: &mut Vec<String>, series: &mut Vec<Series>, [row, name]: [&str; 2], x: f64) {
     let at = rows.iter().position(|known| known == row).unwrap_or(rows.len());
     if at == rows.len() {
         rows.push(row.to_owned());
     }
     let color = series.iter().position(|series| series.name == name).unwrap_or(series.len());
-    push(series, name, color, Point { x, y: at as f64 + 1.0, bounds });
+    push(series, name, color, Point { x, y: at as f64 + 1.0, bounds: None });
 }
 
 /// Returns the colour index of an implementation, which is the same in all charts.
@@ -203,7 +166,6 @@ fn color(engine: &str) -> usize {
     match engine.split_once('-') {
         None => 0,
         Some(("aos", "portable")) => 4,
-        Some(("aos", "sse2")) => 5,
         Some(("aos", "avx2")) => 3,
         Some(("aos", _)) => 1,
         Some(_) => 2,

@@ -2,16 +2,13 @@
 
 mod comparisons;
 mod growth;
-mod intersections;
 
 use serde::Serialize;
 
 use super::style::short;
-use crate::bench::energy::NO_COUNTER;
 use crate::bench::results::Results;
-use comparisons::{gains, instruction_sets, layouts, reference};
+use comparisons::{instruction_sets, layouts, reference};
 use growth::{error, scaling, time_to_error};
-use intersections::intersections;
 
 /// A sentence about the data, with its topic.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,11 +28,9 @@ pub fn of(results: &Results) -> Vec<Finding> {
         ("Layouts", layouts(results)),
         ("Reference", reference(results)),
         ("Instruction sets", instruction_sets(results)),
-        ("Gains", gains(results)),
         ("Scaling", scaling(results)),
         ("Error", error(results)),
         ("Time to an error", time_to_error(results)),
-        ("Intersections", intersections(results)),
         ("Energy", energy(results)),
     ];
     findings.into_iter().filter_map(|(topic, text)| Some(Finding { topic, text: text? })).collect()
@@ -80,8 +75,6 @@ fn spread(results: &Results) -> Option<String> {
 fn energy(results: &Results) -> Option<String> {
     let first = results.energy.first()?;
     if let Some(reason) = results.energy.iter().find_map(|energy| energy.reason.as_ref()) {
-        // Older results quote the message of `perf` for a counter that the machine lacks.
-        let reason = reason.replace("event syntax error: 'power/energy-pkg/'", NO_COUNTER);
         return Some(format!("Energy was not measured: {reason}."));
     }
     let parts: Vec<_> = results
@@ -102,7 +95,7 @@ mod tests {
     use super::*;
     use crate::bench::energy::Energy;
     use crate::bench::machine::Machine;
-    use crate::bench::results::{Intersection, Setting, Timing, Trial};
+    use crate::bench::results::{Setting, Timing};
     use measure::statistics::Median;
 
     fn timing(engine: &str, value: u64, seconds: f64) -> Timing {
@@ -122,7 +115,7 @@ mod tests {
         let mut timings = Vec::new();
         for (value, slow) in [(10, 2.0), (100, 8.0)] {
             timings.extend([timing("reference", value, slow), timing("aos-avx2", value, 1.0)]);
-            timings.extend([timing("soa-avx2", value, 2.0), timing("aos-sse2", value, 1.5)]);
+            timings.extend([timing("soa-avx2", value, 2.0), timing("aos-portable", value, 1.5)]);
         }
         let mut results = Results { machines: vec![machine], timings, ..Results::default() };
         results.complete();
@@ -140,49 +133,8 @@ mod tests {
             reference.contains("least 2 times (board, 10 objects), most 8 times (board, 100 objects)"),
             "{reference}"
         );
-        assert!(text(&results, "Instruction sets").contains("avx2 is 1.5 times as fast as sse2"));
+        assert!(text(&results, "Instruction sets").contains("avx2 is 1.5 times as fast as portable"));
         assert!(text(&results, "Scaling").contains("objects to the power 0"), "{}", text(&results, "Scaling"));
-    }
-
-    #[test]
-    fn what_is_switched_off_is_named_with_how_much_longer_it_takes() {
-        let machine = Machine { instruction_set: "avx2".to_owned(), ..Machine::here() };
-        let mut timings = Vec::new();
-        for (scene, slow) in [("grid", 2.0), ("board", 8.0)] {
-            let engines = [("aos-avx2", 1.0), ("aos-sse2", slow), ("aos-avx2-plain", 0.5)];
-            for (engine, seconds) in engines {
-                let mut timing = timing(engine, 4, seconds);
-                (timing.setting.suite, timing.setting.scene) = ("gain".to_owned(), scene.to_owned());
-                timings.push(timing);
-            }
-        }
-        let mut results = Results { machines: vec![machine], timings, ..Results::default() };
-        results.complete();
-        let text = text(&results, "Gains");
-        assert!(text.contains("4 times as long with sse2 lanes (2 in grid to 8 in board)"), "{text}");
-        assert!(text.contains("0.5 times as long with plain formulas"), "{text}");
-    }
-
-    #[test]
-    fn intersections_are_told_with_cost_error_and_wrong_decisions() {
-        let intersection = |rays: &str, implementation: &str, nanoseconds: f64, error: f64, wrong| {
-            let [object, rays, implementation] = ["sphere", rays, implementation].map(str::to_owned);
-            let trial = Trial { object, rays, implementation, seed: 1 };
-            let median = Median::of(&[nanoseconds]);
-            Intersection { trial, cases: 1000, wrong, lambda_error: [0.0, error, 1.0], nanoseconds: vec![], median }
-        };
-        let intersections = vec![
-            intersection("ordinary", "plain f64", 5.0, 1e-13, 0),
-            intersection("hard", "plain f64", 5.0, 1e-3, 123),
-            intersection("ordinary", "exact f64", 6.0, 1e-13, 0),
-            intersection("hard", "exact f64", 400.0, 1e-12, 0),
-        ];
-        let text = text(&Results { intersections, ..Results::default() }, "Intersections");
-        assert!(text.contains("; plain f64 5 and 5 ns, errors of 1e-13 and 1e-3, 0 % and 12.3 % wrong"), "{text}");
-        assert!(
-            text.contains("With a sphere: exact f64 6 and 400 ns, errors of 1e-13 and 1e-12, none wrong"),
-            "{text}"
-        );
     }
 
     #[test]
@@ -192,10 +144,6 @@ mod tests {
         let energy = Energy { scene, engine, joules: None, watts: None, idle_watts: None, reason };
         let mut results = Results { energy: vec![energy.clone()], ..Results::default() };
         assert_eq!(text(&results, "Energy"), "Energy was not measured: no RAPL: here.");
-        let older = "no RAPL: here; no perf: event syntax error: 'power/energy-pkg/'".to_owned();
-        results.energy[0].reason = Some(older);
-        let brief = "Energy was not measured: no RAPL: here; no perf: no counter power/energy-pkg/.";
-        assert_eq!(text(&results, "Energy"), brief);
         results.energy = vec![Energy { joules: Some(1.5), watts: Some(20.0), reason: None, ..energy }];
         assert_eq!(text(&results, "Energy"), "Energy: 1.5 J a picture at 20 W (grid, reference).");
     }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::chart::Chart;
 use super::findings::Finding;
-use super::style::{self, engine_meaning, for_screen, power_of_ten, printable, seconds, short, variables, with_error};
+use super::style::{self, engine_meaning, for_screen, printable, seconds, short, variables, with_error};
 use super::thumbnails::Thumbnail;
 use crate::bench::results::Results;
 
@@ -38,7 +38,7 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
         put(&mut body, format_args!("<dt>{}</dt><dd>{}</dd>\n", escape(topic), escape(text)));
     }
     body.push_str("</dl>\n");
-    scenes(&mut body, results, pictures);
+    scenes(&mut body, pictures);
     implementations(&mut body, results);
     heading(&mut body, "Charts");
     for (chart, svg) in charts {
@@ -47,8 +47,6 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
     }
     growth(&mut body, results);
     times_to_error(&mut body, results);
-    gains(&mut body, results);
-    intersections(&mut body, results);
     omitted(&mut body, results);
     machines(&mut body, results);
     contents(&mut page, &body);
@@ -94,18 +92,11 @@ fn versions(page: &mut String, results: &Results) {
 }
 
 /// Appends small pictures of the scenes that were measured.
-fn scenes(page: &mut String, results: &Results, pictures: &[Thumbnail]) {
-    let has_cases = results.timings.iter().any(|timing| timing.setting.scene.starts_with("case-"));
-    if pictures.is_empty() && !has_cases {
+fn scenes(page: &mut String, pictures: &[Thumbnail]) {
+    if pictures.is_empty() {
         return;
     }
     heading(page, "Scenes");
-    if has_cases {
-        page.push_str(
-            "<p>case-1 to case-4 are the four scenes that the course published with their pictures; they are not part \
-             of this project, so they are not shown here.</p>\n",
-        );
-    }
     page.push_str("<div class=\"scenes\">\n");
     for Thumbnail { scene, address } in pictures {
         let scene = escape(scene);
@@ -133,9 +124,7 @@ fn caption(chart: &Chart) -> String {
         "error" => {
             "Each point is a number of samples; bars are the bounds of a median. Lower and further left is better."
         }
-        "intersection" => "A line leads from ordinary rays, below, to hard ones. Lower and further left is better.",
         "speed" => "Further right is faster; bars are what the bounds of both medians allow.",
-        "gain" => "1 is the renderer with nothing switched off; bars are what the bounds of both medians allow.",
         "energy" | "power" => "Of the processor's packages, while one picture after another is made.",
         _ => "",
     };
@@ -158,28 +147,6 @@ fn times_to_error(page: &mut String, results: &Results) {
         vec![time.scene.clone(), time.engine.clone(), short(time.error), reached]
     });
     table(page, "Time to an error (RMSE in linear light)", &["scene", "implementation", "error", "user time"], rows);
-}
-
-fn gains(page: &mut String, results: &Results) {
-    let rows = results.gains.iter().map(|gain| {
-        let bounds = format!("{} to {}", short(gain.low), short(gain.high));
-        vec![gain.scene.clone(), gain.without.clone(), short(gain.ratio), bounds]
-    });
-    table(page, "Time with one thing switched off", &["scene", "with", "times as long", "bounds"], rows);
-}
-
-fn intersections(page: &mut String, results: &Results) {
-    let rows = results.intersections.iter().map(|found| {
-        let [object, rays, name] =
-            [&found.trial.object, &found.trial.rays, &found.trial.implementation].map(Clone::clone);
-        let wrong = format!("{} of {}", found.wrong, found.cases);
-        let [middle, high, most] = found.lambda_error.map(power_of_ten);
-        let cost =
-            format!("{} ({} to {})", short(found.median.median), short(found.median.low), short(found.median.high));
-        vec![object, rays, name, wrong, middle, high, most, cost]
-    });
-    let head = ["object", "rays", "implementation", "wrong", "error, 50 %", "99.9 %", "most", "ns a test"];
-    table(page, "Intersections against exact arithmetic", &head, rows);
 }
 
 fn omitted(page: &mut String, results: &Results) {
@@ -233,22 +200,22 @@ fn escape(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::bench::machine::Machine;
-    use crate::bench::results::Gain;
+    use crate::bench::results::TimeToError;
 
     #[test]
     fn a_page_has_contents_that_lead_to_its_headings() {
-        let gain = Gain { scene: "grid".to_owned(), without: "no search".to_owned(), ratio: 2.0, low: 1.5, high: 2.5 };
+        let [scene, engine] = ["grid", "reference"].map(str::to_owned);
+        let times_to_error = vec![TimeToError { scene, engine, error: 0.05, seconds: None }];
         let machine = Machine { date: "2026-01-31".to_owned(), commit: "0123abcd".to_owned(), ..Machine::here() };
-        let results = Results { gains: vec![gain], machines: vec![machine], ..Results::default() };
+        let results = Results { times_to_error, machines: vec![machine], ..Results::default() };
         let picture = Thumbnail { scene: "grid".to_owned(), address: "data:image/png;base64,AAAA".to_owned() };
         let page = page(&results, &[], &[], &[picture]);
-        for id in ["what-they-say", "scenes", "charts", "time-with-one-thing-switched-off"] {
+        for id in ["what-they-say", "scenes", "charts", "time-to-an-error--rmse-in-linear-light-"] {
             let both = [format!("<a href=\"#{id}\">"), format!("<h2 id=\"{id}\">")];
             assert!(both.iter().all(|text| page.contains(text)), "{id}: {page}");
         }
         assert!(page.contains("<img src=\"data:image/png;base64,AAAA\" alt=\"The scene grid\">"), "{page}");
         assert!(page.contains("<p>Measured on 2026-01-31 with the program of commit 0123abcd.</p>"), "{page}");
-        assert!(!page.contains("case-1"), "{page}");
-        assert!(page.contains("<td class=\"t\">grid</td>") && page.contains("<td>2</td>"), "{page}");
+        assert!(page.contains("<td class=\"t\">grid</td>") && page.contains("<td>0.05</td>"), "{page}");
     }
 }

@@ -61,18 +61,13 @@ pub fn engine_meaning(engine: &str) -> String {
     if engine == "reference" {
         return "follows the definition line by line and tries every object for every ray; the yardstick".to_owned();
     }
-    let (layout, rest) = engine.split_once('-').unwrap_or((engine, ""));
+    let (layout, set) = engine.split_once('-').unwrap_or((engine, ""));
     let layout = match layout {
         "aos" => "arrays of structures",
         "soa" => "structures of arrays",
         other => other,
     };
-    let (set, without) = match (rest.strip_suffix("-plain-search"), rest.strip_suffix("-plain")) {
-        (Some(set), _) => (set, ", every object tried for every ray"),
-        (_, Some(set)) => (set, ", intersections by the plain formulas alone"),
-        _ => (rest, ""),
-    };
-    format!("{layout}, {set} instructions{without}")
+    format!("{layout}, {set} instructions")
 }
 
 /// Returns the value of a parameter in words, as in `1 sample`, `10 objects` or `width 64`.
@@ -135,8 +130,7 @@ mod tests {
 
     #[test]
     fn implementations_are_explained() {
-        assert_eq!(engine_meaning("soa-sse2"), "structures of arrays, sse2 instructions");
-        assert!(engine_meaning("aos-avx2-plain").starts_with("arrays of structures, avx2 instructions, inter"));
+        assert_eq!(engine_meaning("soa-avx2"), "structures of arrays, avx2 instructions");
         assert!(engine_meaning("reference").contains("yardstick"));
     }
 

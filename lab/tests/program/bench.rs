@@ -1,6 +1,5 @@
 //! Tests of `render-lab bench` and `render-lab report`. No test asserts a time, because the machine may be busy.
 
-use std::collections::BTreeSet;
 use std::fs;
 
 use lab::bench::results::Results;
@@ -31,7 +30,7 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
             .find(|other| other.setting.value == timing.setting.value && other.setting.engine != timing.setting.engine);
         assert_eq!(other.expect("the layouts are always measured").digest, timing.digest);
     }
-    assert_eq!(folder.names(), ["depth-error.csv", "depth-intersections.csv", "depth.csv", "depth.json"]);
+    assert_eq!(folder.names(), ["depth-error.csv", "depth.csv", "depth.json"]);
 
     let merged = folder.name("merged.json");
     printed(&["bench", "merge", "--out", &merged, &folder.name("depth.json"), &folder.name("depth.json")]);
@@ -53,87 +52,23 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     assert!(folder.file("report/charts/scale-depth.svg").is_file());
 }
 
-#[test]
-fn what_is_switched_off_is_timed_on_the_scenes_and_on_the_courses_cases() {
-    let folder = Folder::new();
-    for case in 1..=4 {
-        let scene = format!("matte: m .5 .5 .5\nsphere: 0 0 0 {case} m\n");
-        fs::write(folder.file(format!("config{case}.txt")), "camera_position: 0 0 -9\n").expect("it is writable");
-        fs::write(folder.file(format!("scene{case}.txt")), scene).expect("it is writable");
-    }
-    let cases = folder.path().to_str().expect("temporary names are text");
-    let results = measure(&folder, "gain.json", &["gain", "--reference", cases]);
-    let scenes: BTreeSet<_> = results.gains.iter().map(|gain| gain.scene.as_str()).collect();
-    assert_eq!(scenes.len(), 3 + 1 + 4, "{scenes:?}");
-    let names: BTreeSet<_> = results.gains.iter().map(|gain| gain.without.as_str()).collect();
-    assert!(["soa layout", "no search", "reference"].iter().all(|name| names.contains(name)));
-    assert_eq!(results.gains.len(), scenes.len() * names.len(), "every thing on every scene");
-    assert!(results.gains.iter().all(|gain| 0.0 < gain.low && gain.low <= gain.ratio && gain.ratio <= gain.high));
-
-    // Without the reference folder, the course's cases are left out, and the results have the reason.
-    let tasks = printed(&["bench", "tasks"]);
-    let place = 1 + tasks.lines().position(|task| task == "gain case-1").expect("it is a task");
-    let part = format!("{place}/{}", tasks.lines().count());
-    let results = measure(&folder, "none.json", &["all", "--part", &part]);
-    assert!(results.timings.is_empty() && results.omitted[0].reason.contains("--reference"), "{results:?}");
-    // Such a task is neither counted nor announced, and there is nothing to go on with.
-    let out = folder.name("again.json");
-    let output = crate::run(&["bench", "all", "--part", &part, "--quick", "--resume", "--out", &out]);
-    let said = String::from_utf8(output.stderr).expect("it is text");
-    assert!(output.status.success() && said.contains("no interrupted measurement to go on with"), "{said}");
-    assert!(!said.contains("task 1"), "{said}");
-}
-
-#[test]
-fn intersections_have_cost_and_error_in_data_and_report() {
-    let folder = Folder::new();
-    let tasks = printed(&["bench", "tasks"]);
-    let place = 1 + tasks.lines().position(|task| task == "intersection sphere").expect("it is a task");
-    let part = format!("{place}/{}", tasks.lines().count());
-    let results = measure(&folder, "one.json", &["all", "--part", &part]);
-    assert_eq!(results.intersections.len(), 2 * 5, "five implementations on ordinary and on hard rays");
-    let lines = fs::read_to_string(folder.file("one-intersections.csv")).expect("it was written");
-    assert_eq!(lines.lines().count(), 1 + 2 * 5);
-
-    printed(&["report", &folder.name("one.json"), "--out", &folder.name("report")]);
-    let chart = fs::read_to_string(folder.file("report/charts/intersection-sphere.svg")).expect("it was written");
-    assert!(["exact f64", "projected f32", "ns a test"].iter().all(|text| chart.contains(text)), "{chart}");
-    let page = fs::read_to_string(folder.file("report/index.html")).expect("it was written");
-    assert!(page.contains("Intersections against exact arithmetic"), "{page}");
-}
-
 #[cfg(unix)]
 #[test]
-fn an_interrupted_measurement_is_kept_and_goes_on() {
+fn an_interrupted_measurement_writes_nothing() {
     use std::io::{BufRead, BufReader};
     use std::process::Stdio;
 
     let folder = Folder::new();
-    let out = folder.name("gain.json");
-    let arguments = ["bench", "gain", "--quick", "--repeats", "1", "--out", &out];
-    let mut child = lab(&arguments).stderr(Stdio::piped()).spawn().expect("the program runs");
+    let out = folder.name("scale.json");
+    let mut child = lab(&["bench", "scale", "--out", &out]).stderr(Stdio::piped()).spawn().expect("the program runs");
     let mut lines = BufReader::new(child.stderr.take().expect("it is piped")).lines().map_while(Result::ok);
-    assert!(lines.any(|line| line.starts_with("task 2 of 4: gain grid")), "the first task ends");
+    assert!(lines.any(|line| line == "task 1 of 5: scale width"), "the first task begins");
     let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
     nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
-    let rest: Vec<_> = lines.collect();
-    let status = child.wait().expect("it ends");
-    // On a fast machine the program may end before the signal comes.
-    if status.success() {
-        return;
-    }
-    assert_eq!(status.code(), Some(130), "{rest:?}");
-    assert!(rest.last().is_some_and(|line| line.contains("the same command with --resume goes on")), "{rest:?}");
-    assert_eq!(folder.names(), ["gain.json.partial"]);
-
-    assert!(complaint(&arguments).contains("has an interrupted measurement: --resume goes on"));
-    let other = complaint(&["bench", "gain", "--quick", "--repeats", "3", "--out", &out, "--resume"]);
-    assert!(other.contains("measured with other options"), "{other}");
-    let resumed = crate::run(&[&arguments[..], &["--resume"]].concat());
-    let said = String::from_utf8(resumed.stderr).expect("it is text");
-    assert!(resumed.status.success() && said.contains("going on after 1 of 4 tasks"), "{said}");
-    assert!(!said.contains("task 1 of 4") && said.contains("task 4 of 4"), "{said}");
-    assert_eq!(folder.names(), ["gain-error.csv", "gain-intersections.csv", "gain.csv", "gain.json"]);
+    let said: Vec<_> = lines.collect();
+    assert_eq!(child.wait().expect("it ends").code(), Some(130), "{said:?}");
+    assert_eq!(said, ["Error: interrupted; nothing was written"]);
+    assert!(folder.names().is_empty());
 }
 
 #[test]

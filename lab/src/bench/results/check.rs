@@ -2,7 +2,7 @@
 
 use serde::de::DeserializeOwned;
 
-use super::{Intersection, Results, Timing};
+use super::{Results, Timing};
 
 /// Most bytes of one file of results, and of all files together. The full matrix takes 270,000.
 pub const MAX_BYTES: u64 = 16 << 20;
@@ -63,12 +63,10 @@ impl Results {
             ("timings", self.timings.len()),
             ("curves", self.curves.len()),
             ("points of curves", self.curves.iter().map(|curve| curve.points.len()).sum()),
-            ("intersections", self.intersections.len()),
             ("energy", self.energy.len()),
             ("omitted", self.omitted.len()),
             ("growth", self.growth.len()),
             ("times_to_error", self.times_to_error.len()),
-            ("gains", self.gains.len()),
         ];
         if let Some((name, count)) = lists.iter().find(|(_, count)| *count > MAX_ENTRIES) {
             return Err(format!("the list \"{name}\" has {count} entries, more than {MAX_ENTRIES}"));
@@ -77,22 +75,14 @@ impl Results {
             let (scene, engine) = (&setting.scene, &setting.engine);
             return Err(format!("the list \"seconds\" of {engine} for {scene} is empty; measure it again"));
         }
-        if let Some(Intersection { trial, .. }) = self.intersections.iter().find(|one| one.nanoseconds.is_empty()) {
-            let (object, implementation) = (&trial.object, &trial.implementation);
-            return Err(format!(
-                "the list \"nanoseconds\" of {implementation} for a {object} is empty; measure it again"
-            ));
-        }
         Ok(())
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::Trial;
     use super::super::tests::{results, timing};
     use super::*;
-    use measure::statistics::Median;
 
     #[test]
     fn a_list_of_exactly_the_limit_is_taken_and_one_entry_more_refused() {
@@ -115,12 +105,5 @@ mod tests {
         without.seconds.clear();
         let message = results(vec![without]).check().expect_err("there is no time");
         assert_eq!(message, "the list \"seconds\" of a for grid is empty; measure it again");
-
-        let [object, rays, implementation] = ["sphere", "hard", "exact f64"].map(str::to_owned);
-        let trial = Trial { object, rays, implementation, seed: 1 };
-        let median = Median::of(&[1.0]);
-        let one = Intersection { trial, cases: 1, wrong: 0, lambda_error: [0.0; 3], nanoseconds: Vec::new(), median };
-        let message = Results { intersections: vec![one], ..Results::default() }.check().expect_err("there is no time");
-        assert_eq!(message, "the list \"nanoseconds\" of exact f64 for a sphere is empty; measure it again");
     }
 }

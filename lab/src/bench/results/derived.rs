@@ -2,10 +2,9 @@
 
 use super::{Growth, Line, Results, TARGETS, TimeToError};
 use crate::bench::fit::{PowerLaw, reaches};
-use crate::bench::gain;
 
 impl Results {
-    /// Sorts `timings`, and computes `growth`, `times_to_error` and `gains` from the measured data.
+    /// Sorts `timings`, and computes `growth` and `times_to_error` from the measured data.
     pub fn complete(&mut self) {
         self.timings.sort_by(|a, b| a.setting.partial_cmp(&b.setting).unwrap_or(std::cmp::Ordering::Equal));
         self.growth = self
@@ -15,8 +14,6 @@ impl Results {
                 Some(Growth { law: PowerLaw::through(&points)?, scene, parameter, engine })
             })
             .collect();
-        let best = self.machines.first().map_or("", |machine| &machine.instruction_set);
-        self.gains = gain::of(&self.timings, best);
         self.times_to_error = Vec::new();
         for Line { scene, engine, points, .. } in self.lines("error") {
             let Some(curve) = self.curves.iter().find(|curve| curve.scene == scene) else { continue };

@@ -6,7 +6,7 @@ use output::{Options, Output};
 use serde::Serialize;
 
 use super::check::{MAX_BYTES, Total};
-use super::{Intersection, Results, Setting, Timing, Trial};
+use super::{Results, Setting, Timing};
 use crate::bench::error::ErrorPoint;
 use crate::{Failure, sources, terminal};
 
@@ -27,18 +27,16 @@ impl Results {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
         let text =
             cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
-        let mut results: Self = total.parse(&text).map_err(|error| explain(&error))?;
+        let results: Self = total.parse(&text).map_err(|error| explain(&error))?;
         results.check().map_err(|error| explain(&error))?;
-        results.rename();
         Ok(results)
     }
 
-    /// Writes the results into the JSON file `path`. Beside it, writes the times into `NAME.csv`, the errors into
-    /// `NAME-error.csv` and the intersections into `NAME-intersections.csv`. If `path` is `-`, writes only the JSON, to
-    /// standard output.
+    /// Writes the results into the JSON file `path`. Beside it, writes the times into `NAME.csv`, and the errors into
+    /// `NAME-error.csv`. If `path` is `-`, writes only the JSON, to standard output.
     ///
     /// # Errors
-    /// An error if a file cannot be written. If one of the four files cannot be opened, none is changed.
+    /// An error if a file cannot be written. If one of the three files cannot be opened, none is changed.
     pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
         let explain = |error: csv::Error| error.to_string();
         let mut json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
@@ -46,12 +44,8 @@ impl Results {
             return terminal::print(&json);
         }
         json.push('\n');
-        let contents = [
-            json.into_bytes(),
-            self.times_as_csv().map_err(explain)?,
-            self.errors_as_csv().map_err(explain)?,
-            self.intersections_as_csv().map_err(explain)?,
-        ];
+        let contents =
+            [json.into_bytes(), self.times_as_csv().map_err(explain)?, self.errors_as_csv().map_err(explain)?];
         let outputs: Result<Vec<_>, _> = Self::files(path).iter().map(|path| Output::open(path, options)).collect();
         for (output, bytes) in outputs?.into_iter().zip(contents) {
             output.fill(|file| file.write_all(&bytes))?;
@@ -72,14 +66,14 @@ impl Results {
 
     /// Returns the paths of the files that [`Results::write`] writes for `path`. The first is `path` itself.
     #[must_use]
-    pub fn files(path: &Path) -> [PathBuf; 4] {
+    pub fn files(path: &Path) -> [PathBuf; 3] {
         let stem = path.file_stem().unwrap_or_default();
         let beside = |ending: &str| {
             let mut name = stem.to_owned();
             name.push(ending);
             path.with_file_name(name)
         };
-        [path.to_owned(), beside(".csv"), beside("-error.csv"), beside("-intersections.csv")]
+        [path.to_owned(), beside(".csv"), beside("-error.csv")]
     }
 
     fn times_as_csv(&self) -> csv::Result<Vec<u8>> {
@@ -97,18 +91,6 @@ impl Results {
             (scene, samples, a.median, a.low, a.high, b.median, b.low, b.high)
         });
         table(&[&["scene", "samples", "rmse_linear", "low", "high", "rmse_course", "low", "high"]], rows)
-    }
-
-    fn intersections_as_csv(&self) -> csv::Result<Vec<u8>> {
-        let keys = ["object", "rays", "seed", "implementation", "cases", "wrong"];
-        let errors = ["lambda_p50", "lambda_p999", "lambda_max"];
-        let costs = ["median_ns", "low_ns", "high_ns", "confidence", "repeats"];
-        let rows = self.intersections.iter().map(|found| {
-            let Intersection { trial, cases, wrong, lambda_error, nanoseconds, median } = found;
-            let Trial { object, rays, implementation, seed } = trial;
-            ((object, rays, seed, implementation, cases, wrong), lambda_error, median, nanoseconds.len())
-        });
-        table(&[&keys, &errors, &costs], rows)
     }
 }
 

@@ -9,8 +9,8 @@ impl Results {
     /// repeats of both parts.
     ///
     /// # Errors
-    /// The error as text, if the parts come from different matrices or commits, or have different pictures or answers
-    /// for one setting.
+    /// The error as text, if the parts come from different matrices or commits, or have different pictures for one
+    /// setting.
     pub fn merge(parts: Vec<Self>) -> Result<Self, String> {
         let mut all = Self { quick: parts.first().ok_or("there is nothing to join")?.quick, ..Self::default() };
         for part in parts {
@@ -42,20 +42,6 @@ impl Results {
             for curve in part.curves {
                 if !all.curves.iter().any(|other| other.scene == curve.scene) {
                     all.curves.push(curve);
-                }
-            }
-            for intersection in part.intersections {
-                match all.intersections.iter_mut().find(|other| other.trial == intersection.trial) {
-                    Some(other)
-                        if (other.wrong, other.lambda_error) != (intersection.wrong, intersection.lambda_error) =>
-                    {
-                        return Err(format!("different answers for {:?}", intersection.trial));
-                    }
-                    Some(other) => {
-                        other.nanoseconds.extend(intersection.nanoseconds);
-                        other.median = Median::of(&other.nanoseconds);
-                    }
-                    None => all.intersections.push(intersection),
                 }
             }
             all.energy.extend(part.energy);

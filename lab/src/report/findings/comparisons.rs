@@ -1,8 +1,8 @@
 //! Sentences that compare implementations with each other.
 
-use crate::bench::results::Gain;
+use cpu::internals::InstructionSet;
+
 use crate::bench::results::{Results, Timing};
-use crate::engine::MEASURED_SETS;
 use crate::report::style::{setting, short};
 
 /// Returns pairs of times whose settings differ only in the engine. `other` returns the name of the second engine for
@@ -71,7 +71,7 @@ pub fn reference(results: &Results) -> Option<String> {
 pub fn instruction_sets(results: &Results) -> Option<String> {
     let is_there =
         |set: &&str| results.timings.iter().any(|timing| timing.setting.engine.ends_with(&format!("-{set}")));
-    let sets: Vec<_> = MEASURED_SETS.into_iter().filter(is_there).collect();
+    let sets: Vec<_> = InstructionSet::ALL.map(InstructionSet::name).into_iter().filter(is_there).collect();
     let steps: Vec<_> = sets
         .windows(2)
         .filter_map(|pair| {
@@ -84,27 +84,4 @@ pub fn instruction_sets(results: &Results) -> Option<String> {
         })
         .collect();
     (!steps.is_empty()).then(|| format!("On average {}.", steps.join(", ")))
-}
-
-/// Returns a sentence that tells how many times as long a picture takes without each optimisation.
-pub fn gains(results: &Results) -> Option<String> {
-    let mut names: Vec<&str> = Vec::new();
-    for gain in &results.gains {
-        if !names.contains(&gain.without.as_str()) {
-            names.push(&gain.without);
-        }
-    }
-    let parts: Vec<_> = names
-        .into_iter()
-        .filter_map(|name| {
-            let its: Vec<_> = results.gains.iter().filter(|gain| gain.without == name).collect();
-            let [mean, ..] = ratios(its.iter().map(|gain| gain.ratio))?;
-            let least = its.iter().min_by(|a, b| a.ratio.total_cmp(&b.ratio))?;
-            let most = its.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))?;
-            let place = |gain: &Gain| format!("{} in {}", short(gain.ratio), gain.scene);
-            let name = if name == "reference" { "the reference" } else { name };
-            Some(format!("{} times as long with {name} ({} to {})", short(mean), place(least), place(most)))
-        })
-        .collect();
-    (!parts.is_empty()).then(|| format!("A picture takes, as a geometric mean over scenes, {}.", parts.join(", ")))
 }
