@@ -23,20 +23,6 @@ pub fn choose() -> Result<Adapter, Error> {
     Ok(adapters.swap_remove(index))
 }
 
-/// Returns all adapters whose names contain the name that the environment gives, or all if it gives none.
-/// Lavapipe is the first.
-///
-/// # Errors
-/// [`Error::NoAdapter`] if there is none.
-pub fn all() -> Result<Vec<Adapter>, Error> {
-    let wanted = std::env::var("WGPU_ADAPTER_NAME").ok();
-    let (mut adapters, others): (Vec<_>, Vec<_>) =
-        existing().into_iter().partition(|adapter| has_name(&adapter.get_info().name, wanted.as_deref().unwrap_or("")));
-    let names: Vec<_> = others.iter().map(|adapter| adapter.get_info().name).collect();
-    adapters.sort_by_key(|adapter| !has_name(&adapter.get_info().name, LAVAPIPE));
-    if adapters.is_empty() { Err(no_adapter(&names, wanted.as_deref())) } else { Ok(adapters) }
-}
-
 /// Returns all adapters of the interface that the environment names, or of Vulkan if it names none.
 fn existing() -> Vec<Adapter> {
     let backends = Backends::from_env().unwrap_or(Backends::VULKAN);

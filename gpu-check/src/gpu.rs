@@ -68,16 +68,6 @@ impl Gpu {
         Self { form, ..self }
     }
 
-    /// Opens every adapter of [`adapter::all`].
-    ///
-    /// # Errors
-    /// The errors of [`Self::open`].
-    pub fn open_all() -> Result<Vec<Self>, Error> {
-        check_room()?;
-        adapter::all()?.iter().map(|adapter| Self::of(adapter, Features::all())).collect()
-    }
-
-    /// Opens `adapter` with those of its features that `allowed` has.
     fn of(adapter: &Adapter, allowed: Features) -> Result<Self, Error> {
         let info = adapter.get_info();
         // The limits of the WebGPU standard, which browsers have too. One limit is 128 MiB for a binding. Only pictures

@@ -46,19 +46,19 @@ fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     }
     // The file is read and opened before the run, so that a mistake in its name is reported at once.
     let file = arguments.csv.as_deref().map(open).transpose()?;
-    let runs = runs(arguments, &probes)?;
+    let run = outcomes(arguments, &probes)?;
     let text = if arguments.probe.is_empty() {
-        report::table(&probes, &runs)
+        report::table(&probes, &run)
     } else {
-        let text = |(index, probe)| report::details(probe, &runs, index);
+        let text = |(index, probe)| report::details(probe, &run, index);
         probes.iter().enumerate().map(text).collect::<Vec<_>>().join("\n")
     };
     terminal::print(&text).map_err(|error| error.to_string())?;
     if let Some((old, file)) = file {
-        let text = old.with(&probes, &runs).to_string();
+        let text = old.with(&probes, &run).to_string();
         file.fill(|file| file.write_all(text.as_bytes())).map_err(|error| gpu_check::Error::from(error).to_string())?;
     }
-    let fails = runs.iter().any(|run| run.verdicts(&probes).iter().any(|verdict| verdict.is_failure()));
+    let fails = run.verdicts(&probes).iter().any(|verdict| verdict.is_failure());
     Ok(if fails { ExitCode::from(FAILS) } else { ExitCode::SUCCESS })
 }
 
@@ -74,18 +74,12 @@ fn open(path: &Path) -> Result<(Table, Output), String> {
     file.map(|file| (old, file)).map_err(|error| gpu_check::Error::from(error).to_string())
 }
 
-/// Runs the probes on all drivers that the arguments ask for.
-fn runs(arguments: &Arguments, probes: &[Probe]) -> Result<Vec<Run>, String> {
-    let mut runs = Vec::new();
-    let gpus = if arguments.all { Gpu::open_all() } else { Gpu::open().map(|gpu| vec![gpu]) };
+/// Runs the probes on the adapter that the environment names.
+fn outcomes(arguments: &Arguments, probes: &[Probe]) -> Result<Run, String> {
     let form = if arguments.as_driver_likes { Form::AsDriverLikes } else { Form::AsWritten };
-    let gpus = gpus.map_err(|error| error.to_string())?.into_iter().map(|gpu| gpu.with_form(form));
-    let drivers: Vec<_> = gpus.map(|gpu| native::driver(&gpu)).collect();
+    let gpu = Gpu::open().map_err(|error| error.to_string())?.with_form(form);
+    let driver = native::driver(&gpu);
     let program = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
-    for (device, driver) in drivers.into_iter().enumerate() {
-        let device = arguments.all.then_some(device);
-        let outcomes = isolated::run(probes, |rest| isolated::command(&program, device, form, rest))?;
-        runs.push(Run { driver, outcomes });
-    }
-    Ok(runs)
+    let outcomes = isolated::run(probes, |rest| isolated::command(&program, form, rest))?;
+    Ok(Run { driver, outcomes })
 }

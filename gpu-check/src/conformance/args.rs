@@ -14,7 +14,6 @@ use super::probes;
     after_help = "\
 Examples:
   conformance                            the table for lavapipe
-  conformance --all                      a column for every adapter
   conformance --probe loop-limit         one program with its inputs and results, for a report to its authors
   WGPU_ADAPTER_NAME=nvidia conformance --csv docs/gpu/probes.csv
 
@@ -28,7 +27,7 @@ Exit status: 0 no driver fails a probe
 )]
 pub struct Arguments {
     /// Print the name, program and rule of each probe, and run nothing
-    #[arg(long, conflicts_with_all = ["probe", "csv", "all"])]
+    #[arg(long, conflicts_with_all = ["probe", "csv"])]
     pub list: bool,
     /// Run this probe alone, and print its program, inputs and results; may be repeated
     #[arg(long, value_name = "NAME", value_parser = known, conflicts_with = "csv")]
@@ -36,9 +35,6 @@ pub struct Arguments {
     /// Write the verdicts into this file too, as CSV; columns of other drivers that it has already stay
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Run on every adapter, or on every one whose name contains WGPU_ADAPTER_NAME
-    #[arg(long)]
-    pub all: bool,
     /// Let drivers rewrite the arithmetic, which they otherwise do as it is written
     #[arg(long)]
     pub as_driver_likes: bool,
@@ -69,7 +65,7 @@ mod tests {
     #[test]
     fn options_that_exclude_each_other_are_refused() {
         let parse = |arguments: &[&str]| Arguments::try_parse_from([&["conformance"], arguments].concat()).is_ok();
-        assert!(parse(&["--all", "--csv", "x"]) && !parse(&["--list", "--all"]) && !parse(&["more"]));
+        assert!(parse(&["--as-driver-likes", "--csv", "x"]) && !parse(&["--list", "--csv", "x"]) && !parse(&["more"]));
         assert!(!parse(&["--probe", "sum", "--csv", "y"]) && parse(&["--probe", "sum"]));
     }
 }

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::probe::Probe;
 use super::report::Run;
+use super::verdict::Verdict;
 
 /// The names of the columns before those of the drivers.
 const HEAD: [&str; FACTS] = ["probe", "program"];
@@ -31,26 +32,25 @@ impl Table {
         }
     }
 
-    /// Returns the table with a row for each of `probes`. The verdicts of `runs` replace the columns of their drivers
-    /// or are new columns. The other columns stay, without the verdicts on programs that have changed.
+    /// Returns the table with a row for each of `probes`. The verdicts of `run` replace the column of its driver or are
+    /// a new column. The other columns stay, without the verdicts on programs that have changed.
     #[must_use]
-    pub fn with(&self, probes: &[Probe], runs: &[Run]) -> Self {
-        let own: Vec<_> = runs.iter().map(|run| (&run.driver, run.verdicts(probes))).collect();
+    pub fn with(&self, probes: &[Probe], run: &Run) -> Self {
         let mut head = self.0.first().cloned().unwrap_or_else(|| HEAD.map(str::to_owned).to_vec());
-        let new: Vec<_> =
-            own.iter().map(|(driver, _)| (*driver).clone()).filter(|driver| !head.contains(driver)).collect();
-        head.extend(new);
-        let row = |(index, probe): (usize, &Probe)| {
+        if !head.contains(&run.driver) {
+            head.push(run.driver.clone());
+        }
+        let row = |(probe, own): (&Probe, Verdict)| {
             let facts = [probe.name.clone(), probe.result.to_owned()];
             let old = self.0.iter().find(|row| row.starts_with(&facts));
-            let verdict = |(column, driver): (usize, &String)| match own.iter().find(|(name, _)| *name == driver) {
-                Some((_, verdicts)) => verdicts[index].to_string(),
-                None => old.and_then(|row| row.get(column)).cloned().unwrap_or_default(),
+            let verdict = |(column, driver): (usize, &String)| match *driver == run.driver {
+                true => own.to_string(),
+                false => old.and_then(|row| row.get(column)).cloned().unwrap_or_default(),
             };
             let verdicts: Vec<_> = head.iter().enumerate().skip(FACTS).map(verdict).collect();
             facts.into_iter().chain(verdicts).collect()
         };
-        let rows: Vec<_> = probes.iter().enumerate().map(row).collect();
+        let rows: Vec<_> = probes.iter().zip(run.verdicts(probes)).map(row).collect();
         Self(std::iter::once(head).chain(rows).collect())
     }
 
@@ -87,9 +87,11 @@ mod tests {
             outcomes: vec![outcome; probes.len()],
         };
         let unwritten = |count| Outcome::Unwritten(count);
-        let table = Table::default().with(&probes[..3], &[run("one", unwritten(1)), run("two", unwritten(2))]);
+        let table = Table::default().with(&probes[..3], &run("one", unwritten(1)));
+        let table = table.with(&probes[..3], &run("two", unwritten(2)));
         assert_eq!(Table::parse(&table.to_string()).as_ref(), Ok(&table));
-        let table = table.with(&probes[1..4], &[run("two", unwritten(3)), run("three", Outcome::NotAvailable)]);
+        let table = table.with(&probes[1..4], &run("two", unwritten(3)));
+        let table = table.with(&probes[1..4], &run("three", Outcome::NotAvailable));
         let verdicts = |driver| table.column(driver).expect("it has run").iter().map(|row| row[2]).collect::<Vec<_>>();
         assert_eq!(verdicts("one"), ["failure: 1 not written", "failure: 1 not written", ""]);
         assert_eq!(verdicts("two"), ["failure: 3 not written"; 3]);

@@ -22,13 +22,11 @@ pub const FLAG: &str = "--report-outcomes";
 /// Time limit for the next outcome. It is longer than that of a run, whose message is more precise.
 const PATIENCE: Duration = gpu::PATIENCE.saturating_add(Duration::from_secs(30));
 
-/// Returns the command that runs `probes` in a process of `program` (which is `conformance`), in the form `form`. The
-/// position `device` counts the devices of [`Gpu::open_all`]; without it, the process uses [`Gpu::open`].
+/// Returns the command that runs `probes` in a process of `program` (which is `conformance`), in the form `form`.
 #[must_use]
-pub fn command(program: &Path, device: Option<usize>, form: Form, probes: &[Probe]) -> Command {
+pub fn command(program: &Path, form: Form, probes: &[Probe]) -> Command {
     let mut command = Command::new(program);
-    let device = device.map_or_else(|| "default".to_owned(), |device| device.to_string());
-    command.args([FLAG, &form.to_string(), &device]);
+    command.args([FLAG, &form.to_string()]);
     command.args(probes.iter().map(|probe| &probe.name));
     command
 }
@@ -41,11 +39,7 @@ pub fn command(program: &Path, device: Option<usize>, form: Form, probes: &[Prob
 pub fn report(arguments: impl Iterator<Item = OsString>) -> Result<(), String> {
     let arguments: Vec<_> = arguments.map(|argument| argument.to_string_lossy().into_owned()).collect();
     let form = arguments.first().map_or("", String::as_str).parse()?;
-    let gpu = match arguments.get(1).and_then(|device| device.parse().ok()) {
-        Some(device) => Gpu::open_all().map(|gpus| gpus.into_iter().nth(device)),
-        None => Gpu::open().map(Some),
-    };
-    let gpu = gpu.map_err(|error| error.to_string())?.ok_or("the device is gone")?.with_form(form);
+    let gpu = Gpu::open().map_err(|error| error.to_string())?.with_form(form);
     for probe in probes::all().iter().filter(|probe| arguments.contains(&probe.name)) {
         let outcome = native::run(&gpu, probe);
         terminal::write(&format!("{} {}\n", probe.name, outcome.to_line())).map_err(|error| error.to_string())?;

@@ -27,36 +27,24 @@ impl Run {
     }
 }
 
-/// Returns a table for the terminal: the drivers, a line for each probe with a verdict for each driver, and the numbers
-/// of verdicts.
+/// Returns a table for the terminal: the driver, a line with the verdict on each probe, and the numbers of verdicts.
 #[must_use]
-pub fn table(probes: &[Probe], runs: &[Run]) -> String {
-    let names = probes.iter().map(|probe| probe.name.clone()).collect();
-    let verdicts = |run: &Run| run.verdicts(probes).iter().map(Verdict::to_string).collect();
-    let columns: Vec<Vec<String>> = std::iter::once(names).chain(runs.iter().map(verdicts)).collect();
-    let width = |column: &Vec<String>| column.iter().map(|cell| cell.chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = columns.iter().map(width).collect();
-    let mut text = String::new();
-    for (number, run) in runs.iter().enumerate() {
-        let _ = writeln!(text, "driver {}: {}", number + 1, run.driver);
-    }
+pub fn table(probes: &[Probe], run: &Run) -> String {
+    let width = probes.iter().map(|probe| probe.name.len()).max().unwrap_or(0);
+    let verdicts = run.verdicts(probes);
+    let mut text = format!("{}\n", run.driver);
     let mut group = "";
-    for (row, probe) in probes.iter().enumerate() {
+    for (probe, verdict) in probes.iter().zip(&verdicts) {
         if probe.group != group {
             group = probe.group;
             let _ = writeln!(text, "\n{group}");
         }
-        let cell = |(column, width): (&Vec<String>, &usize)| format!("{:width$}", column[row]);
-        let cells: Vec<_> = columns.iter().zip(&widths).map(cell).collect();
-        let _ = writeln!(text, "  {}", cells.join("  ").trim_end());
+        let _ = writeln!(text, "  {:width$}  {verdict}", probe.name);
     }
-    text.push('\n');
-    for (number, run) in runs.iter().enumerate() {
-        let _ = writeln!(text, "driver {}: {}", number + 1, counts(&run.verdicts(probes)));
-        for (probe, outcome) in probes.iter().zip(&run.outcomes) {
-            if let Outcome::Ended(cause) = outcome {
-                let _ = writeln!(text, "driver {}, {}: {cause}", number + 1, probe.name);
-            }
+    let _ = writeln!(text, "\n{}", counts(&verdicts));
+    for (probe, outcome) in probes.iter().zip(&run.outcomes) {
+        if let Outcome::Ended(cause) = outcome {
+            let _ = writeln!(text, "{}: {cause}", probe.name);
         }
     }
     text

@@ -27,7 +27,7 @@ fn conformance(arguments: &[&str]) -> Output {
 
 /// Returns the command that runs `probes` in a process of the program.
 fn process_for(probes: &[Probe]) -> Command {
-    isolated::command(Path::new(env!("CARGO_BIN_EXE_conformance")), None, Form::AsWritten, probes)
+    isolated::command(Path::new(env!("CARGO_BIN_EXE_conformance")), Form::AsWritten, probes)
 }
 
 /// Checks that the verdicts in `table` on the driver whose description begins with `driver` are those of
@@ -93,10 +93,10 @@ fn a_driver_that_crashes_fails_one_probe_and_the_table_is_complete() {
         let ended = matches!(outcome, Outcome::Ended(how) if how.starts_with(cause));
         assert_eq!(ended, place == 5, "{place}: {outcome:?}");
     }
-    let table = report::table(&probes, &[run]);
+    let table = report::table(&probes, &run);
     let lines: Vec<_> = table.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
     let failed = &probes[5].name;
-    for line in [format!("{failed} failure: the driver ends"), format!("driver 1, {failed}: {cause}")] {
+    for line in [format!("{failed} failure: the driver ends"), format!("{failed}: {cause}")] {
         assert!(lines.iter().any(|shown| shown.starts_with(&line)), "{line}\n{table}");
     }
     let rows = |probe: &Probe| lines.iter().filter(|line| line.split(' ').next() == Some(&probe.name)).count();

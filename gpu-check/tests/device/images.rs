@@ -1,7 +1,8 @@
 //! Compares whole pictures in WGSL with pictures in Rust, in deterministic mode: every scene of the repository, random
 //! scenes, and edge cases.
 
-use cpu::Vec3;
+use cpu::{Config, Vec3};
+use generator::cameras::hard_camera;
 use gpu_check::difference::difference;
 use gpu_check::running::{self, Accuracy, Running};
 use gpu_check::scenes::{self, Case};
@@ -29,12 +30,22 @@ fn cases() -> (Vec<Case>, usize) {
     (cases.into_iter().map(|case| case.within(TESTS)).collect(), files)
 }
 
+/// Returns scenes with cameras far from the origin of coordinates, near windows, and any field of view. In f32 these
+/// cameras have no window.
+fn hard_cameras() -> impl Iterator<Item = Case> {
+    let cases = (0..100).map(|seed| (seed, hard_camera(seed, 6)));
+    cases.filter(|(_, (_, config))| config.check_picture().is_ok()).map(|(seed, (scene, config))| {
+        let config = Config { image_width: 24, ..config };
+        Case { name: format!("hard camera {seed}"), config, scene }
+    })
+}
+
 #[test]
 fn f64_pictures_are_the_references_to_the_bit() {
     let gpu = common::gpu();
     let (cases, files) = cases();
     assert!(files >= 16, "the repository has scenes: {files}");
-    let cases: Vec<_> = cases.into_iter().chain(scenes::hard_cameras()).collect();
+    let cases: Vec<_> = cases.into_iter().chain(hard_cameras()).collect();
     let mut compared = Compared::default();
     for case in &cases {
         compared.add(case, &on_device::<f64>(&gpu, &Library::standard(), case).pixels);
@@ -102,11 +113,11 @@ fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() 
     let behind = "sphere: 0 0 -900 1 red\n".repeat(66_000);
     let text = format!("matte: red .9 .1 .1\n{behind}sphere: 0 0 0 5 red\n");
     let scene = cpu::internals::input::scene::Scene::parse(text.as_bytes()).expect("it is valid");
-    let config = cpu::Config {
+    let config = Config {
         image_width: 8,
         aspect_ratio: [1, 1],
         max_depth: 1,
-        ..cpu::internals::input::config::Config::default()
+        ..Config::default()
     };
     let case = Case { name: "66,001 spheres".to_owned(), config, scene };
     let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");

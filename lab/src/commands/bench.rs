@@ -73,7 +73,7 @@ enum What {
 /// How it is measured, and where to.
 #[derive(Debug, Args)]
 struct How {
-    /// File to write; OUT.csv and OUT-error.csv go beside it. - is standard output, without those
+    /// File to write; - is standard output
     #[arg(long, value_name = "OUT.json")]
     out: PathBuf,
     /// Small pictures, to try it out in minutes
@@ -121,9 +121,7 @@ impl Arguments {
 
 fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure> {
     let inputs: Vec<&Path> = parts.iter().map(PathBuf::as_path).collect();
-    for path in Results::files(out) {
-        output::refuse_inputs(&path, &inputs)?;
-    }
+    output::refuse_inputs(out, &inputs)?;
     let (mut all, mut total) = (Results::default(), Total::default());
     for (index, path) in parts.iter().enumerate() {
         let part = Results::read_part(path, &mut total)?;

@@ -1,17 +1,15 @@
-//! Tests that need what not every machine has: `strace`, the course's pictures, zsh, fish, or Chromium with the built
-//! page. Without it they are shown as ignored, which the standard harness can decide only at compile time.
+//! Tests that need what not every machine has: `strace`, the course's pictures, or Chromium with the built page.
+//! Without it they are shown as ignored, which the standard harness can decide only at compile time.
 
 #[cfg(target_os = "linux")]
 mod injected;
 mod published;
-mod shells;
 mod site;
 
 use libtest_mimic::Arguments;
 
 fn main() {
     let mut trials = published::trials();
-    trials.extend(shells::trials());
     trials.extend(site::trials());
     #[cfg(target_os = "linux")]
     trials.extend(injected::trials());

@@ -30,7 +30,7 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
             .find(|other| other.setting.value == timing.setting.value && other.setting.engine != timing.setting.engine);
         assert_eq!(other.expect("the layouts are always measured").digest, timing.digest);
     }
-    assert_eq!(folder.names(), ["depth-error.csv", "depth.csv", "depth.json"]);
+    assert_eq!(folder.names(), ["depth.json"]);
 
     let merged = folder.name("merged.json");
     printed(&["bench", "merge", "--out", &merged, &folder.name("depth.json"), &folder.name("depth.json")]);

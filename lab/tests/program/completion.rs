@@ -1,4 +1,4 @@
-//! The script of `render-lab completions` for bash, run by bash. `lab/tests/optional/shells.rs` has the other shells.
+//! The script of `render-lab completions` for bash, run by bash.
 
 use std::fs;
 use std::process::Command;

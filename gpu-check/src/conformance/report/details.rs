@@ -10,21 +10,19 @@ use crate::conformance::verdict::Verdict;
 /// Largest number of cases that are shown. Cases that are wrong come first.
 const SHOWN: usize = 12;
 
-/// Returns the rule, the program, its readings, and for each driver the verdict with inputs and results.
+/// Returns the rule, the program, its readings, and the verdict with inputs and results.
 #[must_use]
-pub fn details(probe: &Probe, runs: &[Run], index: usize) -> String {
+pub fn details(probe: &Probe, run: &Run, index: usize) -> String {
     let names = std::iter::once(&probe.as_written).chain(&probe.others).map(|reading| reading.name);
     let readings = names.collect::<Vec<_>>().join("; ");
     let mut text =
         format!("{}\n\n{}\n\n{}\nAllowed readings: {readings}.\n", probe.name, indented(probe.rule), probe.text());
-    for run in runs {
-        let outcome = &run.outcomes[index];
-        let _ = write!(text, "\n{}\n{}\n", run.driver, Verdict::of(probe, outcome));
-        match outcome {
-            Outcome::Results(results) => text.push_str(&cases(probe, results)),
-            Outcome::Refused(message) | Outcome::Ended(message) => text.push_str(&indented(message)),
-            Outcome::Unwritten(_) | Outcome::NotAvailable => {}
-        }
+    let outcome = &run.outcomes[index];
+    let _ = write!(text, "\n{}\n{}\n", run.driver, Verdict::of(probe, outcome));
+    match outcome {
+        Outcome::Results(results) => text.push_str(&cases(probe, results)),
+        Outcome::Refused(message) | Outcome::Ended(message) => text.push_str(&indented(message)),
+        Outcome::Unwritten(_) | Outcome::NotAvailable => {}
     }
     text
 }
