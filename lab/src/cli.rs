@@ -69,6 +69,8 @@ pub enum Command {
     View(view::Arguments),
     /// Write completions for a shell to standard output
     Completions(completions::Completions),
+    /// Write manual pages into a folder
+    Man(completions::Man),
     /// Explain a command, or the lines of a file: help config, help scene
     Help(help::Arguments),
 }
@@ -92,6 +94,7 @@ impl Command {
             Self::Report(arguments) => arguments.run(options),
             Self::View(arguments) => arguments.run(options),
             Self::Completions(arguments) => arguments.run(&mut Cli::command()),
+            Self::Man(arguments) => arguments.run(Cli::command(), options),
             Self::Help(arguments) => arguments.run(Cli::command()),
         }
     }
@@ -119,7 +122,7 @@ mod tests {
         let mut commands = Vec::new();
         all(&Cli::command(), &mut commands);
         let leaves: Vec<_> = commands.iter().filter(|command| !command.has_subcommands()).collect();
-        assert!(leaves.len() >= 10, "{} commands", leaves.len());
+        assert!(leaves.len() >= 12, "{} commands", leaves.len());
         for command in leaves {
             let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
             assert!(help.contains("Examples:\n") && help.contains("render-lab"), "{}: {help}", command.get_name());

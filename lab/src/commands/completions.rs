@@ -1,7 +1,10 @@
-//! `render-lab completions`: completion scripts for shells.
+//! `render-lab completions` and `render-lab man`: completion scripts and manual pages for packages.
+
+use std::path::PathBuf;
 
 use clap::Args;
 use clap_complete::Shell;
+use output::{Options, Output};
 
 use crate::{Failure, terminal};
 
@@ -33,5 +36,40 @@ impl Completions {
             script = text.into_bytes();
         }
         terminal::write(&script)
+    }
+}
+
+/// Options of `man`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  render-lab man ~/.local/share/man/man1 && man render-lab-bench")]
+pub struct Man {
+    /// Folder for the pages, one for each command; it is made if it is not there
+    folder: PathBuf,
+}
+
+impl Man {
+    /// Writes a manual page for each command into the folder.
+    ///
+    /// # Errors
+    /// An error if a file cannot be written.
+    pub fn run(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
+        let explain = |error: std::io::Error| format!("{}: {error}", terminal::name(&self.folder));
+        std::fs::create_dir_all(&self.folder).map_err(explain)?;
+        let mut command = command.disable_help_subcommand(true);
+        command.build();
+        self.write_page(command, options)
+    }
+
+    /// Writes the pages of all subcommands of `command`, and then the page of `command`.
+    fn write_page(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
+        for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
+            self.write_page(below.clone(), options)?;
+        }
+        let page = clap_mangen::Man::new(command);
+        let mut text = Vec::new();
+        page.render(&mut text)?;
+        Ok(Output::open(&self.folder.join(page.get_filename()), options)?.fill(|file| file.write_all(&text))?)
     }
 }

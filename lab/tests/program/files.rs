@@ -1,4 +1,4 @@
-//! Tests of the commands that write files or describe scenes: `generate`, `inspect`.
+//! Tests of the commands that write files or describe scenes: `generate`, `inspect`, `man`.
 
 use std::fs;
 
@@ -47,4 +47,12 @@ fn a_scene_is_told_in_words_and_in_json() {
     assert!(complaint(&["inspect", "README.md"]).starts_with("Error: README.md:1:1: there is no scene entity [#]\n"));
     let swapped = complaint(&["inspect", "scenes/grid/scene.txt", "scenes/grid/config.txt"]);
     assert!(swapped.contains("this looks like a scene file; the configuration comes first: CONFIG SCENE"), "{swapped}");
+}
+
+#[test]
+fn man_gets_pages() {
+    let folder = Folder::new();
+    printed(&["man", &folder.name("man1")]);
+    let page = fs::read_to_string(folder.file("man1/render-lab-compare.1")).expect("it was written");
+    assert!(page.contains(".TH render") && page.contains("heatmap"), "{page}");
 }
