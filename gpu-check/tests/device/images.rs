@@ -113,12 +113,7 @@ fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() 
     let behind = "sphere: 0 0 -900 1 red\n".repeat(66_000);
     let text = format!("matte: red .9 .1 .1\n{behind}sphere: 0 0 0 5 red\n");
     let scene = cpu::internals::input::scene::Scene::parse(text.as_bytes()).expect("it is valid");
-    let config = Config {
-        image_width: 8,
-        aspect_ratio: [1, 1],
-        max_depth: 1,
-        ..Config::default()
-    };
+    let config = Config { image_width: 8, aspect_ratio: [1, 1], max_depth: 1, ..Config::default() };
     let case = Case { name: "66,001 spheres".to_owned(), config, scene };
     let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
     let features = features_of(&case.config, &case.scene).expect("it is valid");
