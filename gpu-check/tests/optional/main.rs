@@ -1,5 +1,5 @@
-//! Tests that need what not every machine has: `strace`, or the course's pictures. Without it they are shown as ignored,
-//! which the standard harness can decide only at compile time.
+//! Tests that need what not every machine has: `strace`, or the course's pictures. Without it they are shown as
+//! ignored, which the standard harness can decide only at compile time.
 
 #[path = "../common/mod.rs"]
 mod common;
