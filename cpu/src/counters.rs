@@ -53,6 +53,12 @@ counters! {
     Compensated,
     /// Uncertain intersections that were computed in double-double arithmetic.
     Fallbacks,
+    /// Comparisons of two hits whose lambdas differ by less than their errors.
+    NearHits,
+    /// Those of `NearHits` that were compared in double-double arithmetic.
+    NearHitsPrecisely,
+    /// Those of `NearHits` that double-double arithmetic did not decide either. Dyadic arithmetic compared them.
+    NearHitsExactly,
     /// Random numbers drawn for the pixel jitter, two for each sample.
     RayDraws,
     /// Random numbers of the pixel jitter that were skipped, because no byte depends on them.

@@ -28,6 +28,8 @@ pub mod cylinder;
 pub(crate) mod cylinder_exact;
 pub mod cylinder_parts;
 pub mod error_bound;
+pub(crate) mod exact_lambda;
+pub mod order;
 pub mod sphere;
 pub mod sphere_compensated;
 pub(crate) mod sphere_exact;

@@ -17,8 +17,8 @@ pub use crate::reference::intersect::{Exact, Intersect, Plain};
 use crate::reference::nearest::Hit;
 use crate::{
     geometry::camera::Camera, geometry::ray::Ray, image::Image, image::Rgb, image::quantize::quantize,
-    input::config::Config, input::error::Error, input::error::push, input::material::Material, input::scene::Scene,
-    input::scene::Shape, math::vec3::Vec3, sampling::scatter_vectors::Scatter,
+    input::config::Config, input::error::Error, input::error::push, input::material::Material, input::scene::Object,
+    input::scene::Scene, input::scene::Shape, math::vec3::Vec3, sampling::scatter_vectors::Scatter,
     sampling::scatter_vectors::ScatterVectors, sampling::uniform::Uniform,
 };
 
@@ -177,7 +177,7 @@ impl Path<'_> {
     /// Returns the nearest hit among all objects, in the order of the scene file, and the material of its object. The
     /// result is `None` if the ray hits no object.
     fn nearest<P: Intersect>(&self, ray: &Ray) -> Option<(Hit, Material)> {
-        let (mut nearest, mut material) = (None, 0);
+        let mut nearest: Option<(Hit, &Object)> = None;
         for object in &self.scene.objects {
             let hit = match (P::IS_LITERAL, &object.shape) {
                 (true, Shape::Sphere(sphere)) => nearest::sphere(sphere, ray),
@@ -185,11 +185,16 @@ impl Path<'_> {
                 (false, Shape::Sphere(sphere)) => nearest::sphere_by::<P>(sphere, ray),
                 (false, Shape::Cylinder(cylinder)) => nearest::cylinder_by::<P>(cylinder, ray),
             };
-            if nearest::update(&mut nearest, hit) {
-                material = object.material;
+            let Some(hit) = hit else { continue };
+            let is_nearer = nearest.is_none_or(|(nearest, of_nearest)| {
+                let hits = [hit.of(&object.shape), nearest.of(&of_nearest.shape)];
+                nearest::is_nearer(&hit, P::compare(ray, hits))
+            });
+            if is_nearer {
+                nearest = Some((hit, object));
             }
         }
-        nearest.map(|hit| (hit, self.scene.materials[material as usize]))
+        nearest.map(|(hit, object)| (hit, self.scene.materials[object.material as usize]))
     }
 
     fn background(&self, direction: Vec3) -> Vec3 {

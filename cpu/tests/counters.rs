@@ -5,6 +5,8 @@
 
 #![cfg(feature = "counters")]
 
+use std::path::{Path, PathBuf};
+
 use cpu::internals::counters::{Counter, reset, snapshot};
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
@@ -14,11 +16,15 @@ const SMALL: &str = "image_width: 32\nsamples_per_pixel: 16\nfield_of_view: 45\n
 const PIXELS: u64 = 32 * 18;
 const SAMPLES: u64 = 16 * PIXELS;
 
-/// Renders, and returns a function that gives the value of each counter afterwards.
+/// Renders a small picture, and returns a function that gives the value of each counter afterwards.
 fn count(config: &str, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
     let config = Config::parse(format!("{SMALL}{config}").as_bytes()).expect("the configuration is valid");
+    counted(&config, scene)
+}
+
+fn counted(config: &Config, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
     let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
-    let prepared: Prepared<Aos> = Prepared::new(&config, &scene, Scatter::Statement).expect("it can be rendered");
+    let prepared: Prepared<Aos> = Prepared::new(config, &scene, Scatter::Statement).expect("it can be rendered");
     reset();
     cpu::internals::render_with(&prepared, InstructionSet::chosen()).expect("it is small");
     let counts = snapshot();
@@ -222,6 +228,50 @@ fn precise_intersections_are_for_uncertain_rays() {
     let far = count("field_of_view: 1e-4\n", &format!("{MATTE}sphere: 0 0 9990 .01 m\n"));
     assert!(far(Counter::Hits) > 100);
     assert!(far(Counter::Fallbacks) > far(Counter::Hits) / 2, "{} fallbacks", far(Counter::Fallbacks));
+}
+
+/// Prints, for the scenes of the repository and the cases of the course, how many hits each step finds, and how many
+/// comparisons of near hits each step decides, with ten samples a pixel. In ordinary pictures both are few.
+#[test]
+fn near_hits_are_few_in_ordinary_pictures() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = std::env::var("RENDER_REFERENCE_DIR").map_or(root.join("../shared/reference"), PathBuf::from);
+    let scenes =
+        ["spheres", "cylinders", "grid", "materials", "ten-thousand"].map(|name| root.join("scenes").join(name));
+    let scenes = scenes.iter().map(|folder| [folder.join("config.txt"), folder.join("scene.txt")]);
+    let cases = (1..=4).map(|at| ["config", "scene"].map(|kind| folder.join(format!("{kind}{at}.txt"))));
+    for [config, scene] in scenes.chain(cases.filter(|[config, _]| config.exists())) {
+        let [config, text] = [&config, &scene].map(|path| std::fs::read_to_string(path).expect("it can be read"));
+        let mut config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+        config.samples_per_pixel = config.samples_per_pixel.min(10);
+        let counted = counted(&config, &text);
+        let counts = [Counter::Hits, Counter::Compensated, Counter::Fallbacks, Counter::NearHits].map(&counted);
+        let near = [Counter::NearHitsPrecisely, Counter::NearHitsExactly].map(&counted);
+        println!("{}: [hits, compensated, precise, near hits] {counts:?}, [precise, exact] {near:?}", scene.display());
+        assert!(1000 * near[0] <= counts[0], "{counts:?}, {near:?}");
+    }
+}
+
+#[test]
+fn near_hits_are_compared_by_the_first_step_that_decides() {
+    let steps = |config: &str, scene: &str| {
+        let counted = count(config, &format!("{MATTE}{GLASS}{scene}"));
+        assert!(counted(Counter::Hits) > 100);
+        [Counter::NearHits, Counter::NearHitsPrecisely, Counter::NearHitsExactly].map(counted)
+    };
+    let apart = "sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\ncylinder: 0 3 0 1 0 1 1 m\n";
+    assert_eq!(steps("", apart), [0; 3]);
+    // Rays inside the glass leave it where it stands on the table.
+    let straight = steps("camera_position: 0 3 -9\n", "cylinder: 0 -1 0 9 0 2 0 m\ncylinder: 0 1 0 2 0 2 0 g\n");
+    assert!(straight[0] > 100 && straight[1] == 0, "{straight:?}");
+    let equal = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 3 g\n");
+    assert!(equal[0] > 100 && equal[1] == 0, "{equal:?}");
+    let shells = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 2.9999999999 m\n");
+    assert!(shells[1] > 100 && shells[2] * 100 < shells[1], "{shells:?}");
+    // The top of the tilted glass and that of the table are the same plane, but their axes have different lengths.
+    let tilted = "camera_position: 0 8 -9\n";
+    let tilted = steps(tilted, "cylinder: 0 0 0 2 0 2 2 m\ncylinder: 0 .5 .5 2 0 1 1 m\n");
+    assert!(tilted[2] > 100, "{tilted:?}");
 }
 
 #[test]

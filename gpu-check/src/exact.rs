@@ -69,8 +69,17 @@ pub const CYLINDER: ExactKernel = ExactKernel {
     cases: rays::cylinders,
 };
 
+/// Which of two spheres a ray hits first.
+pub const ORDER: ExactKernel = ExactKernel {
+    module: "kernels/exact_order",
+    inputs: 14,
+    outputs: &["plain", "double-double"],
+    formula: formulas::order,
+    cases: rays::two_spheres,
+};
+
 /// All exact kernels.
-pub const EXACT_KERNELS: [ExactKernel; 3] = [MUL_ADD, SPHERE, CYLINDER];
+pub const EXACT_KERNELS: [ExactKernel; 4] = [MUL_ADD, SPHERE, CYLINDER, ORDER];
 
 impl ExactKernel {
     /// Returns edge cases, and `count` random cases of each kind. The kinds are the random cases of the plain formula,

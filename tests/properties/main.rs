@@ -5,6 +5,7 @@
 
 mod cameras;
 mod limits;
+mod near_surfaces;
 mod odd_scenes;
 mod renderers_agree;
 mod runner;

@@ -14,20 +14,20 @@ use test_support::agreement::SCATTERS;
 use crate::runner::{Shown, agreed, check};
 
 /// The generator of random numbers for one scene.
-struct Draws(Uniform);
+pub struct Draws(pub Uniform);
 
 impl Draws {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0.draw(low, high)
     }
     /// Returns `10^k`, in which `k` is uniform from `low` to `high`.
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
+    pub fn decades(&mut self, low: f64, high: f64) -> f64 {
         10.0_f64.powf(self.between(low, high))
     }
-    fn below(&mut self, count: usize) -> usize {
+    pub fn below(&mut self, count: usize) -> usize {
         (self.between(0.0, count as f64) as usize).min(count - 1)
     }
-    fn cube(&mut self) -> Vec3 {
+    pub fn cube(&mut self) -> Vec3 {
         Vec3::from([(); 3].map(|()| self.between(-1.0, 1.0)))
     }
 }

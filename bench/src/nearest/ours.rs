@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use cpu::internals::accel::{
     choice::Accel, closest_hit::ClosestHit, every_object::intersect_every_object, extent::Extent, object::NO_OBJECT,
-    object::ObjectId, object::in_order, stack::Stack,
+    object::ObjectId, object::count, object::order_of, stack::Stack,
 };
 use cpu::internals::input::scene::{Shape, Sphere};
 use cpu::internals::layout::{Objects, Placed, aos::AosObjects};
@@ -50,7 +50,8 @@ impl Ours {
         let start = Instant::now();
         let accel = Accel::new(&mut objects, &extent)?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let numbers = in_order(&objects)?;
+        let mut numbers: Vec<_> = (0..count(&objects) as ObjectId).collect();
+        numbers.sort_unstable_by_key(|&id| order_of(&objects, id));
         Ok(Self { objects, accel, numbers, build_seconds })
     }
 
@@ -90,13 +91,17 @@ impl Ours {
     /// Returns the nearest hit of each ray by intersecting every object, to test the other functions.
     #[must_use]
     pub fn hits_without_structure(&self, starts: &[Start]) -> Vec<NearestHit> {
-        starts.iter().map(|start| nearest(&intersect_every_object(&self.objects, start.ray))).collect()
+        starts.iter().map(|start| nearest(&self.objects, &intersect_every_object(&self.objects, start.ray))).collect()
     }
 }
 
 #[inline(always)]
-fn nearest(hit: &ClosestHit) -> NearestHit {
-    if hit.is_hit() { NearestHit { place: hit.order, lambda: hit.lambda } } else { NearestHit::NOTHING }
+fn nearest(objects: &AosObjects, hit: &ClosestHit) -> NearestHit {
+    if hit.is_hit() {
+        NearestHit { place: order_of(objects, hit.object), lambda: hit.lambda }
+    } else {
+        NearestHit::NOTHING
+    }
 }
 
 /// A kernel that finds the nearest hit of one ray after the other.
@@ -120,7 +125,7 @@ impl Kernel for Find<'_> {
                 objects.prefetch_sphere(next.start_object as usize);
             }
             let hit = accel.closest_hit::<S, _>(objects, ray, *start_object, self.stack);
-            self.hits.push(nearest(&hit));
+            self.hits.push(nearest(objects, &hit));
         }
     }
 }

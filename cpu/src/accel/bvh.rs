@@ -22,8 +22,8 @@ use crate::accel::{
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
-    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects,
-    layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
+    counters::Counter, counters::add, exact::cylinder_parts::LIMITS, geometry::ray::Ray, input::error::Error,
+    layout::Objects, layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
 };
 
 /// Maximum number of objects of a scene in which the isolated objects are sought. In a larger scene no object counts as
@@ -177,9 +177,12 @@ struct Query<'a, O, F> {
     sphere_ray: &'a SphereRay,
 }
 
-/// Returns the lambda of the closest hit so far, rounded up to single precision. It is infinite before the first hit.
+/// Returns the lambda up to which the next hit may be closer than the closest hit so far, in single precision. It is
+/// infinite before the first hit. It exceeds the lambda of the closest hit by at least 2^-25 of that: the factor adds a
+/// unit in the last place, and rounding takes half of one. The errors of two lambdas are smaller.
 #[inline(always)]
 fn farthest(closest: &ClosestHit) -> f32 {
+    const { assert!(LIMITS.lambda_error::<f64>() < f32::EPSILON as f64 / 4.0) };
     closest.lambda as f32 * (1.0 + f32::EPSILON)
 }
 
@@ -226,7 +229,7 @@ impl<B: Boxes> Bvh<B> {
                 again.intersect(objects, start_object, ray);
             }
             if again.is_hit() {
-                closest.update_by(&again);
+                closest.update(objects, ray, again);
                 if self.isolated.is(start_object) {
                     return closest;
                 }

@@ -60,7 +60,7 @@ impl Accel {
         Ok(if !extent.moderate {
             Self::EveryObject
         } else if count(objects) <= may_hit::object_lanes::CAPACITY {
-            Self::SmallScene(SmallScene::new(objects, extent)?)
+            Self::SmallScene(SmallScene::new(objects, extent))
         } else if most_of_a_kind <= flat_filter::CAPACITY && extent.max_coordinate <= flat_filter::MAX_COORDINATE {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
         } else if count(objects) <= bvh::MOST_WIDE {
@@ -95,8 +95,7 @@ impl Accel {
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + match self {
-                Self::EveryObject => 0,
-                Self::SmallScene(small_scene) => size_of_val(&small_scene.in_order[..]),
+                Self::EveryObject | Self::SmallScene(_) => 0,
                 Self::FlatFilter(filter) => filter.list_bytes(),
                 Self::Bvh(bvh) => bvh.list_bytes(),
                 Self::LargeBvh(bvh) => bvh.list_bytes(),

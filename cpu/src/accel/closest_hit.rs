@@ -1,9 +1,12 @@
 //! The closest hit found so far, for one ray. `render/hit_lanes.rs` has the closest hits of several rays at once.
 
-use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef};
+use std::cmp::Ordering;
+
+use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use crate::counters::{Counter, add};
+use crate::exact::order::{self, Surface, is_certainly_closer};
 use crate::exact::{self, error_bound::Decision};
-use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::Place, tie::is_closer};
+use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::Place};
 use crate::layout::Objects;
 
 /// The closest hit among the objects intersected so far.
@@ -13,22 +16,34 @@ pub struct ClosestHit {
     pub lambda: f64,
     /// The object that is hit, or [`NO_OBJECT`] if there is no hit.
     pub object: ObjectId,
-    /// The object's place in the scene file, which decides between hits at the same lambda.
-    pub order: u32,
     /// The part of a cylinder that is hit. It is the side for a sphere.
     pub part: CylinderPart,
 }
 
-impl ClosestHit {
-    /// The value before any hit. Every hit replaces it, even one whose lambda is infinite, because no hit at the same
-    /// lambda has a lower rank than the last object's cap.
-    pub const NOTHING: Self =
-        Self { lambda: f64::INFINITY, object: NO_OBJECT, order: u32::MAX, part: CylinderPart::Bottom };
-
-    #[inline(always)]
-    fn place(&self) -> Place {
-        Place { order: self.order, on_cap: self.part != CylinderPart::Side }
+/// Whether a hit of a ray is closer than another one, by their exact lambdas and the [rule for
+/// ties](crate::geometry::tie). The other one may be [`ClosestHit::NOTHING`]. This serves two hits of which
+/// [`is_certainly_closer`] decides nothing. The parameters are values and no references, so that all other hits stay in
+/// registers.
+#[cold]
+#[inline(never)]
+pub fn is_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, closest: ClosestHit) -> bool {
+    if !closest.is_hit() {
+        return true;
     }
+    let rank = |hit: &ClosestHit| {
+        Place { order: order_of(objects, hit.object), on_cap: hit.part != CylinderPart::Side }.rank()
+    };
+    // The lambdas of rays that have no exact ones are compared as they are.
+    let order = order::compare(&ray, [&hit.surface(objects), &closest.surface(objects)]);
+    match order.or(hit.lambda.partial_cmp(&closest.lambda)) {
+        Some(Ordering::Equal) => rank(&hit) >= rank(&closest),
+        order => order == Some(Ordering::Less),
+    }
+}
+
+impl ClosestHit {
+    /// The value before any hit. Every hit replaces it, even one whose lambda is infinite.
+    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NO_OBJECT, part: CylinderPart::Side };
 
     /// Whether any object is hit.
     #[inline(always)]
@@ -36,19 +51,23 @@ impl ClosestHit {
         self.object != NO_OBJECT
     }
 
-    /// Replaces the hit by the one that the parameters describe, if that one is closer by the [rule for
-    /// ties](crate::geometry::tie). `order` is the object's place in the scene file.
-    #[inline(always)]
-    pub fn update(&mut self, lambda: f64, object: ObjectId, order: u32, part: CylinderPart) {
-        self.update_by(&Self { lambda, object, order, part });
+    fn surface<O: Objects>(&self, objects: &O) -> Surface {
+        match ObjectRef::of(objects, self.object) {
+            ObjectRef::Sphere(index) => Surface::Sphere(objects.sphere(index).record),
+            ObjectRef::Cylinder(index) => {
+                Surface::Cylinder(objects.cylinder(index).record, objects.axis(index), self.part)
+            }
+        }
     }
 
-    /// Replaces the hit by `other`, which must be a hit, if that one is closer.
+    /// Replaces the hit by `other`, which must be a hit of the same ray, if that one is closer.
     #[inline(always)]
-    pub fn update_by(&mut self, other: &Self) {
+    pub fn update<O: Objects>(&mut self, objects: &O, ray: &Ray, other: Self) {
         debug_assert!(other.is_hit());
-        if is_closer((other.lambda, other.place()), (self.lambda, self.place())) {
-            *self = *other;
+        let is_closer = is_certainly_closer(other.lambda, self.lambda)
+            || !is_certainly_closer(self.lambda, other.lambda) && is_closer(objects, *ray, other, *self);
+        if is_closer {
+            *self = other;
         }
     }
 
@@ -85,8 +104,8 @@ impl ClosestHit {
             Decision::Uncertain => precise_sphere(objects, index, *ray),
         };
         if let Some(lambda) = lambda {
-            let id = ObjectRef::Sphere(index).number(objects.sphere_count());
-            self.update(lambda, id, objects.sphere(index).order, CylinderPart::Side);
+            let object = ObjectRef::Sphere(index).number(objects.sphere_count());
+            self.update(objects, ray, Self { lambda, object, part: CylinderPart::Side });
         }
     }
 
@@ -94,14 +113,13 @@ impl ClosestHit {
     #[inline(always)]
     pub fn intersect_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::CylinderTests, 1);
-        let cylinder = objects.cylinder(index);
-        let hit = match exact::cylinder::filtered(&cylinder.record, ray) {
+        let hit = match exact::cylinder::filtered(&objects.cylinder(index).record, ray) {
             Decision::Certain(hit) => hit,
             Decision::Uncertain => precise_cylinder(objects, index, *ray),
         };
         if let Some((lambda, part)) = hit {
-            let id = ObjectRef::Cylinder(index).number(objects.sphere_count());
-            self.update(lambda, id, cylinder.order, part);
+            let object = ObjectRef::Cylinder(index).number(objects.sphere_count());
+            self.update(objects, ray, Self { lambda, object, part });
         }
     }
 }
@@ -119,31 +137,4 @@ fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64
 #[inline(never)]
 fn precise_cylinder<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<(f64, CylinderPart)> {
     exact::cylinder::precise(&objects.cylinder(index).record, &objects.axis(index), &ray)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_closest_hit_counts_and_of_those_at_the_same_lambda_the_last_side_or_the_first_cap() {
-        let mut closest = ClosestHit::NOTHING;
-        assert!(!closest.is_hit());
-        closest.update(2.0, 7, 3, CylinderPart::Side);
-        closest.update(2.0, 8, 1, CylinderPart::Side);
-        assert_eq!(closest.object, 7);
-        closest.update(2.0, 6, 4, CylinderPart::Top);
-        closest.update(2.0, 9, 5, CylinderPart::Side);
-        assert_eq!((closest.object, closest.part), (9, CylinderPart::Side));
-        closest.update(1.0, 1, 0, CylinderPart::Side);
-        closest.update(1.5, 2, 9, CylinderPart::Side);
-        assert_eq!((closest.object, closest.lambda), (1, 1.0));
-    }
-
-    #[test]
-    fn even_a_hit_at_infinity_is_a_hit() {
-        let mut closest = ClosestHit::NOTHING;
-        closest.update(f64::INFINITY, 5, 0, CylinderPart::Side);
-        assert_eq!(closest.object, 5);
-    }
 }

@@ -1,6 +1,6 @@
 //! Numbers for the objects of a scene.
 
-use crate::{input::error::Error, layout::OBJECTS, layout::Objects, layout::with_room, math::vec3::Vec3};
+use crate::{layout::Objects, math::vec3::Vec3};
 
 /// The number of an object. Spheres come first: for a sphere it is the index among the spheres. For a cylinder it is
 /// the number of spheres plus the index among the cylinders. [`ObjectRef`] distinguishes the two kinds.
@@ -54,17 +54,6 @@ pub fn cylinder_index(objects: &impl Objects, id: ObjectId) -> usize {
 /// Returns the number of objects.
 pub fn count(objects: &impl Objects) -> usize {
     objects.sphere_count() + objects.cylinder_count()
-}
-
-/// Returns the numbers of all objects, in the order of the scene file.
-///
-/// # Errors
-/// [`Error::OutOfMemory`] if memory is short.
-pub fn in_order(objects: &impl Objects) -> Result<Vec<ObjectId>, Error> {
-    let mut all = with_room(count(objects), OBJECTS)?;
-    all.extend(0..count(objects) as ObjectId);
-    all.sort_unstable_by_key(|&id| order_of(objects, id));
-    Ok(all)
 }
 
 /// Returns the object's place among all objects of the scene file, from 0.

@@ -7,9 +7,9 @@
 use crate::accel::{
     accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, extent::Extent, extent::is_within,
     may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::object_lanes::ObjectLanes,
-    object::ObjectId, object::count, object::in_order,
+    object::ObjectId, object::count,
 };
-use crate::{geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd, simd::SimdF64};
+use crate::{geometry::ray::Ray, layout::Objects, simd::Simd, simd::SimdF64};
 
 /// If a scene has at least this many objects, a ray of a path is tested against several objects at once, one in each
 /// lane. Fewer objects would fill too few lanes, so such a scene may be traced with a lookahead instead.
@@ -18,8 +18,8 @@ const FEWEST_IN_LANES: usize = 4;
 /// The structure for up to eight objects.
 #[derive(Clone, Debug)]
 pub struct SmallScene {
-    /// The numbers of the objects, in the order of the scene file.
-    pub in_order: Vec<ObjectId>,
+    /// Number of objects.
+    count: usize,
     /// The objects in lanes, for one ray or several, which start within the scene's extent.
     pub object_lanes: ObjectLanes,
     /// The largest coordinate of the scene; see [`Extent::max_coordinate`].
@@ -28,18 +28,14 @@ pub struct SmallScene {
 
 impl SmallScene {
     /// Builds the structure over `objects`.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Result<Self, Error> {
-        let object_lanes = ObjectLanes::new(objects, max_coordinate);
-        Ok(Self { in_order: in_order(objects)?, object_lanes, max_coordinate })
+    pub fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Self {
+        Self { count: count(objects), object_lanes: ObjectLanes::new(objects, max_coordinate), max_coordinate }
     }
 
     /// Whether lanes hold several objects for one ray. Otherwise lanes hold several rays for one object.
     #[inline(always)]
     pub fn uses_object_lanes(&self) -> bool {
-        self.in_order.len() >= FEWEST_IN_LANES
+        self.count >= FEWEST_IN_LANES
     }
 
     /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray may hit the object. The ray
@@ -52,7 +48,7 @@ impl SmallScene {
         }
         let conservative = ConservativeRay::new(*ray);
         if is_too_short(conservative.length_squared) {
-            return (1 << self.in_order.len()) - 1;
+            return (1 << self.count) - 1;
         }
         let mut may_hit = 0;
         for id in 0..count(objects) as ObjectId {
@@ -155,10 +151,9 @@ mod tests {
     fn every_object_that_a_ray_hits_passes_and_few_others_do() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("it fits");
-        let small_scene =
-            SmallScene::new(&objects, &Extent { max_coordinate: EXTENT, moderate: true }).expect("it fits");
-        // This list is shorter than `FEWEST_IN_LANES`, so the structure tests the objects one after the other.
-        let one_by_one = SmallScene { in_order: small_scene.in_order[..1].to_vec(), ..small_scene.clone() };
+        let small_scene = SmallScene::new(&objects, &Extent { max_coordinate: EXTENT, moderate: true });
+        // This number is below `FEWEST_IN_LANES`, so the structure tests the objects one after the other.
+        let one_by_one = SmallScene { count: 1, ..small_scene.clone() };
         let mut draws = Uniform::new(5);
         let (mut tests_passed, mut hits) = (0, 0);
         for number in 0..4000 {

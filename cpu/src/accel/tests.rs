@@ -6,7 +6,7 @@ use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
-use crate::accel::object::{NO_OBJECT, ObjectId, in_order};
+use crate::accel::object::{NO_OBJECT, ObjectId};
 use crate::accel::stack::Stack;
 use crate::geometry::ray::Ray;
 use crate::input::scene::Scene;
@@ -238,13 +238,6 @@ fn a_scene_of_extreme_magnitudes_intersects_every_object() {
     let extent = Extent { max_coordinate: 1e12, moderate: false };
     let plain = Accel::new(&mut objects(7, 3.0, 1), &extent).expect("it fits");
     assert!(matches!(plain, Accel::EveryObject));
-}
-
-#[test]
-fn the_order_of_the_file_is_kept() {
-    let objects = objects(4, 1.0, 4);
-    // The file has the dominant sphere, then sphere, cylinder, sphere, cylinder. Spheres have the lowest numbers.
-    assert_eq!(in_order(&objects).expect("it fits"), [0, 1, 3, 2, 4]);
 }
 
 /// Compares a structure with the one that intersects every object, for directions of any length. The lengths are from

@@ -106,15 +106,19 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     add(Counter::Fallbacks, 1);
-    let decision = run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<DoubleDouble>> {
-        let of = DoubleDouble::of;
-        filtered(&CylinderRecord::new(record.center.map(of), of(record.radius), axis.map(of)), &ray.lanes())
-    });
-    match decision {
+    match in_double_double(record, axis, ray) {
         Decision::Certain(hit) => hit.map(|(lambda, part)| (lambda.high, part)),
         Decision::Uncertain => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
             .unwrap_or_else(|NotFinite| record.intersect(ray)),
     }
+}
+
+/// Returns the result of [`filtered`] in double-double arithmetic.
+pub(super) fn in_double_double(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<DoubleDouble>> {
+    run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<DoubleDouble>> {
+        let of = DoubleDouble::of;
+        filtered(&CylinderRecord::new(record.center.map(of), of(record.radius), axis.map(of)), &ray.lanes())
+    })
 }
 
 /// The hits of several rays or cylinders at once, one in each lane.

@@ -71,13 +71,17 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
 #[inline(never)]
 pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     add(Counter::Fallbacks, 1);
-    let decision = run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<DoubleDouble>> {
-        filtered(&SphereRecord::new(record.center.map(DoubleDouble::of), DoubleDouble::of(record.radius)), &ray.lanes())
-    });
-    match decision {
+    match in_double_double(record, ray) {
         Decision::Certain(hit) => hit.map(|lambda| lambda.high),
         Decision::Uncertain => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
     }
+}
+
+/// Returns the result of [`filtered`] in double-double arithmetic.
+pub(super) fn in_double_double(record: &SphereRecord, ray: &Ray) -> Decision<Option<DoubleDouble>> {
+    run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<DoubleDouble>> {
+        filtered(&SphereRecord::new(record.center.map(DoubleDouble::of), DoubleDouble::of(record.radius)), &ray.lanes())
+    })
 }
 
 #[cfg(test)]

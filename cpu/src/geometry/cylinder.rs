@@ -65,6 +65,12 @@ impl CylinderPart {
     pub fn number<T: Real>(self) -> T {
         T::of(f64::from(self as u32))
     }
+
+    /// Returns the part with this number.
+    pub fn of_number(number: f64) -> Self {
+        debug_assert!([0.0, 1.0, 2.0].contains(&number));
+        [Self::Side, Self::Top, Self::Bottom][number as usize % 3]
+    }
 }
 
 impl<T: Real> CylinderRecord<T> {

@@ -5,21 +5,13 @@
 //! order is side, top cap, bottom cap. So of surfaces at the same lambda the last sphere or side counts. If all of them
 //! are caps, the first one counts.
 //!
-//! All comparisons of the hits on two objects call the functions of this module. In lanes the objects are intersected
-//! in the order of the scene file (`object::in_order` and `render/frustum.rs` sort them by the places that `layout.rs`
-//! gives). Searches in any order compare the [ranks](Place::rank) of two hits. Two parts of a cylinder have the same
-//! lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie,
-//! so `exact/cylinder.rs` finds the part without this rule. The reference has a literal copy of this rule in `update`
-//! of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
+//! Hits on several objects are found in any order, so their [ranks](Place::rank) are compared, by
+//! `accel/closest_hit.rs`. Two parts of a cylinder have the same lambda only on its edge, and `closest_part` in
+//! `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie, so `exact/cylinder.rs` finds the part without
+//! this rule. The reference has a literal copy of this rule in `update` of `reference/nearest.rs`, and WGSL has one in
+//! `tie.wgsl`. The plain formulas in WGSL and their twins compare computed lambdas (`is_closer`).
 
 use crate::math::real::Real;
-
-/// Returns `lambda <= closest`: whether a later hit at `lambda`, on a sphere or on the side of a cylinder, replaces the
-/// closest hit so far, which is at `closest`. Without a hit so far, `closest` is infinite.
-#[inline(always)]
-pub fn later_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
-    lambda.less_equal(closest)
-}
 
 /// Returns `lambda < closest`: whether a later hit at `lambda`, on a cap, replaces the closest hit so far, which is at
 /// `closest`. Without a hit so far the result has no meaning.
@@ -47,8 +39,9 @@ impl Place {
 }
 
 /// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
-/// are equal and its [rank](Place::rank) is not lower. Each hit is a pair of lambda and place. The objects may come in
-/// any order. It serves one ray; lanes call [`later_is_closer`] and [`later_cap_is_closer`].
+/// are equal and its [rank](Place::rank) is not lower. Each hit is a pair of computed lambda and place. The objects may
+/// come in any order.
+#[cfg(any(test, feature = "internals"))]
 #[inline(always)]
 pub fn is_closer<T: Real<Mask = bool>>((lambda, place): (T, Place), (closest, closest_place): (T, Place)) -> bool {
     lambda.less_equal(closest) && (lambda.less(closest) || place.rank() >= closest_place.rank())
@@ -89,7 +82,6 @@ mod tests {
     fn a_smaller_lambda_wins_whatever_the_rank() {
         assert!(is_closer((1.0, place(5, true)), (2.0, place(9, false))));
         assert!(!is_closer((2.0, place(9, false)), (1.0, place(5, true))));
-        assert!(later_is_closer(2.0_f64, 2.0));
         assert!(!later_cap_is_closer(2.0_f64, 2.0) && later_cap_is_closer(1.0_f64, 2.0));
         assert!(place(0, false).rank() > place(0, true).rank());
     }

@@ -54,8 +54,7 @@ pub struct Object {
     pub material: MaterialId,
 }
 
-/// Materials and objects in the order of the scene file. If two hits have the same lambda, the object that is later in
-/// this order counts.
+/// Materials and objects in the order of the scene file, which decides [ties](crate::geometry::tie).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     /// All materials, also those that no object uses.

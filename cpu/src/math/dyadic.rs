@@ -34,6 +34,11 @@ impl Dyadic {
         Self { negative: false, magnitude, exponent }
     }
 
+    /// Returns the number zero.
+    pub const fn zero() -> Self {
+        Self { negative: false, magnitude: Vec::new(), exponent: 0 }
+    }
+
     /// Returns the number one.
     pub fn one() -> Self {
         Self { negative: false, magnitude: vec![1], exponent: 0 }
@@ -129,6 +134,21 @@ pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
         // The larger of the two squares decides.
         (Ordering::Greater, _) => (&x.squared() - &(&y.squared() * d)).sign(),
         (_, _) => (&(&y.squared() * d) - &x.squared()).sign(),
+    }
+}
+
+/// Compares `x + y sqrt(d) + z sqrt(e)` with zero, for `d >= 0` and `e >= 0`.
+pub fn sign_with_roots(x: &Dyadic, (y, d): (&Dyadic, &Dyadic), (z, e): (&Dyadic, &Dyadic)) -> Ordering {
+    let z_sign = if e.sign() == Ordering::Equal { Ordering::Equal } else { z.sign() };
+    match (sign_with_root(x, y, d), z_sign) {
+        (sign, Ordering::Equal) | (Ordering::Equal, sign) => sign,
+        (left, right) if left == right => left,
+        (left, _) => {
+            // The larger of two squares decides: that of `x + y sqrt(d)`, or that of `z sqrt(e)`.
+            let difference = &(&x.squared() + &(&y.squared() * d)) - &(&z.squared() * e);
+            let sign = sign_with_root(&difference, &(x * y).scaled(1), d);
+            if left == Ordering::Greater { sign } else { sign.reverse() }
+        }
     }
 }
 
@@ -247,6 +267,26 @@ mod tests {
         assert_eq!(sign_with_root(&exact(-2.0_f64.next_down()), &one, &exact(4.0)), Ordering::Greater);
         assert_eq!(sign_with_root(&exact(0.0), &-&one, &two), Ordering::Less);
         assert_eq!(sign_with_root(&exact(0.0), &one, &exact(0.0)), Ordering::Equal);
+    }
+
+    #[test]
+    fn sums_of_two_roots_are_compared_without_a_root() {
+        let number = |value: f64| exact(value);
+        // The square roots are of squares, so the sums are known.
+        for x in [-3.0, -1.0, 0.0, 2.0, 5.0] {
+            for (y, d) in [(1.0, 4.0), (-1.5, 16.0), (2.0, 0.0), (0.0, 9.0)] {
+                for (z, e) in [(1.0, 1.0), (-2.0, 4.0), (-1.0, 36.0), (3.0, 0.0)] {
+                    let sum: f64 = x + y * f64::sqrt(d) + z * f64::sqrt(e);
+                    let sign = sign_with_roots(&number(x), (&number(y), &number(d)), (&number(z), &number(e)));
+                    assert_eq!(Some(sign), sum.partial_cmp(&0.0), "{x} + {y} sqrt({d}) + {z} sqrt({e})");
+                }
+            }
+        }
+        // sqrt(2) + sqrt(3) is 3.14626436994197234...
+        let [one, two, three] = [1.0, 2.0, 3.0].map(exact);
+        let near = |x: f64| sign_with_roots(&exact(-x), (&one, &two), (&one, &three));
+        assert_eq!([near(3.146264369941972), near(3.1462643699419726)], [Ordering::Greater, Ordering::Less]);
+        assert_eq!(sign_with_roots(&exact(0.0), (&two, &two), (&-&one, &exact(8.0))), Ordering::Equal);
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! The choice of the intersections with which the reference renders.
 
-use crate::exact;
+use std::cmp::Ordering;
+
+use crate::exact::{self, order, order::Surface};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::vec3::Vec3;
 
@@ -16,6 +18,12 @@ pub trait Intersect {
     /// Returns lambda and part of the ray's hit with the cylinder, or `None`, as [`CylinderRecord::intersect`] does.
     /// `axis` is that of the scene file.
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
+
+    /// Compares the lambdas of two hits, each given by the lambda and the surface that the ray hits. The result is
+    /// `None` if it is not known.
+    fn compare(_: &Ray, [(left, _), (right, _)]: [(f64, Surface); 2]) -> Option<Ordering> {
+        left.partial_cmp(&right)
+    }
 }
 
 /// The plain formulas, with their rounding errors.
@@ -46,5 +54,16 @@ impl Intersect for Exact {
 
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
         exact::cylinder::intersect(record, axis, ray)
+    }
+
+    /// Lambdas that differ by a thousandth are compared as they are, because their errors are far smaller. All others
+    /// are compared without rounding.
+    fn compare(ray: &Ray, [(left, of_left), (right, of_right)]: [(f64, Surface); 2]) -> Option<Ordering> {
+        let rounded = left.partial_cmp(&right);
+        if (left - right).abs() > left / 1000.0 {
+            rounded
+        } else {
+            order::exactly(ray, [&of_left, &of_right]).or(rounded)
+        }
     }
 }

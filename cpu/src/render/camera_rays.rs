@@ -5,8 +5,8 @@ use crate::render::{
     lane_numbers::SampleIndex, max_depth::RaysLeft, path_vertex::PathVertex, shade::shade, span_state::SpanState,
 };
 use crate::{
-    counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, math::real::Real, simd::Kernel, simd::Simd,
-    simd::SimdF64, simd::valid_lanes,
+    counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::real::Real,
+    simd::Kernel, simd::Simd, simd::SimdF64, simd::valid_lanes,
 };
 
 /// A kernel that traces the camera rays of the batch, which are the first rays of the span's samples. If a ray hits no
@@ -32,7 +32,7 @@ impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {
         for at in (0..batch.count).step_by(S::F64::LANES) {
             let ray = camera.ray(row, S::F64::load(&batch.column[at..]), batch.offset.load(at));
             let valid = valid_lanes::<S::F64>(batch.count - at);
-            let hits = closest_hit(candidates, &ray, valid);
+            let hits = closest_hit(&prepared.objects, candidates, &ray, valid);
             if hits.bits != valid {
                 batch.color.store(at, background.color(ray.direction).to_array());
             }
@@ -50,15 +50,14 @@ impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {
     }
 }
 
-/// Returns the closest hit of each ray among the candidates, which are in the order of the scene file. `valid` has a
-/// bit for each lane that holds a ray.
+/// Returns the closest hit of each ray among the candidates. `valid` has a bit for each lane that holds a ray.
 #[inline(always)]
-fn closest_hit<V: SimdF64>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
+fn closest_hit<V: SimdF64, O: Objects>(objects: &O, candidates: &Candidates, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
     let mut hits = HitLanes::none();
     if candidates.span.is_empty() {
         return hits;
     }
-    let rays = Rays::new(ray, valid);
+    let rays = Rays::new(objects, ray, valid);
     for (id, candidate) in &candidates.span {
         match candidate {
             Candidate::Sphere(record, view) => hits.intersect_sphere(*id, record, &view.lanes(), &rays),

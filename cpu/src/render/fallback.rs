@@ -1,10 +1,13 @@
-//! Intersects rays in lanes precisely with an object, in those lanes whose filter is uncertain.
+//! Decides what lanes leave open: intersections whose filter is uncertain, and which of two near hits is closer.
 //!
-//! One call handles all uncertain lanes. It is a separate function that is not inlined. Otherwise LLVM splits the lanes
-//! into single rays before the loop over the objects. It does so for every group of rays, but few groups have an
-//! uncertain lane.
+//! One call handles all open lanes. It is a separate function that is not inlined. Otherwise LLVM splits the lanes into
+//! single rays before the loop over the objects. It does so for every group of rays, but few groups have an open lane.
 
-use crate::{geometry::cylinder::CylinderPart, geometry::ray::Ray, simd::SimdF64, simd::columns::Columns};
+use crate::render::lane_numbers::ObjectNumber;
+use crate::{
+    accel::closest_hit::ClosestHit, accel::object::NO_OBJECT, geometry::cylinder::CylinderPart, geometry::ray::Ray,
+    simd::SimdF64, simd::columns::Columns,
+};
 
 /// Largest number of `f64` lanes of any instruction set.
 pub const MOST_LANES: usize = 8;
@@ -33,6 +36,52 @@ fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, inte
         let (lambda, part) = intersect(&ray).unwrap_or((f64::NAN, CylinderPart::Side));
         lanes.set(lane, [x, y, z, dx, dy, dz, lambda, f64::from(part as u32)]);
     });
+}
+
+/// The lambda, the object's number and the part of several hits, one in each lane.
+type Hits<V> = [V; 3];
+
+/// A function that tells whether the first of two hits of a ray is closer.
+type IsCloser<'a> = &'a dyn Fn(&Ray, ClosestHit, ClosestHit) -> bool;
+
+/// Returns the closer one of two hits in the lanes whose bits are set in `near`, and a bit for each lane in which it is
+/// the first one. All other lanes keep the second hit. If the lambda of the first hit is NaN, there is no such hit.
+#[inline(always)]
+pub fn closer_of_near<V: SimdF64>(
+    ray: &Ray<V>,
+    ([lambda, object, part], closest): (Hits<V>, Hits<V>),
+    near: u32,
+    is_closer: IsCloser<'_>,
+) -> (Hits<V>, u32) {
+    let Ray { origin: o, direction: d } = *ray;
+    let hits = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, lambda, object, part]);
+    let mut closest = Columns::of_lanes(closest);
+    let closer = closer_lane_by_lane(&hits, &mut closest, near, is_closer);
+    (closest.load(0), closer)
+}
+
+#[cold]
+#[inline(never)]
+fn closer_lane_by_lane(
+    hits: &Columns<9, MOST_LANES>,
+    closest: &mut Columns<3, MOST_LANES>,
+    near: u32,
+    is_closer: IsCloser<'_>,
+) -> u32 {
+    let mut closer = 0;
+    for_each_lane(near, |lane| {
+        let [x, y, z, dx, dy, dz, hit @ ..] = hits.get(lane);
+        let ray = Ray { origin: [x, y, z].into(), direction: [dx, dy, dz].into() };
+        let of = |[lambda, object, part]: [f64; 3]| {
+            let object = if object < 0.0 { NO_OBJECT } else { ObjectNumber(object).id() };
+            ClosestHit { lambda, object, part: CylinderPart::of_number(part) }
+        };
+        if !hit[0].is_nan() && is_closer(&ray, of(hit), of(closest.get(lane))) {
+            closest.set(lane, hit);
+            closer |= 1 << lane;
+        }
+    });
+    closer
 }
 
 /// Calls `visit` with the index of every lane whose bit is set, the lowest first.

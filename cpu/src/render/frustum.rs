@@ -27,7 +27,7 @@
 use crate::render::{prepared::Prepared, span::Span};
 
 use crate::{
-    accel::bounds::Bounds, accel::object, accel::object::ObjectId, accel::object::ObjectRef, counters::Counter,
+    accel::bounds::Bounds, accel::object::ObjectId, accel::object::ObjectRef, accel::object::count, counters::Counter,
     counters::add, geometry::camera::HALF_PIXEL, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
     geometry::sphere::SphereRecord, geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS,
     layout::Objects, layout::with_room, math::vec3::Vec3,
@@ -106,13 +106,8 @@ impl Outline {
 /// The candidates: the objects that the camera rays of the present row and of the present span may hit.
 #[derive(Debug)]
 pub struct Candidates {
-    /// All objects, in the order of the scene file.
-    all: Vec<ObjectId>,
-    /// The objects whose boxes may overlap the frustum of the row, each with its place in the scene file. Only used
-    /// with a BVH.
-    boxed: Vec<(u32, ObjectId)>,
     row: Vec<Outline>,
-    /// The span's candidates with their numbers, in the order of the scene file.
+    /// The span's candidates with their numbers.
     pub span: Vec<(ObjectId, Candidate)>,
     /// Whether objects are culled. They are not if the scene's magnitudes are not
     /// [moderate](crate::accel::extent::Extent::moderate), because then no margin or bound is valid.
@@ -125,10 +120,8 @@ impl Candidates {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
-        let all = object::in_order(&prepared.objects)?;
-        let boxed = with_room(all.len(), OBJECTS)?;
-        let (row, span) = (with_room(all.len(), OBJECTS)?, with_room(all.len(), OBJECTS)?);
-        Ok(Self { all, boxed, row, span, are_culled: prepared.moderate })
+        let count = count(&prepared.objects);
+        Ok(Self { row: with_room(count, OBJECTS)?, span: with_room(count, OBJECTS)?, are_culled: prepared.moderate })
     }
 
     /// Finds the objects that the camera rays of `row` may hit.
@@ -142,13 +135,9 @@ impl Candidates {
         self.row.clear();
         if prepared.accel.has_boxes() {
             let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes, margin);
-            self.boxed.clear();
-            let accel = &prepared.accel;
-            accel.visit_boxes(may_overlap, |id| self.boxed.push((object::order_of(&prepared.objects, id), id)));
-            self.boxed.sort_unstable();
-            self.row.extend(self.boxed.iter().map(|&(_, id)| Outline::new(prepared, id)));
+            prepared.accel.visit_boxes(may_overlap, |id| self.row.push(Outline::new(prepared, id)));
         } else {
-            let all = self.all.iter().map(|&id| Outline::new(prepared, id));
+            let all = (0..count(&prepared.objects) as ObjectId).map(|id| Outline::new(prepared, id));
             self.row.extend(all.filter(|outline| !self.are_culled || outline.may_overlap(&planes)));
         }
     }
@@ -175,7 +164,7 @@ impl Candidates {
             };
             self.span.push((outline.id, candidate));
         }
-        add(Counter::SpanObjects, self.all.len() as u64);
+        add(Counter::SpanObjects, count(objects) as u64);
         add(Counter::SpanCandidates, self.span.len() as u64);
     }
 }

@@ -1,11 +1,11 @@
 //! The closest hits of several rays, which are found at once.
 
-use crate::render::{fallback::precise, lane_numbers::ObjectNumber};
+use crate::render::{fallback::closer_of_near, fallback::precise, lane_numbers::ObjectNumber};
 use crate::{
-    accel::object::ObjectId, counters::Counter, counters::add, exact, exact::error_bound::in_scale,
-    geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
-    geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView,
-    geometry::tie::later_cap_is_closer, geometry::tie::later_is_closer, math::vec3::Vec3, simd::LaneMask,
+    accel::closest_hit::is_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
+    exact::error_bound::in_scale, exact::order::is_certainly_closer, geometry::cylinder::CylinderPart,
+    geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView, geometry::ray::Ray,
+    geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects, math::vec3::Vec3, simd::LaneMask,
     simd::SimdF64,
 };
 
@@ -31,8 +31,9 @@ pub struct HitLanes<V: SimdF64> {
     pub bits: u32,
 }
 
-/// Several rays, one in each lane.
-pub struct Rays<'a, V: SimdF64> {
+/// Several rays, one in each lane, and the objects that they may hit.
+pub struct Rays<'a, V: SimdF64, O> {
+    objects: &'a O,
     ray: &'a Ray<V>,
     /// The square of each direction's length.
     a: V,
@@ -43,13 +44,13 @@ pub struct Rays<'a, V: SimdF64> {
     valid: u32,
 }
 
-impl<'a, V: SimdF64> Rays<'a, V> {
+impl<'a, V: SimdF64, O: Objects> Rays<'a, V, O> {
     /// Prepares the rays. `valid` has a bit for each lane that holds a ray.
     #[inline(always)]
-    pub fn new(ray: &'a Ray<V>, valid: u32) -> Self {
+    pub fn new(objects: &'a O, ray: &'a Ray<V>, valid: u32) -> Self {
         let a = ray.direction.dot(ray.direction);
         let discriminant_error = V::select(in_scale(a), a * V::of(DISCRIMINANT_ERROR), V::of(f64::INFINITY));
-        Self { ray, a, discriminant_error, valid }
+        Self { objects, ray, a, discriminant_error, valid }
     }
 
     /// Whether at least one ray may hit an object with this discriminant. `squares` is `|O - C|^2 + r^2`. For most
@@ -73,24 +74,37 @@ impl<V: SimdF64> HitLanes<V> {
         Self { lambda: V::of(f64::INFINITY), object: ObjectNumber(V::of(-1.0)), part: V::of(0.0), bits: 0 }
     }
 
-    /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. The caller must pass the
-    /// objects in the order of the scene file, because the [rule for ties](crate::geometry::tie) depends on it.
-    /// `closer` has the lanes in which the hit is closer by that rule, if it is a hit. In `certain` lanes an infinite
+    /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. In `certain` lanes an infinite
     /// lambda means a miss. In all other lanes NaN means a miss, because a hit's lambda may overflow to infinity there.
-    /// `valid` has a bit for each lane that holds a ray.
     #[inline(always)]
-    fn update(&mut self, object: ObjectId, (lambda, part): (V, V), closer: V::Mask, certain: V::Mask, valid: u32) {
-        let closer = closer & (lambda.less(V::of(f64::INFINITY)) | !certain);
+    fn update<O: Objects>(&mut self, object: ObjectId, (lambda, part): (V, V), certain: V::Mask, rays: &Rays<V, O>) {
+        let object = ObjectNumber::of(object).0;
+        let may_be_hit = lambda.less(V::of(f64::INFINITY)) | !certain;
+        let closer = may_be_hit & is_certainly_closer(lambda, self.lambda);
+        let near = may_be_hit & !closer & !is_certainly_closer(self.lambda, lambda);
         self.lambda = V::select(closer, lambda, self.lambda);
-        self.object.0 = V::select(closer, ObjectNumber::of(object).0, self.object.0);
+        self.object.0 = V::select(closer, object, self.object.0);
         self.part = V::select(closer, part, self.part);
-        self.bits |= closer.bits() & valid;
+        self.bits |= closer.bits() & rays.valid;
+        if near.bits() & rays.valid != 0 {
+            let (hit, closest) = ([lambda, object, part], [self.lambda, self.object.0, self.part]);
+            let is_closer = |ray: &Ray, hit, closest| is_closer(rays.objects, *ray, hit, closest);
+            let (closest, closer) = closer_of_near(rays.ray, (hit, closest), near.bits() & rays.valid, &is_closer);
+            [self.lambda, self.object.0, self.part] = closest;
+            self.bits |= closer;
+        }
     }
 
     /// Intersects camera rays with a sphere, and updates the hits. `view` has the sphere's terms for the camera's
     /// position.
     #[inline(always)]
-    pub fn intersect_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
+    pub fn intersect_sphere<O: Objects>(
+        &mut self,
+        id: ObjectId,
+        record: &SphereRecord,
+        view: &SphereView<V>,
+        rays: &Rays<V, O>,
+    ) {
         let (_, discriminant) = view.quadratic(rays.ray.direction, rays.a);
         if rays.may_hit(discriminant, view.squares) {
             self.filtered_sphere(id, record, view, rays);
@@ -100,8 +114,14 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects rays with a sphere that at least one of them may hit, and updates the hits. Each ray has its own
     /// origin, which must lie inside the scene's extent.
     #[inline(always)]
-    pub fn filtered_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
-        let &Rays { ray, a, valid, .. } = rays;
+    pub fn filtered_sphere<O: Objects>(
+        &mut self,
+        id: ObjectId,
+        record: &SphereRecord,
+        view: &SphereView<V>,
+        rays: &Rays<V, O>,
+    ) {
+        let &Rays { ray, a, .. } = rays;
         let lanes = exact::sphere::filtered_from(view, ray.direction, a);
         let mut certain = lanes.certain & in_scale(a);
         let mut hits = (lanes.lambda, V::of(0.0));
@@ -117,13 +137,19 @@ impl<V: SimdF64> HitLanes<V> {
                 hits = precise(ray, hits, still_uncertain, &intersect);
             }
         }
-        self.update(id, hits, later_is_closer(hits.0, self.lambda), certain, valid);
+        self.update(id, hits, certain, rays);
     }
 
     /// Intersects camera rays with a cylinder, and updates the hits. `cylinder` is the record and the axis of the scene
     /// file. `view` has the cylinder's terms for the camera's position.
     #[inline(always)]
-    pub fn intersect_cylinder(&mut self, id: ObjectId, cylinder: Cylinder, view: &CylinderView<V>, rays: &Rays<V>) {
+    pub fn intersect_cylinder<O: Objects>(
+        &mut self,
+        id: ObjectId,
+        cylinder: Cylinder,
+        view: &CylinderView<V>,
+        rays: &Rays<V, O>,
+    ) {
         let (.., discriminant) = cylinder.0.lanes::<V>().quadratic(view, rays.ray.direction);
         if rays.may_hit(discriminant, view.squares) {
             self.filtered_cylinder(id, cylinder, view, rays);
@@ -133,7 +159,13 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects rays with a cylinder that at least one of them may hit, and updates the hits. Each ray has its own
     /// origin, which must lie inside the scene's extent. `cylinder` is the record and the axis of the scene file.
     #[inline(always)]
-    pub fn filtered_cylinder(&mut self, id: ObjectId, cylinder: Cylinder, view: &CylinderView<V>, rays: &Rays<V>) {
+    pub fn filtered_cylinder<O: Objects>(
+        &mut self,
+        id: ObjectId,
+        cylinder: Cylinder,
+        view: &CylinderView<V>,
+        rays: &Rays<V, O>,
+    ) {
         let (record, axis) = cylinder;
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
@@ -148,12 +180,6 @@ impl<V: SimdF64> HitLanes<V> {
         if uncertain != 0 {
             hits = precise(ray, hits, uncertain, &|ray| exact::cylinder::precise(record, axis, ray));
         }
-        let (lambda, part) = hits;
-        let is_side = part.less(CylinderPart::Top.number());
-        // The first hit counts even if its lambda is infinite.
-        let is_first = self.object.0.less(V::of(0.0));
-        let closer =
-            later_is_closer(lambda, self.lambda) & (is_side | is_first | later_cap_is_closer(lambda, self.lambda));
-        self.update(id, hits, closer, certain, valid);
+        self.update(id, hits, certain, rays);
     }
 }

@@ -7,10 +7,10 @@ use crate::render::{
     samples::Batch, shade::shade, span_state::SpanState, surface_hit::SurfaceHit,
 };
 use crate::{
-    accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short,
-    accel::object::ObjectRef, accel::small_scene::SmallScene, accel::stack::Stack, counters::Counter, counters::add,
-    geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd,
-    simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
+    accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short, accel::object::ObjectId,
+    accel::object::ObjectRef, accel::object::count, accel::small_scene::SmallScene, accel::stack::Stack,
+    counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3,
+    simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
 };
 
 /// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
@@ -84,10 +84,10 @@ fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene
 #[inline(always)]
 fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
     let mut hits = HitLanes::none();
-    let rays = Rays::new(ray, valid);
+    let rays = Rays::new(objects, ray, valid);
     let conservative = ConservativeRay::new(*ray);
     let too_short = is_too_short(conservative.length_squared).bits() & valid;
-    for &id in &small_scene.in_order {
+    for id in 0..count(objects) as ObjectId {
         if (small_scene.object_lanes.may_hit(id as usize, &conservative).bits() & valid) | too_short == 0 {
             continue;
         }

@@ -103,6 +103,24 @@ pub fn judge(case: &Case) -> Judgement {
     }
 }
 
+/// Returns the index and the part of the closest hit of several objects, in the order of the scene file. Of hits with
+/// equal lambdas, the last sphere or side counts, or else the first cap (specification, section 8.2).
+#[must_use]
+pub fn closest(shapes: &[Shape], ray: &Ray) -> Option<(usize, CylinderPart)> {
+    let mut closest: Option<(usize, Truth)> = None;
+    for (index, &shape) in shapes.iter().enumerate() {
+        let Some(hit) = judge(&Case { shape, ray: *ray }).truth else { continue };
+        let is_closer = closest.as_ref().is_none_or(|(_, best)| match hit.part {
+            CylinderPart::Side => at_most(&hit.lambda, &best.lambda),
+            CylinderPart::Top | CylinderPart::Bottom => !at_most(&best.lambda, &hit.lambda),
+        });
+        if is_closer {
+            closest = Some((index, hit));
+        }
+    }
+    closest.map(|(index, hit)| (index, hit.part))
+}
+
 fn judge_sphere(sphere: &Sphere, ray: &Ray) -> Judgement {
     let direction = big3(ray.direction);
     let r_c = minus(&big3(sphere.center), &big3(ray.origin));

@@ -4,6 +4,7 @@ mod cylinders;
 mod extremes;
 pub mod large;
 mod limits;
+pub mod near;
 mod spheres;
 
 use crate::case::Case;

@@ -1,12 +1,14 @@
 //! The results that the exact kernels must give, by the functions of `cpu`.
 
 use cpu::internals::exact::error_bound::Decision;
+use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::exact::{cylinder, sphere, sphere_compensated};
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::double_double::DoubleDouble;
 use cpu::internals::math::error_free::two_product;
 use cpu::internals::math::real::Real;
+use cpu::internals::math::rounding::Rounding;
 use cpu::{Ray, intersect};
 
 use crate::kernel::Reader;
@@ -59,6 +61,31 @@ pub fn cylinder(case: &[f64], result: &mut [f64]) {
         doubled: cylinder::filtered(&precise, &ray.lanes()),
     };
     write(&steps, || intersect::cylinder(&record, &axis, &ray), result);
+}
+
+/// Writes which of two spheres a ray hits first, by the two steps that compare lambdas: 1 or 2, or 0 if that is
+/// uncertain. It writes 3 if the step does not find two hits.
+pub fn order(case: &[f64], result: &mut [f64]) {
+    let mut case = Reader(case);
+    let ray = Ray { origin: case.vector(), direction: case.vector() };
+    let spheres = [(); 2].map(|()| SphereRecord::new(case.vector(), case.number()));
+    let of = DoubleDouble::of;
+    let precise = spheres.map(|sphere| SphereRecord::new(sphere.center.map(of), of(sphere.radius)));
+    result[0] = closer(spheres.map(|sphere| sphere::filtered(&sphere, &ray)));
+    result[1] = closer(precise.map(|sphere| sphere::filtered(&sphere, &ray.lanes())));
+}
+
+fn closer<T: Rounding<Mask = bool>>(hits: [Decision<Option<T>>; 2]) -> f64 {
+    match hits {
+        [Decision::Certain(Some(first)), Decision::Certain(Some(second))] => {
+            match [is_certainly_closer(first, second), is_certainly_closer(second, first)] {
+                [true, _] => 1.0,
+                [_, true] => 2.0,
+                _ => 0.0,
+            }
+        }
+        _ => 3.0,
+    }
 }
 
 fn on_the_side<T>(decision: Decision<Option<T>>) -> Decision<Option<(T, CylinderPart)>> {

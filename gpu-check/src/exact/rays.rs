@@ -1,6 +1,10 @@
 //! The cases of the exact kernels: those of the plain formulas, and the hard rays of `stability`.
 
+use cpu::internals::input::scene::Shape;
 use cpu::internals::sampling::uniform::Uniform;
+use stability::case::Case;
+use stability::random::Random;
+use stability::regimes::near::{self, NearCase};
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, Regime, SPHERES};
 
 use crate::kernels::{CYLINDER, SPHERE};
@@ -33,6 +37,23 @@ pub fn spheres(count: usize, seed: u64) -> Vec<f64> {
 pub fn cylinders(count: usize, seed: u64) -> Vec<f64> {
     let extremes = EXTREMES.iter().chain(&LIMITS).filter(|regime| !regime.name.starts_with("spheres"));
     all(&CYLINDER, CYLINDERS.iter().chain(extremes), count, seed)
+}
+
+/// Returns rays with two spheres that they hit at nearly the same lambda, from the regimes of several near objects.
+pub fn two_spheres(count: usize, seed: u64) -> Vec<f64> {
+    let (mut random, mut rows) = (Random::new(seed), Vec::new());
+    for _ in 0..count {
+        for (_, draw) in near::REGIMES {
+            let NearCase { shapes, ray } = draw(&mut random);
+            let spheres: Vec<_> = shapes.into_iter().filter(|shape| matches!(shape, Shape::Sphere(_))).collect();
+            if let [first, second, ..] = spheres[..] {
+                rows.extend(methods::rows::<f64>(&[Case { shape: first, ray }]));
+                // The ray stands before the first sphere only.
+                rows.extend(&methods::rows::<f64>(&[Case { shape: second, ray }])[6..]);
+            }
+        }
+    }
+    rows
 }
 
 /// Returns the cases of the plain formula's kernel, and of the regimes.

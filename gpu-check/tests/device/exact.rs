@@ -4,7 +4,7 @@
 //! `RENDER_EXACT_CASES` sets the number of cases of each kind.
 
 use gpu_check::Gpu;
-use gpu_check::exact::{CYLINDER, ExactKernel, MUL_ADD, SPHERE};
+use gpu_check::exact::{CYLINDER, ExactKernel, MUL_ADD, ORDER, SPHERE};
 use shaders::Library;
 
 use crate::common;
@@ -52,6 +52,21 @@ fn products_and_multiply_adds_are_rounded_once() {
 #[test]
 fn every_step_for_spheres_has_the_bits_of_cpu() {
     compare_steps(&SPHERE, &[0, 1, 2, 3]);
+}
+
+#[test]
+fn every_step_for_two_spheres_has_the_order_of_cpu() {
+    let cases = compare(&common::gpu(), &ORDER);
+    let (mut plain, mut doubled) = ([0; 4], [0; 4]);
+    for case in cases.chunks(ORDER.inputs) {
+        let order = ORDER.expected(case);
+        plain[order[0] as usize] += 1;
+        doubled[order[1] as usize] += usize::from(order[0] == 0.0);
+    }
+    println!(
+        "plain: uncertain, first, second, not two hits: {plain:?}; double-double, where that is uncertain: {doubled:?}"
+    );
+    assert!(plain[..3].iter().chain(&doubled[..3]).all(|&count| count > 1000), "{plain:?}, {doubled:?}");
 }
 
 #[test]

@@ -66,6 +66,7 @@ modules! {
     "exact/precise_sphere" in "wgsl/exact/precise_sphere.wgsl" needs ["exact/precise_bound"];
     "exact/precise_side" in "wgsl/exact/precise_side.wgsl" needs ["exact/precise_bound"];
     "exact/precise_cylinder" in "wgsl/exact/precise_cylinder.wgsl" needs ["exact/precise_side"];
+    "exact/order" in "wgsl/exact/order.wgsl" needs ["exact/double_double"];
     "kernels/hit_report" in "wgsl/kernels/hit_report.wgsl" needs ["layout"];
     "kernels/sphere" in "wgsl/kernels/sphere.wgsl" needs ["sphere" "kernels/hit_report"];
     "kernels/cylinder" in "wgsl/kernels/cylinder.wgsl" needs ["cylinder" "kernels/hit_report"];
@@ -84,6 +85,8 @@ modules! {
         needs ["layout" "exact/compensated" "exact/precise_sphere" "kernels/exact_report"];
     "kernels/exact_cylinder" in "wgsl/kernels/exact_cylinder.wgsl"
         needs ["layout" "exact/cylinder" "exact/precise_cylinder" "kernels/exact_report"];
+    "kernels/exact_order" in "wgsl/kernels/exact_order.wgsl"
+        needs ["layout" "exact/sphere" "exact/precise_sphere" "exact/order"];
     "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];
     "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["bounce"];
     "kernels/samples" in "wgsl/kernels/samples.wgsl" needs ["trace_samples"];

@@ -22,40 +22,25 @@ pub struct Picture {
 /// ```
 ///
 /// # Errors
-/// A message about the first difference from the format, with the line number if it is in a line.
+/// A message that names the first line that differs from the format.
 pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
-    let body = text.strip_suffix('\n').ok_or("the last line does not end")?;
-    let mut lines = body.split('\n').enumerate();
-    let mut next = |what: &str| lines.next().ok_or(format!("the file ends before {what}"));
-    expect_line(next("its magic number")?, "P3")?;
-    let [width, height] = numbers::<2>(next("its size")?)?;
-    expect_line(next("its largest value")?, "255")?;
-    let pixels = lines
-        .map(|line| {
-            let channels = numbers::<3>(line)?;
-            let byte = |value| u8::try_from(value).map_err(|_| format!("line {}: {value} is over 255", line.0 + 1));
-            Ok([byte(channels[0])?, byte(channels[1])?, byte(channels[2])?])
-        })
-        .collect::<Result<Vec<_>, String>>()?;
-    if width == 0 || width.checked_mul(height) != Some(pixels.len()) {
+    // Every other spelling of the same numbers differs from the text that is written below.
+    let numbers: Vec<usize> = text.split_ascii_whitespace().skip(1).map_while(|word| word.parse().ok()).collect();
+    let [width, height, _, channels @ ..] = &numbers[..] else { return Err("the header is incomplete".to_owned()) };
+    let byte = |&channel: &usize| u8::try_from(channel).map_err(|_| format!("{channel} is over 255"));
+    let channels = channels.iter().map(byte).collect::<Result<Vec<_>, String>>()?;
+    let (pixels, rest) = channels.as_chunks::<3>();
+    let lines: String = pixels.iter().map(|[red, green, blue]| format!("{red} {green} {blue}\n")).collect();
+    let expected = format!("P3\n{width} {height}\n255\n{lines}");
+    if text != expected {
+        let same = expected.split('\n').zip(text.split('\n')).take_while(|(one, other)| one == other).count();
+        return Err(format!("line {} is not as it should be", same + 1));
+    }
+    if *width == 0 || width.checked_mul(*height) != Some(pixels.len()) || !rest.is_empty() {
         return Err(format!("{} pixels where {width} x {height} are announced", pixels.len()));
     }
-    Ok(Picture { width, height, pixels })
-}
-
-fn expect_line((index, line): (usize, &str), expected: &str) -> Result<(), String> {
-    if line == expected { Ok(()) } else { Err(format!("line {}: {line:?} instead of {expected:?}", index + 1)) }
-}
-
-/// Returns the `N` numbers of a line. They must be separated by single blanks, without leading zeros or signs.
-fn numbers<const N: usize>((index, line): (usize, &str)) -> Result<[usize; N], String> {
-    let values: Vec<usize> = line.split(' ').filter_map(|token| token.parse().ok()).collect();
-    let spelled: Vec<String> = values.iter().map(usize::to_string).collect();
-    match <[usize; N]>::try_from(values) {
-        Ok(values) if spelled.join(" ") == line => Ok(values),
-        _ => Err(format!("line {}: {line:?} instead of {N} numbers", index + 1)),
-    }
+    Ok(Picture { width: *width, height: *height, pixels: pixels.to_vec() })
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ use stability::run::{self, PROVEN_ERRORS};
 /// Number of rays for each regime, unless RENDER_REGIME_RAYS is set.
 const RAYS: u64 = 5_000;
 
-fn number(variable: &str, default: u64) -> u64 {
+pub fn number(variable: &str, default: u64) -> u64 {
     std::env::var(variable).map_or(default, |text| text.parse().expect("the variable is a number"))
 }
 

@@ -4,6 +4,7 @@
 mod extremes;
 mod functions;
 mod furnaces;
+mod near;
 mod paths;
 mod pictures;
 mod proofs;

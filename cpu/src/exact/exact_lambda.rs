@@ -1,0 +1,99 @@
+//! The exact lambda of a hit. It is a root of a quadratic whose coefficients have no rounding errors. No root is taken,
+//! except for the rounded lambda.
+
+use std::cmp::Ordering;
+
+use crate::geometry::ray::LAMBDA_MIN;
+use crate::math::dyadic::{Dyadic, power_of_two, sign_with_root, sign_with_roots};
+use crate::math::{double_double::DoubleDouble, real::Real};
+
+/// The equation `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0`, and the discriminant `D = h^2 - a c` is at
+/// least 0.
+#[derive(Debug)]
+pub struct Quadratic {
+    a: Dyadic,
+    h: Dyadic,
+    c: Dyadic,
+    discriminant: Dyadic,
+}
+
+impl Quadratic {
+    /// Returns the equation with these coefficients. The result is `None` if it has no real root, so that the ray's
+    /// line misses the surface. It is also `None` if `a` is not positive, so that the direction is null.
+    pub fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
+        let discriminant = &h.squared() - &(&a * &c);
+        let real = a.sign() == Ordering::Greater && discriminant.sign() != Ordering::Less;
+        real.then_some(Self { a, h, c, discriminant })
+    }
+
+    /// Returns the smallest root for which `counts` holds.
+    pub fn smallest_root(self, counts: impl Fn(&ExactLambda) -> bool) -> Option<ExactLambda> {
+        let smaller = ExactLambda { quadratic: self, is_larger: false };
+        if counts(&smaller) {
+            return Some(smaller);
+        }
+        Some(ExactLambda { is_larger: true, ..smaller }).filter(counts)
+    }
+}
+
+/// The exact lambda of a hit: one of the roots of a quadratic.
+#[derive(Debug)]
+pub struct ExactLambda {
+    quadratic: Quadratic,
+    /// Whether it is the larger root.
+    is_larger: bool,
+}
+
+impl ExactLambda {
+    /// Returns the lambda `numerator / denominator` of a cap, as the double root of a quadratic. Both numbers must be
+    /// positive.
+    pub fn fraction(numerator: Dyadic, denominator: Dyadic) -> Self {
+        debug_assert!(numerator.sign() == Ordering::Greater && denominator.sign() == Ordering::Greater);
+        // Nothing reads `c`, because the numerator of the larger root does not cancel.
+        let quadratic = Quadratic { a: denominator, h: numerator, c: Dyadic::zero(), discriminant: Dyadic::zero() };
+        Self { quadratic, is_larger: true }
+    }
+
+    /// Whether `x + y lambda >= 0`.
+    pub fn is_linear_form_positive(&self, x: &Dyadic, y: &Dyadic) -> bool {
+        let Quadratic { a, h, discriminant, .. } = &self.quadratic;
+        // The form is multiplied by `a`, which is positive. The result is `a x + y h -+ y sqrt(D)`.
+        sign_with_root(&(&(a * x) + &(y * h)), &self.of_root(y), discriminant) != Ordering::Less
+    }
+
+    /// Compares two lambdas.
+    pub fn compare(&self, other: &Self) -> Ordering {
+        let (left, right) = (&self.quadratic, &other.quadratic);
+        // The difference is multiplied by `a a'`. The result is `a' h - a h' -+ a' sqrt(D) +- a sqrt(D')`.
+        let difference = &(&right.a * &left.h) - &(&left.a * &right.h);
+        let (of_left, of_right) = (self.of_root(&right.a), -&other.of_root(&left.a));
+        sign_with_roots(&difference, (&of_left, &left.discriminant), (&of_right, &right.discriminant))
+    }
+
+    /// Returns `factor` with the sign that `sqrt(D)` has in this root.
+    fn of_root(&self, factor: &Dyadic) -> Dyadic {
+        if self.is_larger { factor.clone() } else { -factor }
+    }
+
+    /// Returns the `f64` nearest to the lambda, or a neighbour of it, but at least [`LAMBDA_MIN`].
+    pub fn rounded(&self) -> f64 {
+        let Quadratic { a, h, c, discriminant } = &self.quadratic;
+        // f64 must not overflow. So h and sqrt(D) are scaled by a common power of two, and a and c by powers of their
+        // own. A zero has no order, so it does not change the common power. If h and D are both zero, the root is zero
+        // with any power.
+        let root_order = discriminant.order().map(|order| (order + 1).div_euclid(2));
+        let scale = h.order().max(root_order).unwrap_or(0);
+        let h = h.scaled(-scale).to_double_double();
+        let root = discriminant.scaled(-2 * scale).to_double_double().sqrt();
+        let (sum, root_is_added) = if h.less(DoubleDouble::of(0.0)) { (h - root, false) } else { (h + root, true) };
+        // The numerator of one root does not cancel. The other root follows from the product of both, c / a.
+        let (quotient, power) = if root_is_added == self.is_larger {
+            let (a, order) = a.to_part_and_power();
+            (sum / a, scale - order)
+        } else {
+            let (c, order) = c.to_part_and_power();
+            (c / sum, order - scale)
+        };
+        power_of_two(quotient.high, power).max(LAMBDA_MIN)
+    }
+}

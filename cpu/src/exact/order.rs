@@ -1,0 +1,169 @@
+//! Decides which of two hits of a ray is closer: the one with the smaller exact lambda.
+//!
+//! The computed lambdas have errors, so they decide only if they are further apart than their errors
+//! ([`is_certainly_closer`]). If they are not, [`compare`] takes these steps:
+//! 1. The hits on equal objects, and on caps perpendicular to the same coordinate axis, are compared by the numbers of
+//!    the objects. Rays inside an object that stands on another one often meet two such caps.
+//! 2. Both hits are computed in double-double arithmetic.
+//! 3. The exact lambdas are compared, without a root being taken. So lambdas that are equal are told from lambdas that
+//!    nearly are.
+//!
+//! A tie, of two equal lambdas, is decided by [`geometry::tie`](crate::geometry::tie).
+
+use std::cmp::Ordering;
+
+use crate::counters::{Counter, add};
+use crate::exact::{
+    cylinder, cylinder_exact, cylinder_parts::LIMITS, error_bound::Decision, exact_lambda::ExactLambda, sphere,
+    sphere_exact, sphere_exact::NotFinite,
+};
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
+use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
+
+/// A surface that a ray hits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Surface {
+    /// A sphere.
+    Sphere(SphereRecord),
+    /// A cylinder with its axis in the scene file, and the part of it that is hit.
+    Cylinder(CylinderRecord, Vec3, CylinderPart),
+}
+
+/// Whether the exact lambda of one hit certainly is smaller than that of another. Both are given as the steps of
+/// [`crate::exact`] compute them in the arithmetic `T`. Their relative errors are at most a third of the
+/// [`lambda_error`](crate::exact::error_bound::Limits::lambda_error) of cylinders, larger than that of spheres.
+/// The result is false if a number is NaN.
+#[inline(always)]
+pub fn is_certainly_closer<T: Rounding>(lambda: T, other: T) -> T::Mask {
+    // The factor is exact.
+    (lambda * (T::of(1.0) + T::of(LIMITS.lambda_error::<T>()))).less(other)
+}
+
+/// Compares the exact lambdas of two hits of a ray, which must hit both surfaces. The result is `None` if a number of
+/// the ray or of a surface is not finite.
+pub fn compare(ray: &Ray, hits: [&Surface; 2]) -> Option<Ordering> {
+    add(Counter::NearHits, 1);
+    if hits[0] == hits[1] {
+        return Some(Ordering::Equal);
+    }
+    if let [Some((axis, left)), Some((other, right))] = hits.map(Surface::straight_plane)
+        && axis == other
+    {
+        let order = if left.less(right) {
+            Ordering::Less
+        } else if left == right {
+            Ordering::Equal
+        } else {
+            Ordering::Greater
+        };
+        return Some(if ray.direction.to_array()[axis] < 0.0 { order.reverse() } else { order });
+    }
+    add(Counter::NearHitsPrecisely, 1);
+    if let [Some(left), Some(right)] = hits.map(|surface| surface.in_double_double(ray)) {
+        if is_certainly_closer(left, right) {
+            return Some(Ordering::Less);
+        }
+        if is_certainly_closer(right, left) {
+            return Some(Ordering::Greater);
+        }
+    }
+    add(Counter::NearHitsExactly, 1);
+    exactly(ray, hits)
+}
+
+/// Compares as [`compare`] does, by the last of its steps.
+pub fn exactly(ray: &Ray, hits: [&Surface; 2]) -> Option<Ordering> {
+    let [left, right] = hits.map(|surface| surface.exact_lambda(ray).ok().flatten());
+    Some(left?.compare(&right?))
+}
+
+impl Surface {
+    /// Returns the coordinate axis to which a cap is perpendicular, and the coordinate of its plane along that axis,
+    /// without a rounding error. The result is `None` for all other surfaces.
+    fn straight_plane(&self) -> Option<(usize, DoubleDouble)> {
+        let &Self::Cylinder(CylinderRecord { center, .. }, axis, part) = self else { return None };
+        let (center, axis) = (center.to_array(), axis.to_array());
+        let along = (0..3).find(|&along| axis[along] != 0.0)?;
+        let half = match part {
+            CylinderPart::Side => return None,
+            CylinderPart::Top => axis[along] * 0.5,
+            CylinderPart::Bottom => axis[along] * -0.5,
+        };
+        let is_straight = (0..3).all(|other| other == along || axis[other] == 0.0);
+        // The half of a smaller number may be rounded.
+        let is_exact = half.abs() >= f64::MIN_POSITIVE;
+        let (high, low) = two_sum(center[along], half);
+        (is_straight && is_exact).then_some((along, DoubleDouble { high, low }))
+    }
+
+    /// Returns the lambda of the ray's hit, or `None` if double-double arithmetic does not decide about the hit.
+    fn in_double_double(&self, ray: &Ray) -> Option<DoubleDouble> {
+        match self {
+            Self::Sphere(record) => match sphere::in_double_double(record, ray) {
+                Decision::Certain(lambda) => lambda,
+                Decision::Uncertain => None,
+            },
+            Self::Cylinder(record, axis, _) => match cylinder::in_double_double(record, axis, ray) {
+                Decision::Certain(hit) => hit.map(|(lambda, _)| lambda),
+                Decision::Uncertain => None,
+            },
+        }
+    }
+
+    fn exact_lambda(&self, ray: &Ray) -> Result<Option<ExactLambda>, NotFinite> {
+        match self {
+            Self::Sphere(record) => sphere_exact::lambda(record, ray),
+            &Self::Cylinder(CylinderRecord { center, radius, .. }, axis, part) => {
+                cylinder_exact::lambda(center, radius, axis, ray, part)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::uniform::Uniform;
+
+    /// Returns the cap, at this height above `point`, of an upright cylinder. The cap faces a ray along `direction`.
+    fn cap(point: Vec3, direction: Vec3, height: f64, length: f64) -> Surface {
+        let (part, half) = match direction.y < 0.0 {
+            true => (CylinderPart::Top, length / 2.0),
+            false => (CylinderPart::Bottom, -length / 2.0),
+        };
+        let (center, axis) = (point + Vec3::new(0.0, height - half, 0.0), Vec3::new(0.0, length, 0.0));
+        Surface::Cylinder(CylinderRecord::new(center, 2.0, axis), axis, part)
+    }
+
+    #[test]
+    fn computed_lambdas_decide_only_beyond_their_errors() {
+        let error = LIMITS.lambda_error::<f64>();
+        assert!(is_certainly_closer(1.0, 1.0 + 2.0 * error) && !is_certainly_closer(1.0, 1.0 + error / 2.0));
+        assert!(is_certainly_closer(5.0, f64::INFINITY) && !is_certainly_closer(f64::INFINITY, f64::INFINITY));
+        assert!(!is_certainly_closer(f64::NAN, 1.0) && !is_certainly_closer(1.0, f64::NAN));
+    }
+
+    #[test]
+    fn every_step_has_the_order_of_the_exact_lambdas() {
+        let mut draws = Uniform::new(48);
+        let mut orders = [0; 3];
+        for _ in 0..3000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (direction, aside, target) = (vector(), vector() * 0.3, vector());
+            let ray = Ray { origin: target - direction * 7.0, direction };
+            let gap = [0.0, 2e-16, 1e-14, 1e-11][draws.draw(0.0, 4.0) as usize] * draws.draw(-1.0, 1.0).signum();
+            let center = target + Vec3::new(aside.x, 0.0, aside.z);
+            let straight = [(0.0, 2.0), (gap, draws.draw(0.5, 4.0))];
+            let straight = straight.map(|(height, length)| cap(center, direction, height, length));
+            let shells = [2.0, 2.0 - gap].map(|radius| Surface::Sphere(SphereRecord::new(target + aside, radius)));
+            for hits in [straight, shells] {
+                let hits = hits.each_ref();
+                let order = compare(&ray, hits);
+                assert_eq!(order, exactly(&ray, hits), "{ray:?}, {hits:?}");
+                assert_eq!(order.map(Ordering::reverse), compare(&ray, [hits[1], hits[0]]));
+                orders[(order.expect("all numbers are finite") as i8 + 1) as usize] += 1;
+            }
+        }
+        assert!(orders.iter().all(|&count| count > 300), "{orders:?}");
+    }
+}
