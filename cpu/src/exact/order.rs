@@ -18,7 +18,7 @@ use crate::exact::{
     sphere_exact, sphere_exact::NotFinite,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
-use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
+use crate::math::{double_double::DoubleDouble, error_free::two_sum, rounding::Rounding, vec3::Vec3};
 
 /// A surface that a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,13 +49,7 @@ pub fn compare(ray: &Ray, hits: [&Surface; 2]) -> Option<Ordering> {
     if let [Some((axis, left)), Some((other, right))] = hits.map(Surface::straight_plane)
         && axis == other
     {
-        let order = if left.less(right) {
-            Ordering::Less
-        } else if left == right {
-            Ordering::Equal
-        } else {
-            Ordering::Greater
-        };
+        let order = (left - right).high.partial_cmp(&0.0)?;
         return Some(if ray.direction.to_array()[axis] < 0.0 { order.reverse() } else { order });
     }
     add(Counter::NearHitsPrecisely, 1);
