@@ -159,6 +159,10 @@ fn what_has_no_form_in_integers_is_refused_with_its_place() {
         ("\nfn f() {\n  var m: array<mat2x3<f64>, 2>;\n}", "3:3"),
         ("\nfn f(a: f64,\n     m: ptr<function, mat4x4<f64>>) {}", "3:6"),
         ("const a = 1;\nstruct S { a: f64,\n  m: mat2x2<f64> }\nvar<private> s: S;", "2:1"),
+        ("\nvar<workgroup> a: atomic<u32>;", "2:1"),
+        ("@group(0) @binding(0) var t: texture_2d<f32>;", "1:23"),
+        ("\nfn f(x: f32) -> f32 {\n  return dpdx(x);\n}", "3:10"),
+        ("\nvar<workgroup> a: u32;\nfn f() -> u32 {\n  return workgroupUniformLoad(&a);\n}", "4:10"),
         ("override n = 3u;\n@compute @workgroup_size(n) fn main() {}", "2:1"),
     ];
     for (declaration, place) in declarations {

@@ -1,8 +1,8 @@
 //! Measures the energy that the processor packages use, or returns the reason why the machine cannot measure it.
 //!
 //! Linux offers the RAPL counters as files under `/sys/class/powercap`. They count microjoules, and wrap around to 0.
-//! They count the whole package, so idle cores and other processes are included; [`measure()`] can subtract the power
-//! of the idle machine. Only root may read the files; docs/measure-perf measures whole programs by `perf stat`.
+//! They count the whole package, so idle cores and other processes are included. Only root may read the files;
+//! docs/measure-perf measures whole programs by `perf stat`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,12 +22,10 @@ pub struct Energy {
     pub scene: String,
     /// The name of the implementation.
     pub engine: String,
-    /// Joules of one picture. The energy of the idle machine is subtracted if the user asked for that.
+    /// Joules of one picture.
     pub joules: Option<f64>,
-    /// Mean power in watts during rendering. The power of the idle machine is subtracted if the user asked for that.
+    /// Mean power in watts during rendering.
     pub watts: Option<f64>,
-    /// Power of the idle machine in watts that was subtracted; `null` if the user did not ask for that.
-    pub idle_watts: Option<f64>,
     /// The reason why there are no figures; `null` if there are figures.
     pub reason: Option<String>,
 }
@@ -104,16 +102,14 @@ fn number(file: &Path) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("no RAPL: {} holds no number", file.display()))
 }
 
-/// Calls `render` again and again for at least the time `shortest`, and returns the mean energy of one call. If `idle`
-/// is true, the idle machine is measured first, for the time `shortest`, and its power is subtracted. If `meter` is an
-/// error, the figures are `null`.
+/// Calls `render` again and again for at least the time `shortest`, and returns the mean energy of one call. If `meter`
+/// is an error, the figures are `null`.
 ///
 /// # Errors
 /// An error of `render`, or of reading a counter.
 pub fn measure(
     meter: &Result<Meter, String>,
     [scene, engine]: [&str; 2],
-    idle: bool,
     shortest: Duration,
     mut render: impl FnMut() -> Result<(), Failure>,
 ) -> Result<Energy, Failure> {
@@ -122,17 +118,9 @@ pub fn measure(
         Ok(meter) => meter,
         Err(reason) => {
             let reason = Some(reason.clone());
-            return Ok(Energy { scene, engine, joules: None, watts: None, idle_watts: None, reason });
+            return Ok(Energy { scene, engine, joules: None, watts: None, reason });
         }
     };
-    let mut idle_watts = None;
-    if idle {
-        let (joules, seconds) = meter.during(|| {
-            std::thread::sleep(shortest);
-            Ok(())
-        })?;
-        idle_watts = Some(joules / seconds);
-    }
     let mut pictures = 0_u32;
     let (joules, seconds) = meter.during(|| {
         let start = Instant::now();
@@ -142,9 +130,8 @@ pub fn measure(
         }
         Ok(())
     })?;
-    let joules = joules - idle_watts.unwrap_or(0.0) * seconds;
     let (per_picture, watts) = (joules / f64::from(pictures), joules / seconds);
-    Ok(Energy { scene, engine, joules: Some(per_picture), watts: Some(watts), idle_watts, reason: None })
+    Ok(Energy { scene, engine, joules: Some(per_picture), watts: Some(watts), reason: None })
 }
 
 #[cfg(test)]
@@ -177,25 +164,16 @@ mod tests {
             count = (count + 2_000_000) % 1_000_000_000;
             Ok(fs::write(folder.file("intel-rapl:0/energy_uj"), format!("{count}\n"))?)
         };
-        let energy = measure(&meter, ["s", "e"], false, Duration::ZERO, render).expect("nothing fails");
-        assert_eq!((energy.joules, energy.idle_watts, energy.reason), (Some(2.0), None, None));
+        let energy = measure(&meter, ["s", "e"], Duration::ZERO, render).expect("nothing fails");
+        assert_eq!((energy.joules, energy.reason), (Some(2.0), None));
         assert!(energy.watts.is_some_and(|watts| watts > 0.0));
-    }
-
-    #[test]
-    fn idle_power_is_subtracted_on_request() {
-        let folder = powercap("5\n");
-        let energy = measure(&Meter::open(folder.path()), ["s", "e"], true, Duration::from_millis(5), || Ok(()));
-        // The counter does not change, so the idle machine and the picture both take 0 joules.
-        let energy = energy.expect("nothing fails");
-        assert_eq!((energy.joules, energy.idle_watts), (Some(0.0), Some(0.0)));
     }
 
     #[test]
     fn without_a_meter_there_is_no_figure_but_a_reason() {
         let folder = powercap("unreadable\n");
         for meter in [Meter::open(Path::new("/nowhere")), Meter::open(folder.path())] {
-            let energy = measure(&meter, ["s", "e"], true, Duration::ZERO, || panic!("nothing to measure"));
+            let energy = measure(&meter, ["s", "e"], Duration::ZERO, || panic!("nothing to measure"));
             let energy = energy.expect("nothing fails");
             assert_eq!((energy.joules, energy.watts), (None, None));
             assert!(energy.reason.is_some_and(|reason| reason.starts_with("no RAPL: ")));

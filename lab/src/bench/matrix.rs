@@ -68,8 +68,6 @@ pub struct Plan {
     pub quick: bool,
     /// Number of measurements of each time.
     pub repeats: usize,
-    /// Whether to subtract the power of the idle machine from energies.
-    pub idle: bool,
 }
 
 impl Plan {
@@ -150,7 +148,7 @@ impl Plan {
         let shortest = Duration::from_secs(if self.quick { 2 } else { 8 });
         for engine in Engine::main() {
             let names = [name, &engine.to_string()];
-            results.energy.push(energy::measure(&meter, names, self.idle, shortest, || {
+            results.energy.push(energy::measure(&meter, names, shortest, || {
                 interrupt.check()?;
                 std::hint::black_box(engine.ppm(&config, &scene)?);
                 Ok(())
@@ -177,7 +175,7 @@ mod tests {
     #[test]
     fn parameters_rise() {
         for quick in [true, false] {
-            let plan = Plan { quick, repeats: 1, idle: false };
+            let plan = Plan { quick, repeats: 1 };
             for parameter in PARAMETERS {
                 let values = plan.values(parameter);
                 assert!(values.len() >= 4 && values.is_sorted_by(|a, b| a < b), "{parameter}: {values:?}");

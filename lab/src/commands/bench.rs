@@ -40,7 +40,7 @@ enum What {
         how: How,
     },
     /// Energy and power, from RAPL where root may read it; null with the reason where not
-    #[command(after_help = "Examples:\n  render-lab bench energy --subtract-idle --out energy.json")]
+    #[command(after_help = "Examples:\n  render-lab bench energy --out energy.json")]
     Energy {
         #[command(flatten)]
         how: How,
@@ -85,9 +85,6 @@ struct How {
     /// Repeats of each time
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
     repeats: u16,
-    /// Measure the idle machine's power too and subtract it from energies
-    #[arg(long)]
-    subtract_idle: bool,
 }
 
 fn parse_part(text: &str) -> Result<(usize, usize), String> {

@@ -9,7 +9,6 @@ use cpu::internals::accel::bounds::Bounds;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::input::scene::Shape;
-use cpu::internals::render::max_depth::RaysLeft;
 use cpu::{Aos, Config, Material, Scatter, Scene};
 use serde::Serialize;
 
@@ -55,8 +54,6 @@ struct Inspection {
     structure: Structure,
     picture: [usize; 2],
     samples: u64,
-    /// Names of the renderer's features that this configuration and scene do not use.
-    not_needed: Vec<&'static str>,
 }
 
 /// The acceleration structure that the renderer chooses.
@@ -133,7 +130,6 @@ impl Inspection {
             },
             picture: [prepared.size.width(), prepared.size.height()],
             samples: prepared.samples,
-            not_needed: not_needed(config, scene),
         })
     }
 }
@@ -144,27 +140,6 @@ const fn kind(material: &Material) -> &'static str {
         Material::Metal { .. } => "metal",
         Material::Refractive { .. } => "refractive",
     }
-}
-
-fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
-    let has_shape = |is: fn(&Shape) -> bool| scene.objects.iter().any(|object| is(&object.shape));
-    let has_material =
-        |is: fn(&Material) -> bool| scene.objects.iter().any(|object| is(&scene.materials[object.material as usize]));
-    let facts = [
-        (!has_shape(|shape| matches!(shape, Shape::Sphere(_))), "spheres"),
-        (!has_shape(|shape| matches!(shape, Shape::Cylinder(_))), "cylinders"),
-        (!has_material(|material| matches!(material, Material::Matte { .. })), "matte surfaces"),
-        (!has_material(|material| matches!(material, Material::Metal { .. })), "metal surfaces"),
-        (!has_material(|material| matches!(material, Material::Refractive { .. })), "refraction"),
-        (
-            !has_material(|material| matches!(material, Material::Metal { diffusion, .. } if *diffusion > 0.0)),
-            "diffusion",
-        ),
-        (config.background_dark_color == config.background_light_color, "a background that varies"),
-        (config.gamma == 1.0, "gamma correction"),
-        (RaysLeft::after_camera_ray(config.max_depth).is_none(), "scattered rays"),
-    ];
-    facts.into_iter().filter_map(|(is_absent, name)| is_absent.then_some(name)).collect()
 }
 
 impl Tree {
@@ -218,9 +193,7 @@ impl std::fmt::Display for Inspection {
                 tree.nodes, tree.children_per_node, tree.boxes_hit_by_a_line
             )?,
         }
-        writeln!(out, "picture     {} x {} pixels, {} samples each", self.picture[0], self.picture[1], self.samples)?;
-        let list = if self.not_needed.is_empty() { "nothing".to_owned() } else { self.not_needed.join(", ") };
-        write!(out, "not needed  {list}")
+        write!(out, "picture     {} x {} pixels, {} samples each", self.picture[0], self.picture[1], self.samples)
     }
 }
 

@@ -191,7 +191,7 @@ mod tests {
         let energy = |engine: &str, joules: Option<f64>| {
             let [scene, engine] = ["grid", engine].map(str::to_owned);
             let watts = joules.map(|joules| 10.0 * joules);
-            Energy { scene, engine, joules, watts, idle_watts: None, reason: None }
+            Energy { scene, engine, joules, watts, reason: None }
         };
         let measured = Results {
             energy: vec![energy("reference", Some(9.0)), energy("aos-avx2", Some(1.5))],

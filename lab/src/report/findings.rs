@@ -73,7 +73,6 @@ fn spread(results: &Results) -> Option<String> {
 }
 
 fn energy(results: &Results) -> Option<String> {
-    let first = results.energy.first()?;
     if let Some(reason) = results.energy.iter().find_map(|energy| energy.reason.as_ref()) {
         return Some(format!("Energy was not measured: {reason}."));
     }
@@ -85,9 +84,7 @@ fn energy(results: &Results) -> Option<String> {
             Some(format!("{joules} J a picture at {watts} W ({}, {})", energy.scene, energy.engine))
         })
         .collect();
-    let idle =
-        first.idle_watts.map_or_else(String::new, |watts| format!(", {} W of the idle machine apart", short(watts)));
-    Some(format!("Energy{idle}: {}.", parts.join(", ")))
+    (!parts.is_empty()).then(|| format!("Energy: {}.", parts.join(", ")))
 }
 
 #[cfg(test)]
@@ -141,7 +138,7 @@ mod tests {
     fn energy_that_was_not_measured_has_its_reason() {
         let [scene, engine] = ["grid", "reference"].map(str::to_owned);
         let reason = Some("no RAPL: here".to_owned());
-        let energy = Energy { scene, engine, joules: None, watts: None, idle_watts: None, reason };
+        let energy = Energy { scene, engine, joules: None, watts: None, reason };
         let mut results = Results { energy: vec![energy.clone()], ..Results::default() };
         assert_eq!(text(&results, "Energy"), "Energy was not measured: no RAPL: here.");
         results.energy = vec![Energy { joules: Some(1.5), watts: Some(20.0), reason: None, ..energy }];

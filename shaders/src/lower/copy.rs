@@ -1,6 +1,6 @@
 //! Copies expressions without f64, and those for which only the types and the operands change.
 
-use naga::{Expression, Handle, ImageQuery, SampleLevel};
+use naga::{Expression, Handle};
 
 use super::function::FunctionLowering;
 use super::refusal::{Lowered, Refusal};
@@ -10,15 +10,12 @@ pub fn copy(this: &mut FunctionLowering<'_, '_>, handle: Handle<Expression>) -> 
     let mut copied = this.source.expressions[handle].clone();
     let (mut operands, mut optional) = (Vec::new(), Vec::new());
     match &mut copied {
-        Expression::Literal(_) | Expression::FunctionArgument(_) | Expression::SubgroupBallotResult => {}
+        Expression::Literal(_) | Expression::FunctionArgument(_) => {}
         Expression::Constant(constant) => *constant = this.lowering.constants[constant],
         Expression::GlobalVariable(variable) => *variable = this.lowering.globals[variable.index()],
         Expression::LocalVariable(variable) => *variable = this.locals[variable.index()],
         Expression::CallResult(function) => *function = this.lowering.functions[function.index()],
-        Expression::ZeroValue(ty)
-        | Expression::AtomicResult { ty, .. }
-        | Expression::WorkGroupUniformLoadResult { ty }
-        | Expression::SubgroupOperationResult { ty } => *ty = this.lowering.types.of(*ty),
+        Expression::ZeroValue(ty) => *ty = this.lowering.types.of(*ty),
         Expression::Relational { fun, argument } if this.shape(*argument).is_some() => {
             return Err(Refusal::new(this.span, format!("`{fun:?}` of f64")));
         }
@@ -27,7 +24,6 @@ pub fn copy(this: &mut FunctionLowering<'_, '_>, handle: Handle<Expression>) -> 
         | Expression::Swizzle { vector: operand, .. }
         | Expression::Load { pointer: operand }
         | Expression::Unary { expr: operand, .. }
-        | Expression::Derivative { expr: operand, .. }
         | Expression::Relational { argument: operand, .. }
         | Expression::As { expr: operand, .. }
         | Expression::ArrayLength(operand) => operands.push(operand),
@@ -39,34 +35,7 @@ pub fn copy(this: &mut FunctionLowering<'_, '_>, handle: Handle<Expression>) -> 
             operands.push(arg);
             optional.extend([arg1, arg2, arg3]);
         }
-        Expression::ImageSample { image, sampler, coordinate, array_index, offset, level, depth_ref, .. } => {
-            operands.extend([image, sampler, coordinate]);
-            optional.extend([array_index, offset, depth_ref]);
-            match level {
-                SampleLevel::Auto | SampleLevel::Zero => {}
-                SampleLevel::Exact(operand) | SampleLevel::Bias(operand) => operands.push(operand),
-                SampleLevel::Gradient { x, y } => operands.extend([x, y]),
-            }
-        }
-        Expression::ImageLoad { image, coordinate, array_index, sample, level } => {
-            operands.extend([image, coordinate]);
-            optional.extend([array_index, sample, level]);
-        }
-        Expression::ImageQuery { image, query } => {
-            operands.push(image);
-            if let ImageQuery::Size { level } = query {
-                optional.push(level);
-            }
-        }
-        Expression::Compose { .. } | Expression::Override(_) => {
-            return Err(Refusal::new(this.span, "this expression"));
-        }
-        Expression::RayQueryVertexPositions { .. }
-        | Expression::RayQueryProceedResult
-        | Expression::RayQueryGetIntersection { .. } => return Err(Refusal::new(this.span, "a ray query")),
-        Expression::CooperativeLoad { .. } | Expression::CooperativeMultiplyAdd { .. } => {
-            return Err(Refusal::new(this.span, "a cooperative matrix"));
-        }
+        _ => return Err(Refusal::new(this.span, "this expression")),
     }
     for operand in operands {
         *operand = this.plain(*operand)?;

@@ -1,6 +1,6 @@
 //! Lowers the statements of a function.
 
-use naga::{AtomicFunction, Block, Expression, Handle, Span, Statement, SwitchCase, SwitchValue};
+use naga::{Block, Expression, Handle, Span, Statement, SwitchCase, SwitchValue};
 
 use super::function::{FunctionLowering, Value};
 use super::refusal::{Lowered, Refusal};
@@ -60,71 +60,16 @@ impl FunctionLowering<'_, '_> {
                 let result = result.map(|result| self.lowered_result(result)).transpose()?;
                 Statement::Call { function, arguments, result }
             }
-            Statement::SubgroupCollectiveOperation { op, argument, .. } if self.shape(*argument).is_some() => {
-                return Err(Refusal::new(span, format!("the operation {op:?} of a subgroup on f64")));
-            }
-            Statement::Atomic { .. }
-            | Statement::WorkGroupUniformLoad { .. }
-            | Statement::ImageStore { .. }
-            | Statement::SubgroupBallot { .. }
-            | Statement::SubgroupCollectiveOperation { .. } => self.copy_statement(source)?,
             Statement::Break
             | Statement::Continue
             | Statement::Kill
             | Statement::ControlBarrier(_)
             | Statement::MemoryBarrier(_) => source.clone(),
-            Statement::ImageAtomic { .. } => return Err(Refusal::new(span, "an atomic operation on a texture")),
-            Statement::SubgroupGather { .. } => return Err(Refusal::new(span, "a value of another invocation")),
-            Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => {
-                return Err(Refusal::new(span, "a ray query"));
-            }
-            Statement::CooperativeStore { .. } => return Err(Refusal::new(span, "a cooperative matrix")),
+            _ => return Err(Refusal::new(span, "this statement")),
         };
         self.at(span);
         self.push(lowered);
         Ok(())
-    }
-
-    /// Returns a statement for which only the operands change.
-    fn copy_statement(&mut self, source: &Statement) -> Lowered<Statement> {
-        let mut copied = source.clone();
-        let (mut operands, mut optional, mut results) = (Vec::new(), Vec::new(), Vec::new());
-        match &mut copied {
-            Statement::Atomic { pointer, fun, value, result } => {
-                operands.extend([pointer, value]);
-                results.extend(result);
-                if let AtomicFunction::Exchange { compare } = fun {
-                    optional.push(compare);
-                }
-            }
-            Statement::WorkGroupUniformLoad { pointer, result } => {
-                operands.push(pointer);
-                results.push(result);
-            }
-            Statement::ImageStore { image, coordinate, array_index, value } => {
-                operands.extend([image, coordinate, value]);
-                optional.push(array_index);
-            }
-            Statement::SubgroupBallot { result, predicate } => {
-                optional.push(predicate);
-                results.push(result);
-            }
-            Statement::SubgroupCollectiveOperation { argument, result, .. } => {
-                operands.push(argument);
-                results.push(result);
-            }
-            _ => {}
-        }
-        for operand in operands {
-            *operand = self.plain(*operand)?;
-        }
-        for operand in optional {
-            *operand = self.optional(*operand)?;
-        }
-        for result in results {
-            *result = self.lowered_result(*result)?;
-        }
-        Ok(copied)
     }
 
     pub fn optional(&mut self, handle: Option<Handle<Expression>>) -> Lowered<Option<Handle<Expression>>> {

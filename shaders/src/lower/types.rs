@@ -69,11 +69,7 @@ impl Types {
             let name = if shape(&ty.inner).is_some() { name_of(&ty.inner) } else { ty.name.clone() };
             types.map.push(module.types.insert(Type { name, inner }, span));
         }
-        let special = &source.special_types;
-        if let Some(ty) = special.ray_desc.or(special.ray_intersection).or(special.ray_vertex_return) {
-            return Err(Refusal::new(of_type(ty, source, Some(info)), "a ray query"));
-        }
-        for (key, &handle) in &special.predeclared_types {
+        for (key, &handle) in &source.special_types.predeclared_types {
             // The operations that need the other types are refused where they stand.
             let has_f64 = matches!(key, PredeclaredType::ModfResult { scalar: Scalar::F64, .. })
                 || matches!(key, PredeclaredType::FrexpResult { scalar: Scalar::F64, .. });
@@ -81,9 +77,6 @@ impl Types {
                 module.special_types.predeclared_types.insert(key.clone(), types.of(handle));
             }
         }
-        module.special_types.external_texture_params = special.external_texture_params.map(|ty| types.of(ty));
-        module.special_types.external_texture_transfer_function =
-            special.external_texture_transfer_function.map(|ty| types.of(ty));
         Ok(types)
     }
 
@@ -98,13 +91,6 @@ impl Types {
             TypeInner::Scalar(Scalar::F64) => WORDS,
             TypeInner::Vector { size, scalar: Scalar::F64 } => vector(size, &mut module.types),
             TypeInner::Matrix { scalar: Scalar::F64, .. } => return Err("a matrix of f64"),
-            TypeInner::ValuePointer { size, scalar: Scalar::F64, space } => {
-                let base = match size {
-                    Some(size) => vector_type(size, &mut module.types),
-                    None => words_type(&mut module.types),
-                };
-                TypeInner::Pointer { base, space }
-            }
             TypeInner::Pointer { base, space } => TypeInner::Pointer { base: self.of(base), space },
             TypeInner::Array { size: ArraySize::Pending(_), .. } => return Err("an array sized by an override"),
             TypeInner::Array { base, size, stride } => {
@@ -112,10 +98,6 @@ impl Types {
                 let base = if is_padded { padded_type(&mut module.types) } else { self.of(base) };
                 TypeInner::Array { base, size, stride }
             }
-            TypeInner::BindingArray { size: ArraySize::Pending(_), .. } => {
-                return Err("an array sized by an override");
-            }
-            TypeInner::BindingArray { base, size } => TypeInner::BindingArray { base: self.of(base), size },
             TypeInner::Struct { ref members, span: size } => {
                 let has_f64 = |member: &StructMember| shape(&source.types[member.ty].inner).is_some();
                 let is_interface = |member: &StructMember| matches!(member.binding, Some(Binding::Location { .. }));
@@ -125,9 +107,8 @@ impl Types {
                 let members = members.iter().map(|member| StructMember { ty: self.of(member.ty), ..member.clone() });
                 TypeInner::Struct { members: members.collect(), span: size }
             }
-            TypeInner::CooperativeMatrix { .. } => return Err("a cooperative matrix"),
-            TypeInner::AccelerationStructure { .. } | TypeInner::RayQuery { .. } => return Err("a ray query"),
-            ref other => other.clone(),
+            ref other @ (TypeInner::Scalar(_) | TypeInner::Vector { .. } | TypeInner::Matrix { .. }) => other.clone(),
+            _ => return Err("this type"),
         })
     }
 }

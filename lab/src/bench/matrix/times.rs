@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn what_would_take_too_long_is_left_out_with_its_reason() {
-        let plan = Plan { quick: true, repeats: 1, idle: false };
+        let plan = Plan { quick: true, repeats: 1 };
         let (config, scene) = board(300, 48);
         // The second value is a million times the first. So the reference is expected to take too long if its
         // first picture takes more than a millionth of the patience, 0.7 µs.

@@ -22,7 +22,7 @@ impl How {
         let interrupt = Interrupt::listen();
         // Checked first, because a measurement takes minutes and its results would be lost.
         Results::check_writable(&self.out, options)?;
-        let plan = Plan { quick: self.quick, repeats: usize::from(self.repeats), idle: self.subtract_idle };
+        let plan = Plan { quick: self.quick, repeats: usize::from(self.repeats) };
         let machine = Machine::here();
         let say = |text: String| (!self.quiet).then(|| terminal::note(&text));
         measure::busy::warning(machine.load).map(say);
