@@ -1,12 +1,8 @@
-//! Measures whole pictures, from the text of the inputs to the bytes of the file, and checks their digests. Then it
-//! measures the time to write a large picture and to read a large scene: `cargo bench -p bench --bench pictures`, with
-//! a part of a picture's name, or `large`.
+//! Measures the time to write a large picture and to read a large scene: `cargo bench -p bench --bench pictures`.
 //!
 //! The result is the shortest wall-clock time of several turns, because other work of the machine can only add time.
-//! Pictures of the reference folder, which take seconds, are rendered once.
 
-use std::fs::{self, File};
-use std::path::Path;
+use std::fs::File;
 use std::time::Instant;
 
 use cpu::internals::Camera;
@@ -16,10 +12,8 @@ use cpu::internals::accel::object::order_of;
 use cpu::internals::layout::Objects;
 use cpu::internals::layout::aos::{AosImage, AosObjects};
 use cpu::internals::layout::soa::SoaImage;
-use cpu::{Aos, Config, Image, Rgb, Scatter, Scene, Size};
-use digest::sha256;
+use cpu::{Image, Rgb, Scene, Size};
 use generator::{self, Options};
-use test_support::golden::{self, Golden};
 
 /// Calls `work` `turns` times, and returns the shortest time of a call in seconds.
 fn fastest<T>(turns: usize, mut work: impl FnMut() -> T) -> f64 {
@@ -31,19 +25,6 @@ fn fastest<T>(turns: usize, mut work: impl FnMut() -> T) -> f64 {
         seconds
     };
     (0..turns).map(time).fold(f64::INFINITY, f64::min)
-}
-
-fn picture(golden: &Golden, turns: usize) {
-    let read = |path: &Path| fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let (config, scene) = (read(&golden.config), read(&golden.scene));
-    let mut ppm = Vec::new();
-    let seconds = fastest(turns, || {
-        let config = Config::parse(&config[..]).expect("the configuration is valid");
-        let scene = Scene::parse(&scene[..]).expect("the scene is valid");
-        ppm = test_support::ppm(&cpu::render::<Aos>(&config, &scene, golden.scatter).expect("it can be rendered"));
-    });
-    assert_eq!(Ok(sha256(&ppm)), golden.digest(), "{} is another picture", golden.name);
-    println!("picture {}: {:.2} ms, its digest is right", golden.name, seconds * 1e3);
 }
 
 fn write<I: Image>(layout: &str) {
@@ -85,22 +66,11 @@ fn read() {
 }
 
 fn main() {
-    let arguments: Vec<_> = std::env::args().skip(1).collect();
     // `cargo test --benches` only checks that the benchmark starts.
-    if arguments.iter().any(|argument| argument == "--test") {
+    if std::env::args().any(|argument| argument == "--test") {
         return;
     }
-    let _ = bench::instruction_set();
-    let name = arguments.into_iter().find(|argument| !argument.starts_with('-')).unwrap_or_default();
-    let folder = golden::reference_folder();
-    let reference = if folder.is_dir() { golden::reference(&folder) } else { Vec::new() };
-    for (goldens, turns) in [(golden::cases(), 20), (reference, 1)] {
-        let is_measured = |golden: &&Golden| golden.scatter == Scatter::Statement && golden.name.contains(&name);
-        goldens.iter().filter(is_measured).for_each(|golden| picture(golden, turns));
-    }
-    if "large".contains(&name) {
-        write::<AosImage>("AoS");
-        write::<SoaImage>("SoA");
-        read();
-    }
+    write::<AosImage>("AoS");
+    write::<SoaImage>("SoA");
+    read();
 }

@@ -1,17 +1,13 @@
 //! Renders a picture with a program or a module that was built for another system.
 
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::path::Path;
+use std::process::Command;
 
 use libtest_mimic::Failed;
 use test_support::folder::Folder;
 use test_support::project_root;
 
 use super::build::Need;
-
-/// Names of the browser's program, in the order in which they are tried.
-const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
 /// What runs the program or the module.
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +18,6 @@ pub enum Host {
     Emulator { qemu: Need, libraries: &'static str },
     /// Node.js, with `tests/platforms/render.mjs`.
     Node,
-    /// Headless Chromium, with `tests/platforms/page.html`.
-    Chromium,
 }
 
 /// One picture to render: paths of the configuration and of the scene, the layout, and the instruction set.
@@ -43,8 +37,7 @@ impl Host {
         match self {
             Self::Native => (!cfg!(all(target_os = "linux", target_arch = "x86_64"))).then_some("x86-64 Linux"),
             Self::Emulator { qemu: (file, package), .. } => (!Path::new(file).exists()).then_some(*package),
-            Self::Node => find(&["node"]).is_none().then_some("nodejs"),
-            Self::Chromium => find(&BROWSERS).is_none().then_some("chromium"),
+            Self::Node => Command::new("node").arg("--version").output().is_err().then_some("nodejs"),
         }
     }
 
@@ -55,7 +48,6 @@ impl Host {
     pub fn render(&self, built: &Path, job: Job<'_>) -> Result<Vec<u8>, Failed> {
         let program = built.join(format!("render-{}", job.layout));
         let command = match self {
-            Self::Chromium => return render_in_chromium(&built.join("wasm.wasm"), job),
             Self::Native => Command::new(program),
             Self::Emulator { qemu, libraries } => {
                 let mut emulator = Command::new(qemu.0);
@@ -86,37 +78,4 @@ fn write_file(mut command: Command, job: Job<'_>) -> Result<Vec<u8>, Failed> {
         return Err(format!("{output:?}").into());
     }
     Ok(std::fs::read(out)?)
-}
-
-/// Opens a page that renders the picture while it loads. The browser prints the page when it has loaded.
-fn render_in_chromium(module: &Path, job: Job<'_>) -> Result<Vec<u8>, Failed> {
-    let folder = Folder::new();
-    for file in ["page.html", "call.js"] {
-        std::fs::copy(project_root().join("tests/platforms").join(file), folder.file(file))?;
-    }
-    // A page from a file may not read other files, but it may load scripts. So the bytes are in a script.
-    let mut input = String::from("const input = {\n");
-    for (name, path) in [("module", module), ("config", job.config), ("scene", job.scene)] {
-        writeln!(input, "{name}: new Uint8Array({:?}),", std::fs::read(path)?)?;
-    }
-    writeln!(input, "isSoa: {}, isPortable: {} }};", job.layout == "soa", job.set == "portable")?;
-    folder.write("input.js", input);
-    let mut command = Command::new(find(&BROWSERS).ok_or("there is no Chromium")?);
-    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]);
-    command.arg(format!("--user-data-dir={}", folder.file("profile").display())).arg("--dump-dom");
-    command.arg(format!("file://{}", folder.file("page.html").display()));
-    // The browser's own messages are about services of a desktop, which is not there.
-    let output = command.stderr(Stdio::null()).output()?;
-    let page = String::from_utf8(output.stdout)?;
-    let shown = page.split_once("<pre>").and_then(|(_, rest)| rest.rsplit_once("</pre>")).map(|(text, _)| text);
-    match shown {
-        Some(text) if text.starts_with("P3\n") => Ok(text.into()),
-        _ => Err(format!("{}: {}", output.status, shown.unwrap_or(&page)).into()),
-    }
-}
-
-/// Returns the path of the first program with one of `names` in the folders of `PATH`.
-fn find(names: &[&str]) -> Option<PathBuf> {
-    let folders: Vec<_> = std::env::split_paths(&std::env::var_os("PATH")?).collect();
-    names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name))).find(|path| path.is_file())
 }

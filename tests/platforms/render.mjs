@@ -5,7 +5,21 @@
 // RENDER_LAYOUT=soa takes structures of arrays, RENDER_INSTRUCTION_SET=portable does without 128-bit lanes.
 import { readFileSync, writeFileSync } from 'node:fs';
 
-import './call.js';
+// Returns the PPM file as bytes. Throws an error with the renderer's message if there is no picture.
+const renderPicture = (module, config, scene, isSoa, isPortable) => {
+    // The module calls these functions for every row, for a page that shows the rows.
+    const page = { begin() {}, row() {} };
+    const { memory, room, render, result, result_length } = new WebAssembly.Instance(module, { page }).exports;
+    [config, scene].forEach((bytes, text) => {
+        // Making room may move the memory, so its buffer is asked for afterwards.
+        const address = room(text, bytes.length);
+        new Uint8Array(memory.buffer).set(bytes, address);
+    });
+    const status = render(isSoa ? 1 : 0, 0, isPortable ? 1 : 0);
+    const bytes = new Uint8Array(memory.buffer, result(), result_length());
+    if (status !== 0) throw new Error(new TextDecoder().decode(bytes));
+    return bytes;
+};
 
 const [path, config, scene, out] = process.argv.slice(2);
 if (!out) {

@@ -28,7 +28,7 @@ pub struct Platform {
     pub is_slow: bool,
 }
 
-/// Returns all platforms. Node.js and Chromium share the modules.
+/// Returns all platforms.
 pub fn platforms() -> Vec<Platform> {
     let with_lanes = Arc::new(Build::wasm("wasm32-simd128", "-C target-feature=+simd128"));
     let without = Arc::new(Build::wasm("wasm32", ""));
@@ -48,8 +48,6 @@ pub fn platforms() -> Vec<Platform> {
     vec![
         Platform { is_slow: false, ..node },
         slow("wasm32", &without, Host::Node, &["portable"]),
-        slow("Chromium wasm32-simd128", &with_lanes, Host::Chromium, &["simd128", "portable"]),
-        slow("Chromium wasm32", &without, Host::Chromium, &["portable"]),
         slow(
             "aarch64",
             &Arc::new(arm),

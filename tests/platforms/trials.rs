@@ -1,5 +1,5 @@
 //! The evaluated programs on other systems give the same digests. Each platform is built with Debian's compiler for
-//! WebAssembly and ARM, and run by Node.js, by Chromium or by an emulator.
+//! WebAssembly and ARM, and run by Node.js or by an emulator.
 //!
 //! `tests/run --platforms` installs the packages that are needed, and takes the pictures that need minutes too.
 
@@ -61,14 +61,10 @@ fn trials_of(platform: &Arc<Platform>) -> Vec<(Trial, bool)> {
             trials.push((trial, platform.is_slow));
         }
     }
-    // Chromium has the modules of Node.js, and needs a second to start.
-    if !matches!(platform.host, Host::Chromium) {
-        let shared = Arc::clone(platform);
-        let trial = Trial::test(format!("platforms: {} random scenes", platform.name), move || {
-            random_scenes::are_equal(&shared)
-        });
-        trials.push((trial, true));
-    }
+    let shared = Arc::clone(platform);
+    let trial =
+        Trial::test(format!("platforms: {} random scenes", platform.name), move || random_scenes::are_equal(&shared));
+    trials.push((trial, true));
     // Only the packages of ARM have a library for tests.
     if platform.name == "aarch64" && all_are_asked_for() {
         let shared = Arc::clone(platform);

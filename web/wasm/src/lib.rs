@@ -3,7 +3,7 @@
 //! The caller asks for room for the two texts with [`room`], and writes them there. Then it calls [`check`] or
 //! [`render`], and reads the file or the message at [`result`]. Any call may move the memory, so the caller asks for an
 //! address after the call. The caller gives the module the functions in `page`, which [`render`] calls for every row.
-//! `tests/platforms/call.js` and `web/site` are callers.
+//! `tests/platforms/render.mjs` and `web/site` are callers.
 
 #![allow(unsafe_code, reason = "a name in the module's interface must be unique, which the compiler cannot check")]
 
