@@ -61,7 +61,7 @@ pub enum Command {
     Inspect(inspect::Arguments),
     /// Write a random scene, the same for the same seed, and a configuration that shows it
     Generate(generate::Arguments),
-    /// Measure run time, error and energy
+    /// Measure run time and error
     Bench(bench::Arguments),
     /// Turn measured data into charts and one self-contained HTML page
     Report(report::Arguments),

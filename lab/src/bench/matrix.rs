@@ -2,12 +2,9 @@
 
 mod times;
 
-use std::time::Duration;
-
 use cpu::{Config, Scene};
 use generator::{self, Arrangement, Options};
 
-use super::energy::{self, Meter};
 use super::error;
 use super::results::Results;
 use super::scenes;
@@ -22,8 +19,6 @@ pub enum Task {
     Scale(&'static str),
     /// Measures, for this scene, the error and the time of every engine for each number of samples.
     Error(&'static str),
-    /// Measures the energy of this scene's picture.
-    Energy(&'static str),
 }
 
 impl std::fmt::Display for Task {
@@ -31,7 +26,6 @@ impl std::fmt::Display for Task {
         match self {
             Self::Scale(parameter) => write!(out, "scale {parameter}"),
             Self::Error(scene) => write!(out, "error {scene}"),
-            Self::Energy(scene) => write!(out, "energy {scene}"),
         }
     }
 }
@@ -54,7 +48,7 @@ pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "dens
 #[must_use]
 pub fn tasks() -> Vec<Task> {
     let scale = PARAMETERS.map(Task::Scale);
-    scale.into_iter().chain(scenes::NAMES.map(Task::Error)).chain(scenes::NAMES.map(Task::Energy)).collect()
+    scale.into_iter().chain(scenes::NAMES.map(Task::Error)).collect()
 }
 
 fn scene(name: &str) -> Result<(Config, Scene), Failure> {
@@ -106,7 +100,6 @@ impl Plan {
         match task {
             Task::Scale(parameter) => self.scale(parameter, results, interrupt),
             Task::Error(scene) => self.error(scene, results, interrupt),
-            Task::Energy(scene) => self.energy(scene, results, interrupt),
         }
     }
 
@@ -140,21 +133,6 @@ impl Plan {
             (samples, config, scene.clone())
         });
         self.times(["error", name, "samples"], &Engine::all(), pictures, results, interrupt)
-    }
-
-    fn energy(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
-        let (config, scene) = scene(name)?;
-        let meter = Meter::here();
-        let shortest = Duration::from_secs(if self.quick { 2 } else { 8 });
-        for engine in Engine::main() {
-            let names = [name, &engine.to_string()];
-            results.energy.push(energy::measure(&meter, names, shortest, || {
-                interrupt.check()?;
-                std::hint::black_box(engine.ppm(&config, &scene)?);
-                Ok(())
-            })?);
-        }
-        Ok(())
     }
 }
 

@@ -7,7 +7,6 @@ mod merge;
 
 use serde::{Deserialize, Serialize};
 
-use super::energy::Energy;
 use super::error::ErrorCurve;
 use super::fit::PowerLaw;
 use super::machine::Machine;
@@ -105,8 +104,6 @@ pub struct Results {
     pub timings: Vec<Timing>,
     /// Errors of pictures for each number of samples.
     pub curves: Vec<ErrorCurve>,
-    /// Energy of pictures.
-    pub energy: Vec<Energy>,
     /// Measurements that were left out.
     pub omitted: Vec<Omitted>,
     /// The growth of the times with each parameter, derived from `timings`.

@@ -2,7 +2,7 @@
 
 use cpu::{Config, Scene};
 
-/// Names of the scenes whose error and energy are measured, with the texts of their two files.
+/// Names of the scenes whose error is measured, with the texts of their two files.
 const SCENES: [(&str, [&str; 2]); 3] = [
     (
         "materials",

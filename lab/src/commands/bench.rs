@@ -39,12 +39,6 @@ enum What {
         #[command(flatten)]
         how: How,
     },
-    /// Energy and power, from RAPL where root may read it; null with the reason where not
-    #[command(after_help = "Examples:\n  render-lab bench energy --out energy.json")]
-    Energy {
-        #[command(flatten)]
-        how: How,
-    },
     /// All of it
     #[command(after_help = "Examples:\n  render-lab bench all --out docs/report/data/bench.json\n  \
                             render-lab bench all --quick --part 3/10 --out part-3.json")]
@@ -105,7 +99,6 @@ impl Arguments {
                 how.run(options, all.iter().filter(|task| matches!(task, Task::Scale(name) if is_wanted(name))))
             }
             What::Error { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Error(_)))),
-            What::Energy { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Energy(_)))),
             What::All { part: (part, parts), how } => how.run(options, all.iter().skip(part - 1).step_by(*parts)),
             What::Tasks => {
                 let names: Vec<_> = all.iter().map(ToString::to_string).collect();

@@ -4,7 +4,6 @@ use cpu::internals::InstructionSet;
 
 use super::chart::{Axis, Bounds, Chart, Point, Series};
 use super::style::{seconds, short};
-use crate::bench::energy::Energy;
 use crate::bench::results::{Results, Timing};
 use measure::statistics::Median;
 
@@ -22,7 +21,6 @@ pub fn all(results: &Results) -> Vec<Chart> {
         .chain(error_by_samples(results))
         .chain(curves.filter_map(|scene| error_by_time(results, scene)))
         .chain(speed_ups(results))
-        .chain(energy(results))
         .collect()
 }
 
@@ -86,26 +84,6 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
     chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y: ERROR, series, rows: Vec::new() })
 }
 
-/// Returns the charts of the energy of a picture, and of the power during its rendering, with a row for each
-/// implementation. If no energy was measured, there are no charts.
-fn energy(results: &Results) -> Vec<Chart> {
-    type Figure = fn(&Energy) -> Option<f64>;
-    let kinds: [(&str, &str, &'static str, Figure); 2] = [
-        ("energy", "Energy of a picture", "joules a picture", |energy| energy.joules),
-        ("power", "Power while a picture is made", "watts", |energy| energy.watts),
-    ];
-    let charts = kinds.into_iter().filter_map(|(name, title, label, figure)| {
-        let (mut rows, mut series) = (Vec::new(), Vec::new());
-        for energy in &results.energy {
-            let Some(value) = figure(energy).filter(|&value| value > 0.0) else { continue };
-            push_dot(&mut rows, &mut series, [&energy.engine, &energy.scene], value);
-        }
-        let x = Axis { label, format: short };
-        chart(Chart { name: name.to_owned(), title: title.to_owned(), x, y: ROWS, series, rows })
-    });
-    charts.collect()
-}
-
 /// Speed of each engine divided by that of the reference, at the largest number of samples for which the
 /// reference was measured.
 fn speed_ups(results: &Results) -> Option<Chart> {
@@ -150,17 +128,6 @@ fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {
     }
 }
 
-/// Adds a dot at `x` to the row `row` and the series `name`. Adds the row or the series first if it does not exist.
-/// Each series gets its own colour.
-fn push_dot(rows: &mut Vec<String>, series: &mut Vec<Series>, [row, name]: [&str; 2], x: f64) {
-    let at = rows.iter().position(|known| known == row).unwrap_or(rows.len());
-    if at == rows.len() {
-        rows.push(row.to_owned());
-    }
-    let color = series.iter().position(|series| series.name == name).unwrap_or(series.len());
-    push(series, name, color, Point { x, y: at as f64 + 1.0, bounds: None });
-}
-
 /// Returns the colour index of an implementation, which is the same in all charts.
 fn color(engine: &str) -> usize {
     match engine.split_once('-') {
@@ -180,30 +147,4 @@ fn order(series: &mut [Series]) {
 
 fn chart(chart: Chart) -> Option<Chart> {
     chart.series.iter().any(|series| !series.is_guide && !series.points.is_empty()).then_some(chart)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn energy_and_power_have_charts_where_they_were_measured() {
-        let energy = |engine: &str, joules: Option<f64>| {
-            let [scene, engine] = ["grid", engine].map(str::to_owned);
-            let watts = joules.map(|joules| 10.0 * joules);
-            Energy { scene, engine, joules, watts, reason: None }
-        };
-        let measured = Results {
-            energy: vec![energy("reference", Some(9.0)), energy("aos-avx2", Some(1.5))],
-            ..Results::default()
-        };
-        let charts = all(&measured);
-        let names: Vec<_> = charts.iter().map(|chart| chart.name.as_str()).collect();
-        assert_eq!(names, ["energy", "power"]);
-        let xs = |chart: &Chart| chart.series[0].points.iter().map(|point| point.x).collect::<Vec<_>>();
-        assert_eq!((xs(&charts[0]), xs(&charts[1])), (vec![9.0, 1.5], vec![90.0, 15.0]));
-        assert!(charts[0].draw().is_ok_and(|svg| svg.contains("joules a picture") && svg.contains("aos-avx2")));
-        let unmeasured = Results { energy: vec![energy("reference", None)], ..Results::default() };
-        assert!(all(&unmeasured).is_empty());
-    }
 }

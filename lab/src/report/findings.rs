@@ -31,7 +31,6 @@ pub fn of(results: &Results) -> Vec<Finding> {
         ("Scaling", scaling(results)),
         ("Error", error(results)),
         ("Time to an error", time_to_error(results)),
-        ("Energy", energy(results)),
     ];
     findings.into_iter().filter_map(|(topic, text)| Some(Finding { topic, text: text? })).collect()
 }
@@ -72,25 +71,9 @@ fn spread(results: &Results) -> Option<String> {
     ))
 }
 
-fn energy(results: &Results) -> Option<String> {
-    if let Some(reason) = results.energy.iter().find_map(|energy| energy.reason.as_ref()) {
-        return Some(format!("Energy was not measured: {reason}."));
-    }
-    let parts: Vec<_> = results
-        .energy
-        .iter()
-        .filter_map(|energy| {
-            let (joules, watts) = (short(energy.joules?), short(energy.watts?));
-            Some(format!("{joules} J a picture at {watts} W ({}, {})", energy.scene, energy.engine))
-        })
-        .collect();
-    (!parts.is_empty()).then(|| format!("Energy: {}.", parts.join(", ")))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::energy::Energy;
     use crate::bench::machine::Machine;
     use crate::bench::results::{Setting, Timing};
     use measure::statistics::Median;
@@ -132,17 +115,6 @@ mod tests {
         );
         assert!(text(&results, "Instruction sets").contains("avx2 is 1.5 times as fast as portable"));
         assert!(text(&results, "Scaling").contains("objects to the power 0"), "{}", text(&results, "Scaling"));
-    }
-
-    #[test]
-    fn energy_that_was_not_measured_has_its_reason() {
-        let [scene, engine] = ["grid", "reference"].map(str::to_owned);
-        let reason = Some("no RAPL: here".to_owned());
-        let energy = Energy { scene, engine, joules: None, watts: None, reason };
-        let mut results = Results { energy: vec![energy.clone()], ..Results::default() };
-        assert_eq!(text(&results, "Energy"), "Energy was not measured: no RAPL: here.");
-        results.energy = vec![Energy { joules: Some(1.5), watts: Some(20.0), reason: None, ..energy }];
-        assert_eq!(text(&results, "Energy"), "Energy: 1.5 J a picture at 20 W (grid, reference).");
     }
 
     #[test]

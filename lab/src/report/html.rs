@@ -109,8 +109,7 @@ fn scenes(page: &mut String, pictures: &[Thumbnail]) {
 /// Appends a table that explains the names of the implementations.
 fn implementations(page: &mut String, results: &Results) {
     let timed = results.timings.iter().map(|timing| timing.setting.engine.as_str());
-    let engines: std::collections::BTreeSet<_> =
-        timed.chain(results.energy.iter().map(|e| e.engine.as_str())).collect();
+    let engines: std::collections::BTreeSet<_> = timed.collect();
     let rows = engines.into_iter().map(|engine| vec![engine.to_owned(), engine_meaning(engine)]);
     table(page, "Implementations", &["name", "what it is"], rows);
 }
@@ -125,7 +124,6 @@ fn caption(chart: &Chart) -> String {
             "Each point is a number of samples; bars are the bounds of a median. Lower and further left is better."
         }
         "speed" => "Further right is faster; bars are what the bounds of both medians allow.",
-        "energy" | "power" => "Of the processor's packages, while one picture after another is made.",
         _ => "",
     };
     format!("{}. {what}", chart.title)

@@ -74,7 +74,7 @@ fn an_interrupted_measurement_writes_nothing() {
 #[test]
 fn what_cannot_be_measured_joined_or_shown_is_an_error() {
     let folder = Folder::new();
-    assert!(complaint(&["bench", "energy", "--out", "/nowhere/e.json"]).contains("/nowhere/e.json"));
+    assert!(complaint(&["bench", "error", "--out", "/nowhere/e.json"]).contains("/nowhere/e.json"));
     let out = folder.name("out.json");
     assert!(complaint(&["bench", "merge", "--out", &out, "README.md"]).starts_with("Error: README.md: "));
     assert!(complaint(&["report", "README.md", "--out", &folder.name("r")]).starts_with("Error: README.md: "));
@@ -86,7 +86,7 @@ fn the_name_of_an_instruction_set_that_the_machine_lacks_is_an_error() {
     let folder = Folder::new();
     let (config, scene) = ("scenes/spheres/config.txt", "scenes/spheres/scene.txt");
     for arguments in [
-        &["bench", "energy", "--quick", "--out", &folder.name("energy.json")][..],
+        &["bench", "error", "--quick", "--out", &folder.name("error.json")][..],
         &["render", config, scene, &folder.name("out.ppm")],
     ] {
         let output = lab(arguments).env("RENDER_INSTRUCTION_SET", "avx3").output().expect("the program runs");

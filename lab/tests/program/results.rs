@@ -30,7 +30,7 @@ fn endless_results_are_refused() {
 /// Returns the JSON text of results with many repeats of one picture, and exactly `values` JSON values.
 fn repeated(values: usize) -> String {
     let text = serde_json::json!({
-        "quick": true, "machines": [], "curves": [], "energy": [], "omitted": [], "growth": [], "times_to_error": [],
+        "quick": true, "machines": [], "curves": [], "omitted": [], "growth": [], "times_to_error": [],
         "timings": [{
             "suite": "scale", "scene": "grid", "parameter": "width", "value": 1, "engine": "aos-avx2", "digest": "d",
             "median": { "median": 1.0, "low": 1.0, "high": 1.0, "confidence": 0.5 }, "seconds": [1.5],

@@ -63,7 +63,6 @@ impl Results {
             ("timings", self.timings.len()),
             ("curves", self.curves.len()),
             ("points of curves", self.curves.iter().map(|curve| curve.points.len()).sum()),
-            ("energy", self.energy.len()),
             ("omitted", self.omitted.len()),
             ("growth", self.growth.len()),
             ("times_to_error", self.times_to_error.len()),

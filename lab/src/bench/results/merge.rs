@@ -44,7 +44,6 @@ impl Results {
                     all.curves.push(curve);
                 }
             }
-            all.energy.extend(part.energy);
             all.omitted.extend(part.omitted);
         }
         all.complete();
