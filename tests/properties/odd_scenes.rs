@@ -6,89 +6,74 @@
 
 use cpu::internals::input::config::Config;
 use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
-use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Material, Scatter, Scene, Vec3};
+use generator::Draws;
 use proptest::prelude::*;
 use test_support::agreement::SCATTERS;
 
 use crate::runner::{Shown, agreed, check};
 
-/// The generator of random numbers for one scene.
-pub struct Draws(pub Uniform);
-
-impl Draws {
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0.draw(low, high)
-    }
-    /// Returns `10^k`, in which `k` is uniform from `low` to `high`.
-    pub fn decades(&mut self, low: f64, high: f64) -> f64 {
-        10.0_f64.powf(self.between(low, high))
-    }
-    pub fn below(&mut self, count: usize) -> usize {
-        (self.between(0.0, count as f64) as usize).min(count - 1)
-    }
-    pub fn cube(&mut self) -> Vec3 {
-        Vec3::from([(); 3].map(|()| self.between(-1.0, 1.0)))
+fn material(draws: &mut Draws) -> Material {
+    let reflectance = Vec3::new(draws.between(0.2, 1.0), draws.between(0.2, 1.0), draws.between(0.2, 1.0));
+    match draws.index(3) {
+        0 => Material::Matte { reflectance },
+        1 => Material::Metal { reflectance, diffusion: [0.0, draws.decades(-3.0, 9.0)][draws.index(2)] },
+        _ => Material::Refractive { index: [1.5, draws.decades(-12.0, 12.0)][draws.index(2)] },
     }
 }
 
-fn material(draws: &mut Draws) -> Material {
-    let reflectance = Vec3::new(draws.between(0.2, 1.0), draws.between(0.2, 1.0), draws.between(0.2, 1.0));
-    match draws.below(3) {
-        0 => Material::Matte { reflectance },
-        1 => Material::Metal { reflectance, diffusion: [0.0, draws.decades(-3.0, 9.0)][draws.below(2)] },
-        _ => Material::Refractive { index: [1.5, draws.decades(-12.0, 12.0)][draws.below(2)] },
-    }
+pub fn cube(draws: &mut Draws) -> Vec3 {
+    Vec3::from([(); 3].map(|()| draws.between(-1.0, 1.0)))
 }
 
 /// Returns a random length for a cylinder's axis. In seven of eight cases it is between `size` / 10,000 and 10 `size`.
 /// Otherwise its square underflows or nearly underflows.
 fn height(draws: &mut Draws, size: f64) -> f64 {
-    match draws.below(8) {
+    match draws.index(8) {
         0 => draws.decades(-161.0, -140.0),
         _ => size * draws.decades(-4.0, 1.0),
     }
 }
 
 fn scene_and_config(seed: u64, objects: usize) -> (Scene, Config) {
-    let mut draws = Draws(Uniform::new(seed));
+    let mut draws = Draws::new(seed);
     // Some scenes are so large or so small that the renderer intersects every object, without an acceleration
     // structure.
     let size = draws.decades(-8.0, 10.0);
     let materials: Vec<_> = (0..12).map(|_| material(&mut draws)).collect();
     let mut shapes = Vec::new();
-    if draws.below(2) == 0 {
+    if draws.index(2) == 0 {
         // A cylinder around the camera. In half of the cases the square of its radius is about the distance to the
         // other objects, or larger.
-        let radius = [size * draws.decades(-4.0, 0.0), (size * draws.decades(0.0, 4.0)).sqrt()][draws.below(2)];
-        let axis = draws.cube() * size;
+        let radius = [size * draws.decades(-4.0, 0.0), (size * draws.decades(0.0, 4.0)).sqrt()][draws.index(2)];
+        let axis = cube(&mut draws) * size;
         shapes.push(Shape::Cylinder(Cylinder { center: Vec3::ZERO, radius, axis }));
     }
     while shapes.len() < objects {
-        let (center, radius) = (draws.cube() * (2.0 * size), size * draws.decades(-4.0, -0.2));
-        shapes.push(if draws.below(2) == 0 {
+        let (center, radius) = (cube(&mut draws) * (2.0 * size), size * draws.decades(-4.0, -0.2));
+        shapes.push(if draws.index(2) == 0 {
             Shape::Sphere(Sphere { center, radius })
         } else {
-            let axis = draws.cube().unit() * height(&mut draws, size);
+            let axis = cube(&mut draws).unit() * height(&mut draws, size);
             Shape::Cylinder(Cylinder { center, radius, axis })
         });
     }
     let shapes = shapes.into_iter().take(objects);
     let mut objects: Vec<_> =
-        shapes.map(|shape| Object { shape, material: draws.below(materials.len()) as MaterialId }).collect();
+        shapes.map(|shape| Object { shape, material: draws.index(materials.len()) as MaterialId }).collect();
     let glass = materials.iter().position(|material| matches!(material, Material::Refractive { .. }));
     if let (Some(first), Some(glass)) = (objects.first_mut(), glass) {
         first.material = glass as MaterialId;
     }
     let config = Config {
-        image_width: 1 + draws.below(7) as u64,
+        image_width: 1 + draws.index(7) as u64,
         aspect_ratio: [1, 1],
-        camera_position: draws.cube() * (size * draws.decades(-6.0, 0.3)),
-        camera_target: draws.cube() * (size * draws.decades(-3.0, 0.3)),
-        camera_north: draws.cube(),
+        camera_position: cube(&mut draws) * (size * draws.decades(-6.0, 0.3)),
+        camera_target: cube(&mut draws) * (size * draws.decades(-3.0, 0.3)),
+        camera_north: cube(&mut draws),
         field_of_view: draws.between(1.0, 170.0),
-        samples_per_pixel: 1 + draws.below(3) as u64,
-        max_depth: 1 + draws.below(12) as u64,
+        samples_per_pixel: 1 + draws.index(3) as u64,
+        max_depth: 1 + draws.index(12) as u64,
         material_rng_seed: seed | 1,
         ..Config::default()
     };

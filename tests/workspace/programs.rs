@@ -40,20 +40,6 @@ fn programs_with_help() -> impl Iterator<Item = &'static (String, PathBuf)> {
     PROGRAMS.iter().filter(|(name, _)| !EVALUATED.contains(&name.as_str()))
 }
 
-#[test]
-fn every_program_of_the_workspace_is_built() {
-    let metadata: Value = serde_json::from_str(&cargo("", &["metadata", "--no-deps", "--format-version", "1"]))
-        .expect("cargo writes JSON");
-    let packages = metadata["packages"].as_array().expect("there are packages");
-    let targets = packages.iter().flat_map(|package| package["targets"].as_array().expect("a package has targets"));
-    let programs = targets.filter(|target| target["kind"][0] == "bin" || target["kind"][0] == "example");
-    let names: Vec<_> = programs.map(|target| target["name"].as_str().expect("it is a text")).collect();
-    assert!(names.len() >= 12, "only {names:?} were found");
-    for name in names {
-        assert!(PROGRAMS.iter().any(|(built, _)| built == name), "{name} was not built");
-    }
-}
-
 /// Returns the fault in a program's answer to `--help`, or `None` if there is none.
 fn fault(name: &str, output: &Output) -> Option<&'static str> {
     let said = String::from_utf8_lossy(&output.stdout).replace("\r\n", "\n");

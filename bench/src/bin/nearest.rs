@@ -1,16 +1,14 @@
-//! `nearest [--sizes N,…] [--rounds N] [--rays N] [--set NAME] [--json FILE]`: compares the time of a nearest hit with
+//! `nearest [--sizes N,…] [--rounds N] [--rays N] [--set NAME]`: compares the time of a nearest hit with
 //! Embree's. `bench/nearest` runs it.
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use bench::nearest::embree;
-use bench::nearest::measure::{Options, Results};
+use bench::nearest::measure::{Options, measure};
 use bench::nearest::scene::Setting;
-use bench::nearest::table::markdown;
+use bench::nearest::table::{HEAD, row};
 use clap::Parser;
 use cpu::internals::InstructionSet;
-use output::Output;
 
 /// Compares the time of a nearest hit of an incoherent ray with Embree 3.
 ///
@@ -19,10 +17,9 @@ use output::Output;
 /// dense, on a ground and without one. The rays start on surfaces, or anywhere (free). As in a picture, the record of
 /// the sphere on which a ray starts is in a near cache.
 ///
-/// Prints two tables in Markdown: the median user time of a ray, and the time and memory of each structure. Without
-/// Embree (Debian: libembree-dev) only our side is measured. The status is 1 if less than 99.99 % of the rays of a row
-/// hit the same object on both sides. Embree's self-hits are left out of this share and counted: by rounding, its ray
-/// hits the object on which it starts.
+/// Prints a table in Markdown with the median user time of a ray. Without Embree (Debian: libembree-dev) only our side
+/// is measured. The status is 1 if less than 99.99 % of the rays of a row hit the same object on both sides. Embree's
+/// self-hits are left out of this share and counted: by rounding, its ray hits the object on which it starts.
 #[derive(Parser)]
 #[command(
     name = "nearest",
@@ -46,9 +43,6 @@ struct CommandLine {
     /// One instruction set, avx512 or avx2; all of this machine without it
     #[arg(long, value_name = "NAME")]
     set: Option<String>,
-    /// A file for the results
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
 }
 
 fn main() -> ExitCode {
@@ -65,27 +59,18 @@ fn run(command: &CommandLine) -> Result<bool, String> {
     }
     let (rounds, rays) = (command.rounds, command.rays);
     let options = Options { rounds, rays, sets, embree: embree::missing().is_none() };
-    // A file that cannot be written is found before the measurement.
-    let open = |path: &PathBuf| Output::open(path, output::Options::default()).map_err(|error| error.to_string());
-    let json = command.json.as_ref().map(open).transpose()?;
     if let Some(reason) = embree::missing() {
         println!("Embree is ignored: {reason}.\n");
     }
-    let settings: Vec<_> = command.sizes.iter().flat_map(|&size| Setting::all(size)).collect();
-    let mut results = Results::default();
-    for (index, &setting) in settings.iter().enumerate() {
-        eprintln!("scene {} of {}", index + 1, settings.len());
-        results.add(setting, &options)?;
+    println!("{HEAD}");
+    let mut is_enough = true;
+    for setting in command.sizes.iter().flat_map(|&size| Setting::all(size)) {
+        for time in measure(setting, &options)? {
+            println!("{}", row(&time));
+            is_enough &= time.embree.is_none_or(|embree| embree.agreement.is_enough());
+        }
     }
-    print!("{}", markdown(&results));
-    if let Some(file) = json {
-        let text = serde_json::to_string_pretty(&results).map_err(|error| error.to_string())? + "\n";
-        file.fill(|file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())?;
-    }
-    for time in results.disagreements() {
-        eprintln!("Too few hits agree: {time:?}");
-    }
-    Ok(results.disagreements().next().is_none())
+    Ok(is_enough)
 }
 
 /// Returns a whole number from 1 to 10,000,000.

@@ -1,14 +1,12 @@
 //! Compares our hits with Embree's.
 
-use serde::Serialize;
-
 use super::{NearestHit, Start};
 
 /// The smallest share of rays for which both sides must hit the same object.
 pub const LEAST_AGREEMENT: f64 = 0.9999;
 
 /// How many rays of both sides hit the same object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Agreement {
     /// Number of rays that hit the same object, or none, on both sides.
     pub same: usize,

@@ -8,8 +8,6 @@
 use std::ffi::{CString, c_char, c_int, c_uint, c_void};
 use std::ptr::{null, null_mut};
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicIsize, Ordering};
-use std::time::Instant;
 
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::{Scene, Shape, Vec3};
@@ -57,7 +55,6 @@ struct Context {
 }
 
 type Pointer = *mut c_void;
-type Monitor = extern "C" fn(Pointer, isize, bool) -> bool;
 
 /// Declares [`Functions`], with a field for each function of the library, and loads them.
 macro_rules! functions {
@@ -87,7 +84,6 @@ functions! {
     rtcNewDevice: fn(*const c_char) -> Pointer;
     rtcGetDeviceError: fn(Pointer) -> c_int;
     rtcReleaseDevice: fn(Pointer);
-    rtcSetDeviceMemoryMonitorFunction: fn(Pointer, Monitor, Pointer);
     rtcNewGeometry: fn(Pointer, c_int) -> Pointer;
     rtcSetNewGeometryBuffer: fn(Pointer, c_int, c_uint, c_int, usize, usize) -> Pointer;
     rtcCommitGeometry: fn(Pointer);
@@ -137,10 +133,6 @@ pub struct Embree {
     functions: &'static Functions,
     device: Pointer,
     scene: Pointer,
-    /// The bytes that the device holds. Embree keeps a pointer to this number.
-    bytes: Box<AtomicIsize>,
-    /// Time to build the structure from the spheres, in seconds.
-    pub build_seconds: f64,
 }
 
 impl Embree {
@@ -151,17 +143,14 @@ impl Embree {
     pub fn new(scene: &Scene, set: &str) -> Result<Self, String> {
         let functions = functions()?;
         let configuration = CString::new(format!("threads=1,isa={set}")).map_err(|error| error.to_string())?;
-        let bytes = Box::new(AtomicIsize::new(0));
-        // SAFETY: the text ends with a null. The device is released before `bytes` and the monitor with it.
+        // SAFETY: the text ends with a null.
         let device = unsafe { (functions.rtcNewDevice)(configuration.as_ptr()) };
-        let mut embree = Self { functions, device, scene: null_mut(), bytes, build_seconds: 0.0 };
+        let mut embree = Self { functions, device, scene: null_mut() };
         embree.check("a device")?;
         let count = scene.objects.len();
         // SAFETY: the device is valid, and so is what it returns unless an error is reported. The buffer has room for
         // four numbers for each sphere, and only this thread uses it.
         unsafe {
-            let counter: *const AtomicIsize = &raw const *embree.bytes;
-            (functions.rtcSetDeviceMemoryMonitorFunction)(device, count_bytes, counter.cast_mut().cast());
             embree.scene = (functions.rtcNewScene)(device);
             (functions.rtcSetSceneBuildQuality)(embree.scene, HIGH_QUALITY);
             let geometry = (functions.rtcNewGeometry)(device, SPHERES);
@@ -173,11 +162,9 @@ impl Embree {
                 let [x, y, z] = single(sphere.center);
                 *vertex = [x, y, z, sphere.radius as f32];
             }
-            let start = Instant::now();
             (functions.rtcCommitGeometry)(geometry);
             (functions.rtcAttachGeometry)(embree.scene, geometry);
             (functions.rtcCommitScene)(embree.scene);
-            embree.build_seconds = start.elapsed().as_secs_f64();
             (functions.rtcReleaseGeometry)(geometry);
         }
         embree.check("a scene")?;
@@ -191,12 +178,6 @@ impl Embree {
             0 => Ok(()),
             number => Err(format!("Embree's error {number} for {what}")),
         }
-    }
-
-    /// Returns the bytes that Embree's device holds: the spheres and the structure.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.bytes.load(Ordering::Relaxed).unsigned_abs()
     }
 
     /// Finds the nearest hit of each ray. The least lambda is ours.
@@ -239,11 +220,4 @@ impl Drop for Embree {
             }
         }
     }
-}
-
-/// Counts the bytes that Embree allocates or, with a negative number, frees.
-extern "C" fn count_bytes(counter: Pointer, bytes: isize, _: bool) -> bool {
-    // SAFETY: the pointer is that of `Embree::bytes`, which lives longer than the device.
-    unsafe { &*counter.cast::<AtomicIsize>() }.fetch_add(bytes, Ordering::Relaxed);
-    true
 }

@@ -6,7 +6,6 @@
 
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Material, Object, Ray, Scene, Shape, Vec3};
-use serde::Serialize;
 
 use super::{NO_PLACE, Start, ours::Ours};
 
@@ -20,7 +19,7 @@ const GROUND_RADIUS: f64 = 100.0;
 const BLOCK: usize = 10_000;
 
 /// What a scene holds.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
     /// Number of spheres, without the ground.
     pub size: usize,

@@ -1,8 +1,7 @@
-//! Draws the charts of the documents from the data of two other programs: `cargo run --release -p lab --example charts
-//! nearest.json docs/nearest.svg`, or `... --example charts docs/accuracy`.
+//! Draws the charts of the documents from the tables of `stress`: `cargo run --release -p lab --example charts
+//! docs/accuracy`.
 
 mod accuracy;
-mod nearest;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -11,14 +10,10 @@ use lab::report::chart::Chart;
 use output::{Options, Output};
 
 const USAGE: &str = "\
-charts NEAREST.json CHART.svg
 charts FOLDER
-Draws the results that bench/nearest --json wrote: the time of a nearest hit of rays from surfaces, on a ground, against
-the number of objects, with the first instruction set of the results. Or draws the tables that stress --out wrote into
-FOLDER, and writes five charts beside them.
+Draws the tables that stress --out wrote into FOLDER, and writes five charts beside them.
 
-Examples:
-  cargo run --release -p lab --example charts nearest.json docs/nearest.svg
+Example:
   cargo run --release -p lab --example charts docs/accuracy";
 
 fn main() -> ExitCode {
@@ -28,11 +23,10 @@ fn main() -> ExitCode {
             println!("{USAGE}");
             return ExitCode::SUCCESS;
         }
-        [results, chart] => nearest::chart(results).and_then(|nearest| write(&nearest, Path::new(chart))),
         [folder] => accuracy::charts(Path::new(folder)).and_then(|charts| {
             charts.iter().try_for_each(|chart| write(chart, &Path::new(folder).join(format!("{}.svg", chart.name))))
         }),
-        _ => Err("NEAREST.json and CHART.svg, or a FOLDER, are needed; see --help".to_owned()),
+        _ => Err("a FOLDER is needed; see --help".to_owned()),
     };
     match drawn {
         Ok(()) => ExitCode::SUCCESS,

@@ -4,43 +4,44 @@ use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
 
 /// A generator of random numbers, vectors and choices.
-pub(super) struct Draws(Uniform);
+pub struct Draws(Uniform);
 
 impl Draws {
-    pub(super) fn new(seed: u64) -> Self {
+    /// Returns the generator with this seed.
+    pub fn new(seed: u64) -> Self {
         Self(Uniform::new(seed))
     }
 
     /// Returns a random number from `low` to `high`; `high` is excluded.
-    pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0.draw(low, high)
     }
 
     /// Returns `10^k`, in which `k` is uniform from `low` to `high`. Its last bits depend on the machine's library.
-    pub(super) fn decades(&mut self, low: f64, high: f64) -> f64 {
+    pub fn decades(&mut self, low: f64, high: f64) -> f64 {
         10.0_f64.powf(self.between(low, high))
     }
 
     /// Returns a random integer below `count`, which must not be 0.
-    pub(super) fn index(&mut self, count: usize) -> usize {
+    pub fn index(&mut self, count: usize) -> usize {
         // The random number is below 1, but rounding may give the product the value `count`.
         ((self.0.canonical() * count as f64) as usize).min(count - 1)
     }
 
     /// Returns true with this probability: never for 0, always for 1.
-    pub(super) fn chance(&mut self, probability: f64) -> bool {
+    pub fn chance(&mut self, probability: f64) -> bool {
         self.0.canonical() < probability
     }
 
     /// Returns a random point in the cube around the origin whose half side is `half_side`. The coordinates are
     /// rounded.
-    pub(super) fn point(&mut self, half_side: f64) -> Vec3 {
+    pub fn point(&mut self, half_side: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| round(self.between(-half_side, half_side))))
     }
 
     /// Returns a vector in a random direction. Its length is from half of `radius` to `radius`, and its components are
     /// rounded.
-    pub(super) fn direction(&mut self, radius: f64) -> Vec3 {
+    pub fn direction(&mut self, radius: f64) -> Vec3 {
         loop {
             let vector = self.point(1.0);
             if (0.5..1.0).contains(&vector.length()) {
@@ -50,14 +51,14 @@ impl Draws {
     }
 
     /// Returns a vector of this length along a random coordinate axis, with a random sign.
-    pub(super) fn along_an_axis(&mut self, length: f64) -> Vec3 {
+    pub fn along_an_axis(&mut self, length: f64) -> Vec3 {
         let mut components = [0.0; 3];
         components[self.index(3)] = if self.chance(0.5) { length } else { -length };
         components.into()
     }
 
     /// Returns a random colour. Its channels are from `darkest` to 1 and have two decimals.
-    pub(super) fn color(&mut self, darkest: f64) -> Vec3 {
+    pub fn color(&mut self, darkest: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| (self.between(darkest, 1.0) * 100.0).round() / 100.0))
     }
 }

@@ -13,7 +13,7 @@ pub mod write;
 use cpu::internals::input::scene::{MaterialId, Object};
 use cpu::{Config, Material, Scene, Vec3};
 
-use draws::Draws;
+pub use draws::Draws;
 
 /// Number of random materials in every scene. The options set the probability of each kind of material.
 const PALETTE: usize = 24;
