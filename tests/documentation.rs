@@ -1,4 +1,4 @@
-//! Checks that the documentation names only what exists: links, paths, sections of the specification, terms and types.
+//! Checks that the documentation names only what exists: links, paths, sections of the specification and terms.
 //! Also checks the width of lines.
 //!
 //! Every check counts the places that it compared, and fails if they are too few. The module `faults` shows that each
@@ -15,11 +15,9 @@ mod project;
 #[path = "documentation/words.rs"]
 mod words;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use checks::{
-    check_columns, check_links, check_named_items, check_paths, check_sections, check_terms, check_type_names,
-};
+use checks::{check_columns, check_links, check_named_items, check_paths, check_sections, check_terms};
 use markdown::Page;
 use project::Project;
 
@@ -86,12 +84,4 @@ fn every_term_of_the_glossary_is_used() {
     let paths = project.with_endings(&["md", "rs", "wgsl", "sh"]).filter(|path| *path != "docs/glossary.md");
     let text: String = paths.map(|path| project.text(path).to_lowercase() + " ").collect();
     check_terms(&Page::parse(&project.text("docs/glossary.md")), &text).conclude(100);
-}
-
-#[test]
-fn every_type_that_a_page_names_is_in_the_sources() {
-    let project = Project::read();
-    let sources: Vec<String> = project.with_endings(&["rs", "wgsl", "cpp"]).map(|path| project.text(path)).collect();
-    let known: BTreeSet<String> = sources.iter().flat_map(|text| words::names(text)).map(str::to_owned).collect();
-    check_type_names(&known, &pages(&project)).conclude(30);
 }

@@ -11,7 +11,7 @@ mod uses;
 use std::collections::BTreeSet;
 
 use crates::{crates, faults, sources};
-use uses::{Module, Sources, Uses, against_the_order, at_depth, in_circles, read, uses, without_parents};
+use uses::{Sources, Uses, against_the_order, at_depth, in_circles, read, uses, without_parents};
 
 /// Returns the uses of the modules of `cpu`.
 fn uses_of_cpu() -> Uses {
@@ -32,21 +32,6 @@ fn folders_of_page(page: &str) -> Vec<&str> {
     cells.map(|(folder, _)| folder.trim_end_matches('/')).collect()
 }
 
-/// Returns the dotted arrows of the page's diagram. Each arrow leads from a folder to a folder that uses it. The line
-/// `a[title] -.-> b & c` has two arrows.
-fn dotted_arrows(page: &str) -> Vec<(&str, &str)> {
-    let arrows = page.lines().filter_map(|line| line.split_once(" -.-> "));
-    let ends = arrows.flat_map(|(from, to)| to.split(" & ").map(move |to| (from, to)));
-    ends.map(|(from, to)| (from.split('[').next().unwrap_or(from).trim(), to.trim())).collect()
-}
-
-/// Returns the arrows that are wrong, because their second folder does not use the first.
-fn arrows_without_a_use<'a>(arrows: &[(&'a str, &'a str)], uses: &Uses) -> Vec<(&'a str, &'a str)> {
-    let folder = |name: &str| -> Module { vec![name.to_owned()] };
-    let is_wrong = |(from, to): &&(&str, &str)| !uses.get(&folder(to)).is_some_and(|used| used.contains(&folder(from)));
-    arrows.iter().filter(is_wrong).copied().collect()
-}
-
 #[test]
 fn folders_use_only_those_before_them_in_the_table() {
     let (uses, page) = (uses_of_cpu(), page_on_the_design());
@@ -65,15 +50,6 @@ fn no_files_and_no_folders_of_the_renderer_use_each_other_in_a_circle() {
     for depth in 1..=3 {
         assert_eq!(in_circles(&without_parents(at_depth(&uses, depth))), [""; 0], "folders of {depth} parts");
     }
-}
-
-#[test]
-fn the_dotted_arrows_of_the_design_are_uses() {
-    let page = page_on_the_design();
-    let (arrows, uses) = (dotted_arrows(&page), at_depth(&uses_of_cpu(), 1));
-    assert!(arrows.len() >= 8, "{arrows:?}");
-    assert_eq!(arrows_without_a_use(&arrows, &uses), []);
-    assert_eq!(arrows_without_a_use(&[("render", "accel")], &uses), [("render", "accel")]);
 }
 
 #[test]

@@ -38,25 +38,3 @@ pub fn render_files<L: Renderable>(config: &Path, scene: &Path, out: &Path, scat
     let image = cpu::render::<L>(&config, scene, scatter).map_err(|error| error.in_file(config_path))?;
     Ok(output.fill(|file| cpu::write_ppm(&image, file))?)
 }
-
-#[cfg(test)]
-mod tests {
-    use cpu::Aos;
-
-    use super::*;
-
-    #[test]
-    fn three_arguments_are_needed() {
-        for count in [0, 1, 2, 4, 9] {
-            let error = run::<Aos>(vec![OsString::from("x"); count]).expect_err("the number is wrong");
-            assert_eq!(error.to_string(), format!("Invalid number of arguments: {count}"));
-        }
-    }
-
-    #[test]
-    fn the_configuration_is_read_first() {
-        let names = ["/nowhere/config", "/nowhere/scene", "/nowhere/out"].map(OsString::from);
-        let error = run::<Aos>(names).expect_err("no file exists");
-        assert!(error.to_string().starts_with("Cannot read file [/nowhere/config]: "), "{error}");
-    }
-}

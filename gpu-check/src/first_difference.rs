@@ -3,12 +3,10 @@
 //! A picture or a kernel runs once with a trace of all its calls ([`shaders::call_trace`]): one pixel, or one case.
 //! Rust repeats every call with the arguments that WGSL had ([`twins`]). A call comes after the calls inside it, so the
 //! first call with another result is the innermost one: its own statements are wrong, or those of a function inside it
-//! that has no twin. If every call has Rust's result, then a path passes other arguments to a function than Rust
-//! ([`path`]), or ends otherwise.
+//! that has no twin. If every call has Rust's result, the difference is in what stands around the calls.
 
 mod arguments;
 pub mod calls;
-pub mod path;
 pub mod report;
 pub mod twins;
 
@@ -35,15 +33,8 @@ pub enum FirstDifference<T> {
         /// The first number of the result that differs.
         number: Unequal<T>,
     },
-    /// A call with other arguments than in Rust. The caller is a function without a result.
-    Arguments {
-        /// The name of the called function.
-        function: String,
-        /// The first argument that differs.
-        number: Unequal<T>,
-    },
-    /// Every call with a twin has the arguments and the result of Rust, but there are more or fewer calls, or what is
-    /// stored differs.
+    /// Every call with a twin has the result of Rust, but other arguments are passed, there are more or fewer calls, or
+    /// what is stored differs.
     Rest {
         /// Names of the functions without a twin that are called outside of others. One of them may be the wrong one.
         without_twin: Vec<String>,
@@ -102,9 +93,7 @@ pub fn of_pixel<T: Float>(
     let (calls, color) = tracer.pixel(&picture, index)?;
     let expected = picture.color(index).to_array();
     let is_same = expected.iter().zip(&color).all(|(one, other)| one.same(*other));
-    let found = first_wrong_call(Some(&picture), &tracer, &calls)
-        .or_else(|| path::first_other_arguments(&picture, index, &tracer, &calls))
-        .or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
+    let found = first_wrong_call(Some(&picture), &tracer, &calls).or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
     Ok(found.map(|found| (tracer.into_trace(), found)))
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use shaders::as_written::{SpirV, spirv};
-use shaders::lower::{self, Arithmetic};
+use shaders::lower::Arithmetic;
 use shaders::{Composition, Validated};
 use wgpu::{
     Device, Limits, PassthroughShaderEntryPoint, ShaderModule, ShaderModuleDescriptor,
@@ -74,7 +74,8 @@ impl Formed {
         let (source, constants) = match form {
             Form::AsWritten => (Source::SpirV(spirv(&shader, constants)?), Vec::new()),
             Form::AsDriverLikes | Form::ByIntegers => {
-                (Source::Wgsl(composition.source().to_owned()), lower::constants(&shader, constants))
+                let constants = constants.iter().map(|&(name, value)| (name.to_owned(), value)).collect();
+                (Source::Wgsl(composition.source().to_owned()), constants)
             }
         };
         Ok(Self { shader, constants, source })

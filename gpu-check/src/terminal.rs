@@ -4,10 +4,7 @@
 //! no error if a stream is closed.
 
 use std::io::{self, Write};
-use std::path::Path;
 use std::process::ExitCode;
-
-use output::{Options, Output};
 
 /// Writes `text` to standard output. All control characters except line ends are escaped.
 ///
@@ -16,19 +13,7 @@ use output::{Options, Output};
 /// # Errors
 /// An error if standard output is closed, full or not writable.
 pub fn print(text: &str) -> Result<(), output::Error> {
-    write(&escaped(text))
-}
-
-/// Writes `text` to standard output byte for byte. A closed pipe is not an error, as for [`print()`].
-///
-/// # Errors
-/// An error if standard output is closed, full or not writable.
-pub fn write(text: &str) -> Result<(), output::Error> {
-    let output = Output::open(Path::new("/dev/stdout"), Options::default());
-    match output.and_then(|output| output.fill(|file| file.write_all(text.as_bytes()))) {
-        Err(output::Error { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result,
-    }
+    output::print(escaped(text).as_bytes())
 }
 
 /// Writes `text` and a line end to standard error, with control characters escaped. An error is ignored, because there

@@ -54,22 +54,6 @@ fn f32_gives_the_bits_of_its_twin_on_a_device_with_the_arithmetic_of_ieee() {
 }
 
 #[test]
-fn random_rays_hit_every_part_of_a_cylinder_from_both_sides() {
-    let cylinder = KERNELS.iter().find(|kernel| kernel.module == "kernels/cylinder").expect("it is listed");
-    let (some, part, front) = (0, 2, 3);
-    let mut counts = [[0; 2]; 3];
-    let mut report = vec![0.0; cylinder.outputs.len()];
-    for case in cylinder.random_cases::<f64>(100_000, 42).chunks(cylinder.inputs) {
-        f64::formula(cylinder)(case, &mut report);
-        if report[some] == 1.0 {
-            counts[report[part] as usize][report[front] as usize] += 1;
-        }
-    }
-    println!("side, top, bottom, each from inside and from outside: {counts:?}");
-    assert!(counts.as_flattened().iter().all(|count| *count > 1000), "{counts:?}");
-}
-
-#[test]
 fn f32_is_within_its_bound_of_f64() {
     let gpu = common::gpu();
     let accuracy = common::accuracy(&gpu);

@@ -6,8 +6,6 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use output::{Options, Output};
-
 use crate::Failure;
 
 /// Writes `text` and a line end to standard output.
@@ -25,12 +23,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// # Errors
 /// The errors of [`print()`].
 pub fn write(bytes: &[u8]) -> Result<(), Failure> {
-    let written =
-        Output::open(Path::new("/dev/stdout"), Options::default()).and_then(|out| out.fill(|out| out.write_all(bytes)));
-    match written {
-        Err(output::Error { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        other => Ok(other?),
-    }
+    Ok(output::print(bytes)?)
 }
 
 /// Writes `text` and a line end to standard error. An error is ignored, because there is no other place to report it.

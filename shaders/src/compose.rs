@@ -306,15 +306,6 @@ mod tests {
     }
 
     #[test]
-    fn the_hierarchy_stands_in_for_the_loop_over_all_objects() {
-        let library = Library::standard().in_hierarchy();
-        let composition = library.compose("kernels/image", Precision::F32).expect("it exists");
-        assert_eq!(composition.source().matches("fn closest_hit(").count(), 1);
-        assert!(composition.source().contains("struct HierarchyNode"));
-        composition.validate().expect("it is valid");
-    }
-
-    #[test]
     fn an_unknown_module_is_named_and_the_others_listed() {
         let error = Library::standard().compose("torus", Precision::F32).expect_err("there is none");
         assert!(error.to_string().starts_with("there is no WGSL module [torus]; there are: vec3, "), "{error}");

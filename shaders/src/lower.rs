@@ -60,20 +60,6 @@ pub fn lower_text(path: &str, source: &str, arithmetic: &Arithmetic) -> Result<S
     lower(&Composition::of_file(path, source.to_owned(), Precision::F64), arithmetic)
 }
 
-/// Returns values of a module's overrides as values for `lowered`, the same module after lowering. There, each value of
-/// f64 is two words.
-#[must_use]
-pub fn constants(lowered: &Validated, constants: &[(&str, f64)]) -> Vec<(String, f64)> {
-    let has =
-        |wanted: &str| lowered.module.overrides.iter().any(|(_, constant)| constant.name.as_deref() == Some(wanted));
-    let in_words = |&(name, value): &(&str, f64)| {
-        let words = [(0, "low"), (32, "high")]
-            .map(|(shift, ending)| (format!("{name}_{ending}"), f64::from((value.to_bits() >> shift) as u32)));
-        if has(name) || !has(&words[0].0) { vec![(name.to_owned(), value)] } else { words.to_vec() }
-    };
-    constants.iter().flat_map(in_words).collect()
-}
-
 /// Returns the lowered text of `composition`; see [`lower_text`].
 pub(crate) fn lower(composition: &Composition, arithmetic: &Arithmetic) -> Result<String, Error> {
     within_limits(composition, || by_naga(composition, arithmetic))

@@ -159,14 +159,6 @@ mod tests {
     }
 
     #[test]
-    fn spir_v_and_desktop_opengl_take_f64() {
-        let shader = image(Precision::F64);
-        for target in [Target::SpirV, Target::Glsl430] {
-            translate(&shader, target, &Features::all(5)).unwrap_or_else(|error| panic!("{error}"));
-        }
-    }
-
-    #[test]
     fn the_value_of_a_feature_changes_the_translation() {
         let shader = image(Precision::F32);
         let text = |features| match translate(&shader, Target::Glsl430, &features).expect("it is f32") {

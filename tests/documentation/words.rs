@@ -55,18 +55,6 @@ pub fn sections(text: &str) -> Vec<String> {
     found
 }
 
-/// Returns the names of types in a code span: words in camel case with a capital letter at the start. A span with
-/// blanks has none, because it is a command or a message.
-pub fn type_names(code: &str) -> impl Iterator<Item = &str> {
-    let code = if code.contains(' ') { "" } else { code };
-    let words = code.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
-    words.filter(|word| {
-        word.starts_with(|letter: char| letter.is_ascii_uppercase())
-            && word.chars().filter(char::is_ascii_lowercase).count() >= 2
-            && word.chars().all(|letter| letter.is_ascii_alphanumeric())
-    })
-}
-
 /// Whether `text`, which must be in lower case, contains `words` as whole words one after the other.
 pub fn holds(text: &str, words: &str) -> bool {
     let is_apart = |letter: Option<char>| letter.is_none_or(|letter| !letter.is_alphanumeric() && letter != '_');
@@ -87,9 +75,4 @@ pub fn defines(source: &str, name: &str) -> bool {
         let words: Vec<&str> = line.split(|letter: char| !letter.is_alphanumeric() && letter != '_').collect();
         words.windows(2).any(|pair| kinds.contains(&pair[0]) && pair[1] == name)
     })
-}
-
-/// Returns all words of a source that may be names.
-pub fn names(source: &str) -> impl Iterator<Item = &str> {
-    source.split(|letter: char| !letter.is_alphanumeric() && letter != '_').filter(|word| !word.is_empty())
 }

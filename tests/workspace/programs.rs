@@ -134,19 +134,3 @@ fn no_program_contains_the_path_of_its_checkout() {
     // This test contains the path, because it looks for the programs there.
     assert!(data_of(&std::env::current_exe().expect("it runs")).is_some());
 }
-
-#[cfg(unix)]
-#[test]
-fn an_answer_that_lacks_something_is_noticed() {
-    use std::os::unix::process::ExitStatusExt;
-    let answer = |status: i32, said: &str, complaint: &str| {
-        let status = std::process::ExitStatus::from_raw(status << 8);
-        fault("tool", &Output { status, stdout: said.into(), stderr: complaint.into() })
-    };
-    assert_eq!(answer(0, "tool X\nDoes it.\n\nExample:\n  tool 3", ""), None);
-    assert_eq!(answer(2, "tool X\n\nExample:\n  tool 3", ""), Some("the status is not 0"));
-    assert_eq!(answer(0, "tool X\n\nExample:\n  tool 3", "oh"), Some("it writes to standard error"));
-    assert_eq!(answer(0, "Does it.\n\nExample:\n  tool 3", ""), Some("its usage does not have its name"));
-    assert_eq!(answer(0, "tool X\n", ""), Some("it has no example"));
-    assert_eq!(answer(0, "tool X\n\nExample:\n", ""), Some("it has no example"));
-}

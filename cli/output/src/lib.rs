@@ -49,6 +49,17 @@ pub struct Options {
     pub sync: bool,
 }
 
+/// Writes `bytes` to standard output. A broken pipe is not an error, because programs such as `head` stop reading
+/// before the end. The macros of the standard library panic instead, and report no error if the stream is closed.
+///
+/// # Errors
+/// [`Error`] if standard output is closed, full or not writable.
+pub fn print(bytes: &[u8]) -> Result<(), Error> {
+    let written =
+        Output::open(Path::new("/dev/stdout"), Options::default()).and_then(|out| out.fill(|out| out.write_all(bytes)));
+    written.or_else(|error| if error.cause.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
+}
+
 /// An output that is being written: a regular file, a device or a pipe. It implements [`Write`].
 ///
 /// The output has no buffer, so write large pieces. If this value is dropped without [`Output::commit`], a regular file

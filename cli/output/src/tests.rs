@@ -8,10 +8,10 @@ use crate::*;
 mod special;
 
 /// A folder for one test. It is removed when this value is dropped.
-struct Folder(PathBuf);
+pub(crate) struct Folder(pub(crate) PathBuf);
 
 impl Folder {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let path = std::env::temp_dir().join(format!("render-output-{name}-{}", std::process::id()));
         fs::create_dir_all(&path).expect("the temporary folder is writable");
         Self(path)

@@ -8,6 +8,5 @@ mod bench;
 mod input_files;
 mod messages;
 mod outputs;
-mod pictures;
 #[cfg(target_os = "linux")]
 mod symbols;

@@ -76,18 +76,6 @@ fn a_folder_that_vanishes_while_the_picture_is_made_is_an_error() {
     }
 }
 
-#[test]
-fn an_old_picture_is_replaced_whole() {
-    let bench = Bench::new(SMALL, "");
-    let expected = bench.render();
-    for program in PROGRAMS {
-        fs::write(bench.file("out.ppm"), vec![b'x'; 2 * expected.len()]).expect("the folder is writable");
-        assert_succeeded(&run(&bench, program, "out.ppm"));
-        assert!(fs::read(bench.file("out.ppm")).expect("it was written") == expected);
-        assert_eq!(bench.outputs(), ["out.ppm"]);
-    }
-}
-
 #[cfg(unix)]
 #[test]
 fn an_output_that_is_an_input_is_refused_before_it_is_read() {
@@ -130,17 +118,6 @@ fn a_standard_output_that_appends_is_appended_to() {
         let status = bench.command(program, "/dev/stdout").stdout(file).status().expect("the program runs");
         assert!(status.success());
         assert!(fs::read(bench.file("redirected")).expect("it was written") == expected);
-    }
-}
-
-#[cfg(unix)]
-#[test]
-fn a_full_device_is_an_error_and_a_null_device_is_not() {
-    let bench = Bench::new(SMALL, "");
-    for program in PROGRAMS {
-        assert_cannot_write(&run(&bench, program, "/dev/full"), "/dev/full", "No space left on device");
-        assert_succeeded(&run(&bench, program, "/dev/null"));
-        assert!(bench.outputs().is_empty());
     }
 }
 

@@ -40,7 +40,7 @@ fn main() -> ExitCode {
         [path] if !path.as_encoded_bytes().starts_with(b"-") => lower(Path::new(path)),
         _ => Err("give the path of one WGSL file; see lower-f64 --help".to_owned()),
     };
-    match result.and_then(|text| terminal::write(&text).map_err(|error| error.to_string())) {
+    match result.and_then(|text| output::print(text.as_bytes()).map_err(|error| error.to_string())) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => terminal::failed(&message),
     }
@@ -76,5 +76,5 @@ fn in_separate_process(arguments: impl Iterator<Item = OsString>) -> ExitCode {
         Ok(text) => (text, ExitCode::SUCCESS),
         Err(message) => (message, ExitCode::from(REFUSED as u8)),
     };
-    if terminal::write(&text).is_ok() { status } else { ExitCode::FAILURE }
+    if output::print(text.as_bytes()).is_ok() { status } else { ExitCode::FAILURE }
 }

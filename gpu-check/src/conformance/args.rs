@@ -61,11 +61,4 @@ mod tests {
         let message = "there is no probe [cancel-tern]; did you mean [cancel-term]?; --list shows all";
         assert_eq!(known("cancel-tern"), Err(message.to_owned()));
     }
-
-    #[test]
-    fn options_that_exclude_each_other_are_refused() {
-        let parse = |arguments: &[&str]| Arguments::try_parse_from([&["conformance"], arguments].concat()).is_ok();
-        assert!(parse(&["--as-driver-likes", "--csv", "x"]) && !parse(&["--list", "--csv", "x"]) && !parse(&["more"]));
-        assert!(!parse(&["--probe", "sum", "--csv", "y"]) && parse(&["--probe", "sum"]));
-    }
 }

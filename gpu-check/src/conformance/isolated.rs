@@ -14,7 +14,7 @@ use std::time::Duration;
 use super::outcome::Outcome;
 use super::probe::Probe;
 use super::{native, probes};
-use crate::{Form, Gpu, gpu, guard, terminal};
+use crate::{Form, Gpu, gpu, guard};
 
 /// The first argument of the separate process. With this argument the program only runs probes and writes outcomes.
 pub const FLAG: &str = "--report-outcomes";
@@ -42,7 +42,8 @@ pub fn report(arguments: impl Iterator<Item = OsString>) -> Result<(), String> {
     let gpu = Gpu::open().map_err(|error| error.to_string())?.with_form(form);
     for probe in probes::all().iter().filter(|probe| arguments.contains(&probe.name)) {
         let outcome = native::run(&gpu, probe);
-        terminal::write(&format!("{} {}\n", probe.name, outcome.to_line())).map_err(|error| error.to_string())?;
+        output::print(format!("{} {}\n", probe.name, outcome.to_line()).as_bytes())
+            .map_err(|error| error.to_string())?;
         if matches!(outcome, Outcome::Ended(_)) {
             break;
         }

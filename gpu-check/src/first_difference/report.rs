@@ -34,7 +34,6 @@ impl Places {
         };
         let suspects: Vec<_> = match found {
             FirstDifference::Call { function, inside, .. } => [function].into_iter().chain(inside).collect(),
-            FirstDifference::Arguments { .. } => Vec::new(),
             FirstDifference::Rest { without_twin } => without_twin.iter().collect(),
         };
         let of = |name: &String| trace.functions.iter().find(|function| function.name == *name);
@@ -78,10 +77,6 @@ pub fn report<T: Float>(trace: &CallTrace, found: &FirstDifference<T>) -> Result
             for (name, value) in arguments {
                 let _ = writeln!(text, "  {name:<28} {value:?}");
             }
-            text.push_str(&unequal(number));
-        }
-        FirstDifference::Arguments { function, number } => {
-            let _ = writeln!(text, "first difference: an argument that a path passes to {function}");
             text.push_str(&unequal(number));
         }
         FirstDifference::Rest { without_twin } => {

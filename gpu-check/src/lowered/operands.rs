@@ -194,22 +194,3 @@ fn numbers(draws: &mut Draws, kind: u64) -> [f64; 3] {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_operands_are_of_every_kind() {
-        let cases: Vec<_> = (0..120_000).map(|index| draw(1, index)).collect();
-        let count = |is: fn(&Operands) -> bool| cases.iter().filter(|case| is(case)).count();
-        assert!(count(|case| case.a.is_nan()) > 100);
-        assert!(count(|case| case.a.is_subnormal()) > 1000);
-        assert!(count(|case| case.a.is_infinite()) > 100);
-        assert!(count(|case| (case.a * case.b).is_subnormal()) > 1000, "products that are subnormal");
-        assert!(count(|case| case.a + 0.5 == case.a.floor() + 1.0 && case.a.abs() < 1e9) > 1000, "halves");
-        assert!(count(|case| (case.a as i32) != 0) > 10_000);
-        assert_eq!(draw(1, 5).a.to_bits(), draw(1, 5).a.to_bits());
-        assert_ne!(draw(1, 12).word, draw(2, 12).word);
-    }
-}

@@ -4,7 +4,6 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use gpu_check::shader_lab::files::MAX_BYTES;
 use test_support::folder::Folder;
 
 const GOOD: &str = "@group(0) @binding(0) var<storage, read_write> x: f64;\n\
@@ -58,15 +57,6 @@ fn a_module_that_takes_too_much_is_refused_and_a_smaller_one_is_not() {
     // naga refuses the comparison of arrays, but in the limits.
     let message = fault(&limited("small.wgsl", huge(1000)));
     assert!(message.starts_with("Error: small.wgsl:1:"), "{message}");
-}
-
-#[test]
-fn a_module_is_read_up_to_its_limit_and_refused_beyond_it() {
-    let folder = Folder::new();
-    let most = GOOD.to_owned() + &" ".repeat(usize::try_from(MAX_BYTES).expect("it fits") - GOOD.len());
-    assert!(lower(folder.path(), "most.wgsl", &most).status.success());
-    let message = fault(&lower(folder.path(), "more.wgsl", &(most + " ")));
-    assert_eq!(message, "Error: more.wgsl: it is larger than 1048576 bytes\n");
 }
 
 #[cfg(unix)]

@@ -138,17 +138,6 @@ fn the_template_gives_a_picture_of_normals_and_is_never_written_over() {
 }
 
 #[test]
-fn a_fault_is_shown_in_the_users_file_with_a_caret() {
-    let folder = Folder::new();
-    fs::write(folder.file("my.wgsl"), TEMPLATE.replace("my_color(vec3", "my_colr(vec3")).expect("writable");
-    let message = fault(folder.path(), "my.wgsl");
-    let line = 1 + TEMPLATE.lines().position(|line| line.contains("my_color(vec3_unit")).expect("it is there");
-    assert!(message.starts_with(&format!("Error: my.wgsl:{line}:35: ")), "{message}");
-    assert!(message.trim_end().ends_with("^^^^^^^"), "{message}");
-    assert!(!folder.file("out.png").exists());
-}
-
-#[test]
 fn an_unknown_module_is_shown_with_its_place_and_all_known_ones() {
     let folder = Folder::new();
     fs::write(folder.file("my.wgsl"), "// module: kernels/imgae\nfn f() {}\n").expect("the folder is writable");
@@ -198,17 +187,6 @@ fn constants_of_the_crate_and_of_the_user_are_set_and_unknown_ones_refused() {
 }
 
 #[test]
-fn an_option_that_is_not_understood_is_named_with_the_nearest_one() {
-    let folder = Folder::new();
-    let message = fault(folder.path(), "my.wgsl --wacht");
-    assert!(message.starts_with("error: unexpected argument '--wacht' found\n"), "{message}");
-    assert!(message.contains("a similar argument exists: '--watch'"), "{message}");
-    let output = Command::new(env!("CARGO_BIN_EXE_shader-lab")).arg("--help").output().expect("the program starts");
-    let text = String::from_utf8(output.stdout).expect("it is text");
-    assert!(output.status.success() && text.contains("Examples:\n  shader-lab --template my.wgsl\n"), "{text}");
-}
-
-#[test]
 fn a_dash_is_standard_input_and_output() {
     let folder = Folder::new();
     fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
@@ -250,16 +228,6 @@ fn a_scene_of_many_objects_and_a_path_in_it_take_runs_that_end_in_time() {
     assert_eq!(output.status.code(), Some(0), "{text}");
     assert!(text.contains(": 0 of 2304 pixels differ"), "{text}");
     assert!(text.contains("\nno bit differs\ncolour\n  red  "), "{text}");
-}
-
-#[test]
-fn a_path_that_is_too_long_is_refused_before_the_picture_is_rendered() {
-    let folder = Folder::new();
-    // The user's loop over all objects takes the place of the hierarchy. With a path's own loop it is too long.
-    fs::write(folder.file("closest_hit.wgsl"), standard("closest_hit")).expect("the folder is writable");
-    let output = run_ten_thousand(folder.path(), "max_depth: 60000\n", "closest_hit.wgsl --pixel 0 0");
-    let message = message(&output);
-    assert!(message.starts_with("Error: 10000 objects to a depth of "), "{message}");
 }
 
 #[test]

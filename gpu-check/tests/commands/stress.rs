@@ -22,19 +22,6 @@ fn in_text(path: &Path) -> &str {
 }
 
 #[test]
-fn help_has_examples_and_a_folder_is_asked_for() {
-    let help = stress(&["--help"]);
-    assert!(help.status.success());
-    let text = String::from_utf8(help.stdout).expect("it is text");
-    assert!(text.contains("Examples:\n  stress --out ") && text.contains("Exit status:"), "{text}");
-    for arguments in [&[][..], &["100000", "1"], &["--out", "x", "--rays", "many"]] {
-        let output = stress(arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
-        assert!(output.stdout.is_empty(), "{output:?}");
-    }
-}
-
-#[test]
 fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
     let folder = Folder::new();
     let table = folder.file("pictures.csv");

@@ -31,7 +31,6 @@ fn is_named(mutant: &Mutant, places: &Places, found: &FirstDifference<f64>) -> b
     };
     match found {
         FirstDifference::Call { .. } => places.functions.iter().any(is_inside),
-        FirstDifference::Arguments { .. } => is_outside(source, line),
         FirstDifference::Rest { .. } => places.functions.iter().any(is_inside) || is_outside(source, line),
     }
 }

@@ -46,18 +46,6 @@ fn without_a_driver_the_suite_fails_with_the_line_that_says_what_to_install() {
 }
 
 #[test]
-fn another_adapter_can_be_asked_for_and_the_message_names_a_missing_one() {
-    let name = "gpu::the_device_names_its_driver_and_whether_it_has_f64";
-    let (passed, output) = test_with(name, &[("WGPU_ADAPTER_NAME", "no such adapter")]);
-    assert!(!passed && output.contains("no GPU adapter has [no such adapter] in its name"), "{output}");
-    if !common::gpu().is_lavapipe() {
-        return;
-    }
-    let (passed, output) = test_with(name, &[("WGPU_ADAPTER_NAME", "LLVMpipe"), ("WGPU_BACKEND", "vulkan")]);
-    assert!(passed, "{output}");
-}
-
-#[test]
 fn a_lost_device_is_an_error() {
     let gpu = common::gpu();
     let (kernel, pipeline) = sphere_pipeline(&gpu);

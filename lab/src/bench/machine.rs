@@ -83,11 +83,4 @@ mod tests {
         assert_eq!(processor("processor\t: 0\nmodel name\t: Some CPU\n\nmodel name\t: Other\n"), "Some CPU");
         assert_eq!(processor(""), "");
     }
-
-    #[test]
-    fn this_machine_is_described() {
-        let machine = Machine::here();
-        assert!(machine.date.starts_with("20") && machine.compiler.starts_with("rustc"), "{machine:?}");
-        assert!(machine.processors >= 1);
-    }
 }

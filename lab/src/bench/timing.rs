@@ -57,22 +57,3 @@ pub fn measure(
     })?;
     Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_engine_is_measured_as_often_as_asked() {
-        let config = Config::parse(&b"image_width: 16\nsamples_per_pixel: 1\n"[..]).expect("it is valid");
-        let scene = Scene::parse(&b"matte: m 1 1 1\nsphere: 0 0 0 3 m\n"[..]).expect("it is valid");
-        let engines = Engine::main();
-        let times = measure(&engines, 2, &config, &scene, &Interrupt::default()).expect("it is small");
-        assert_eq!(times.of.len(), 3);
-        for (engine, seconds) in &times.of {
-            assert!(seconds.len() == 2 && seconds.iter().all(|&seconds| seconds > 0.0), "{engine}: {seconds:?}");
-        }
-        let expected = Engine::Reference.ppm(&config, &scene).expect("it is small");
-        assert_eq!(times.digest, sha256(&expected));
-    }
-}

@@ -67,15 +67,11 @@ fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
 #[test]
 fn a_palette_that_ends_within_a_colour_is_refused() {
     let png = |palette: &[u8]| {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
-        encoder.set_color(png::ColorType::Indexed);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_palette(palette.to_vec());
-        let mut writer = encoder.write_header().expect("memory takes all bytes");
-        writer.write_image_data(&[0]).expect("memory takes all bytes");
-        writer.finish().expect("memory takes all bytes");
-        Picture::parse(&bytes)
+        let set = |encoder: &mut Encoder| {
+            encoder.set_color(png::ColorType::Indexed);
+            encoder.set_palette(palette.to_vec());
+        };
+        Picture::parse(&encoded([1, 1], set, &[0]))
     };
     assert_eq!(png(&[1, 2, 3, 4, 5, 6]).map(|picture| picture.pixels), Ok(vec![[1, 2, 3]]));
     for length in [4, 5, 13] {
@@ -90,17 +86,23 @@ fn crc32(bytes: &[u8]) -> u32 {
     })
 }
 
-/// Returns a black greyscale PNG with one bit a pixel. The file is far smaller than its pixels.
-fn black_png(width: u32, height: u32) -> Vec<u8> {
+type Encoder<'a> = png::Encoder<'static, &'a mut Vec<u8>>;
+
+/// Returns a PNG of these bytes. `set` may change its kind, which is grey with 8 bits.
+fn encoded([width, height]: [u32; 2], set: impl FnOnce(&mut Encoder<'_>), data: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Grayscale);
-    encoder.set_depth(png::BitDepth::One);
+    set(&mut encoder);
     let mut writer = encoder.write_header().expect("memory takes all bytes");
-    let row = (width as usize).div_ceil(8);
-    writer.write_image_data(&vec![0; row * height as usize]).expect("memory takes all bytes");
+    writer.write_image_data(data).expect("memory takes all bytes");
     writer.finish().expect("memory takes all bytes");
     bytes
+}
+
+/// Returns a black greyscale PNG with one bit a pixel. The file is far smaller than its pixels.
+fn black_png(width: u32, height: u32) -> Vec<u8> {
+    let data = vec![0; (width as usize).div_ceil(8) * height as usize];
+    encoded([width, height], |encoder| encoder.set_depth(png::BitDepth::One), &data)
 }
 
 #[test]
@@ -119,12 +121,7 @@ fn a_picture_of_exactly_the_limit_is_read_and_one_row_more_refused() {
 
 #[test]
 fn a_png_of_16_bits_is_refused_before_its_pixels_are_read() {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
-    encoder.set_depth(png::BitDepth::Sixteen);
-    let mut writer = encoder.write_header().expect("memory takes all bytes");
-    writer.write_image_data(&[0; 2]).expect("memory takes all bytes");
-    writer.finish().expect("memory takes all bytes");
+    let bytes = encoded([1, 1], |encoder| encoder.set_depth(png::BitDepth::Sixteen), &[0; 2]);
     assert_eq!(Picture::parse(&bytes), Err("a PNG of more than 8 bits a channel".to_owned()));
 }
 

@@ -5,27 +5,7 @@ use std::fs;
 
 use test_support::folder::Folder;
 
-use crate::{bash, complaint, lab};
-
-const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
-
-#[test]
-fn a_small_file_of_many_pixels_is_refused_in_little_memory() {
-    let folder = Folder::new();
-    let name = folder.name("black.png");
-    let file = fs::File::create(&name).expect("the folder is writable");
-    // The picture has 32768 x 8192 pixels, four times as many as allowed. Its file has 32 kB.
-    let mut encoder = png::Encoder::new(file, 32_768, 8192);
-    encoder.set_color(png::ColorType::Grayscale);
-    encoder.set_depth(png::BitDepth::One);
-    let mut writer = encoder.write_header().expect("the file takes it");
-    writer.write_image_data(&vec![0; 4096 * 8192]).expect("the file takes it");
-    writer.finish().expect("the file takes it");
-    assert!(fs::metadata(&name).expect("it exists").len() < 100_000);
-    let output = bash(&folder, "ulimit -v 200000; $lab compare black.png black.png");
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    assert!(String::from_utf8_lossy(&output.stderr).contains("black.png: it has more than 67108864 pixels"));
-}
+use crate::{bash, complaint};
 
 #[test]
 fn a_picture_file_of_exactly_the_limit_is_read_and_one_byte_more_is_refused() {
@@ -147,16 +127,4 @@ fn names_cannot_command_a_terminal() {
     let output = bash(&folder, r"$lab $'\e[2J\nx'");
     assert!(!output.stderr.contains(&0x1b), "{output:?}");
     assert_eq!(output.status.code(), Some(2));
-}
-
-#[test]
-fn an_output_without_syncing_is_the_same_file() {
-    let folder = Folder::new();
-    let pictures = [&["--no-sync"][..], &[]].map(|more| {
-        let out = folder.name("out.png");
-        let arguments = [&["render", GRID[0], GRID[1], &out, "--set", "image_width=16"], more].concat();
-        assert!(lab(&arguments).status().expect("the program runs").success());
-        fs::read(out).expect("it was written")
-    });
-    assert_eq!(pictures[0], pictures[1]);
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use cpu::{Aos, Config, Scatter, Scene};
+use cpu::{Config, Scatter, Scene};
 use lab::picture::Picture;
 use test_support::folder::Folder;
 
@@ -29,24 +29,6 @@ fn render(folder: &Folder, out: &str, options: &[&str]) -> Vec<u8> {
     let printed = printed(&[&["render", CONFIG, SCENE, &out], &SMALL[..], options].concat());
     assert_eq!(printed, "", "standard output is for pictures and JSON");
     fs::read(out).expect("it was written")
-}
-
-#[test]
-fn the_defaults_give_the_bytes_of_the_evaluated_programs() {
-    let folder = Folder::new();
-    let out = folder.name("out.ppm");
-    for (config, scene) in [
-        ("scenes/listings/config.txt", "scenes/listings/scene.txt"),
-        ("tests/cases/07/config.txt", "tests/cases/07/scene.txt"),
-        ("tests/cases/16/config.txt", "tests/cases/16/scene.txt"),
-    ] {
-        printed(&["render", config, scene, &out]);
-        let root = test_support::project_root();
-        let theirs = folder.file("theirs.ppm");
-        cli::program::render_files::<Aos>(&root.join(config), &root.join(scene), &theirs, Scatter::Statement)
-            .expect("the files are valid");
-        assert!(fs::read(&out).expect("it was written") == fs::read(theirs).expect("it was written"), "{scene}");
-    }
 }
 
 #[test]

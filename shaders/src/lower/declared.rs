@@ -4,23 +4,16 @@ use naga::{Expression, Handle, Literal};
 
 use super::copy::copy;
 use super::function::{FunctionLowering, Value};
-use super::lowering::LoweredOverride;
 use super::refusal::{Lowered, Refusal};
-use super::types::{Shape, shape_type};
 
 impl FunctionLowering<'_, '_> {
     /// Lowers an expression that is not evaluated at a place: a literal, a constant, an argument or a variable.
     pub fn declared(&mut self, handle: Handle<Expression>, source: &Expression) -> Lowered<Handle<Expression>> {
         match *source {
             Expression::Literal(Literal::F64(number)) => Ok(self.number(number)),
-            Expression::Override(constant) => match self.lowering.overrides[&constant] {
-                LoweredOverride::Same(constant) => Ok(self.settled(Expression::Override(constant))),
-                LoweredOverride::Words(words) => {
-                    let components = words.map(|word| self.settled(Expression::Override(word))).to_vec();
-                    let ty = shape_type(Shape::Scalar, &mut self.lowering.module.types);
-                    Ok(self.emit(Expression::Compose { ty, components }))
-                }
-            },
+            Expression::Override(constant) => {
+                Ok(self.settled(Expression::Override(self.lowering.overrides[&constant])))
+            }
             _ => {
                 let lowered = copy(self, handle)?;
                 Ok(self.settled(lowered))

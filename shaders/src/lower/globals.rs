@@ -5,7 +5,7 @@ use naga::{
     VectorSize,
 };
 
-use super::lowering::{LoweredOverride, Lowering, split};
+use super::lowering::Lowering;
 use super::refusal::{Lowered, Refusal};
 use super::types::{Shape, shape, shape_type};
 
@@ -49,44 +49,20 @@ impl Lowering<'_> {
         lowered
     }
 
-    /// Returns the lowered override. An override of f64 becomes two of u32, with the names' endings `_low` and `_high`.
-    fn override_(&mut self, handle: Handle<Override>) -> Lowered<LoweredOverride> {
+    fn override_(&mut self, handle: Handle<Override>) -> Lowered<Handle<Override>> {
         if let Some(&lowered) = self.overrides.get(&handle) {
             return Ok(lowered);
         }
         let source = &self.source.overrides[handle];
         let span = self.source.overrides.get_span(handle);
-        let lowered = if shape(&self.source.types[source.ty].inner).is_some() {
-            if source.id.is_some() {
-                return Err(Refusal::new(span, "an override of f64 with a number"));
-            }
-            let words = source.init.map(|init| self.number(init)).transpose()?.map(split);
-            let ty = self.module.types.insert(Type { name: None, inner: U32 }, Span::UNDEFINED);
-            LoweredOverride::Words([(0, "low"), (1, "high")].map(|(place, ending)| {
-                let name = source.name.as_ref().map(|name| format!("{name}_{ending}"));
-                let init = words.map(|words| self.global(Expression::Literal(Literal::U32(words[place]))));
-                self.module.overrides.append(Override { name, id: None, ty, init }, span)
-            }))
-        } else {
-            let ty = self.types.of(source.ty);
-            let init = source.init.map(|init| self.global_expressions[init.index()]);
-            LoweredOverride::Same(self.module.overrides.append(Override { ty, init, ..source.clone() }, span))
-        };
+        if shape(&self.source.types[source.ty].inner).is_some() {
+            return Err(Refusal::new(span, "an override of f64"));
+        }
+        let ty = self.types.of(source.ty);
+        let init = source.init.map(|init| self.global_expressions[init.index()]);
+        let lowered = self.module.overrides.append(Override { ty, init, ..source.clone() }, span);
         self.overrides.insert(handle, lowered);
         Ok(lowered)
-    }
-
-    /// Returns the number that a global expression of type f64 is.
-    fn number(&self, handle: Handle<Expression>) -> Lowered<f64> {
-        match self.source.global_expressions[handle] {
-            Expression::Literal(Literal::F64(number)) => Ok(number),
-            Expression::ZeroValue(_) => Ok(0.0),
-            Expression::Constant(constant) => self.number(self.source.constants[constant].init),
-            _ => {
-                let span = self.source.global_expressions.get_span(handle);
-                Err(Refusal::new(span, "an override of f64 that depends on another"))
-            }
-        }
     }
 
     fn global_expression(&mut self, handle: Handle<Expression>, source: &Expression) -> Lowered<Handle<Expression>> {
@@ -95,13 +71,7 @@ impl Lowering<'_> {
             Expression::Literal(Literal::F64(number)) => return Ok(self.words(number)),
             Expression::Literal(literal) => Expression::Literal(literal),
             Expression::Constant(constant) => Expression::Constant(self.constant(constant)),
-            Expression::Override(handle) => match self.override_(handle)? {
-                LoweredOverride::Same(handle) => Expression::Override(handle),
-                LoweredOverride::Words(words) => {
-                    let components = words.map(|word| self.global(Expression::Override(word))).to_vec();
-                    Expression::Compose { ty: shape_type(Shape::Scalar, &mut self.module.types), components }
-                }
-            },
+            Expression::Override(handle) => Expression::Override(self.override_(handle)?),
             Expression::ZeroValue(ty) => Expression::ZeroValue(self.types.of(ty)),
             Expression::Compose { ty, ref components } => {
                 let inner = &self.source.types[ty].inner;
@@ -141,8 +111,6 @@ impl Lowering<'_> {
         self.global(Expression::Compose { ty: self.types.of(ty), components })
     }
 }
-
-const U32: TypeInner = TypeInner::Scalar(naga::Scalar::U32);
 
 /// Whether a structure in `ty` has a member within the last 8 of the 32 bytes that begin with a vec3<f64>. Uniform
 /// memory does not allow a member so near to a structure, which the vector becomes.

@@ -8,15 +8,6 @@ use naga::{Constant, Expression, Function, GlobalVariable, Handle, Literal, Modu
 use super::refusal::{Lowered, Refusal};
 use super::types::{Types, words_type};
 
-/// What stands for an override of the source.
-#[derive(Clone, Copy, Debug)]
-pub enum LoweredOverride {
-    /// One override of the same type.
-    Same(Handle<Override>),
-    /// The low and the high word of a number.
-    Words([Handle<Override>; 2]),
-}
-
 /// A module that is being lowered.
 pub struct Lowering<'a> {
     pub source: &'a Module,
@@ -25,7 +16,7 @@ pub struct Lowering<'a> {
     pub module: Module,
     pub types: Types,
     pub constants: HashMap<Handle<Constant>, Handle<Constant>>,
-    pub overrides: HashMap<Handle<Override>, LoweredOverride>,
+    pub overrides: HashMap<Handle<Override>, Handle<Override>>,
     pub globals: Vec<Handle<GlobalVariable>>,
     pub global_expressions: Vec<Handle<Expression>>,
     pub functions: Vec<Handle<Function>>,
@@ -85,7 +76,7 @@ impl<'a> Lowering<'a> {
 }
 
 /// Returns the low and the high word of a number.
-pub fn split(number: f64) -> [u32; 2] {
+fn split(number: f64) -> [u32; 2] {
     let bits = number.to_bits();
     [bits as u32, (bits >> 32) as u32]
 }

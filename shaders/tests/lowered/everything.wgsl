@@ -26,7 +26,7 @@ const TENTH: f64 = 0.1lf;
 const TABLE = array<vec3<f64>, 2>(vec3<f64>(1.0lf, -2.0lf, 3.5lf), vec3<f64>(TENTH));
 
 // The names end with digits, and are those of arguments too. Programs know the overrides by them.
-override scale2: f64 = 2.5lf;
+override scale2: f32 = 2.5;
 override n: u32 = 3u;
 override flag: bool = true;
 
@@ -65,7 +65,7 @@ fn looped(start: vec3<f64>, rows: array<vec3<f64>, 2>) -> vec3<f64> {
     var all_rows = rows;
     for (var k = 0; k < 6; k++) {
         if x.x < f64(k) {
-            x += turned(scale2, all_rows[k % 2]);
+            x += turned(f64(scale2), all_rows[k % 2]);
             continue;
         }
         switch k {
@@ -127,14 +127,14 @@ fn every2(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocatio
     results[first + 5u] = copies[i].list[1].z + copies[i].list[2].y - copies[i].list[2].z;
     results[first + 6u] = copies[i].inner.vector.x + f64(copies[i].inner.small) + copies[i].inner.after;
     results[first + 7u] = dot(copies[i].quad, item.quad) + copies[i].wide + f64(copies[i].last);
-    results[first + 8u] = select(select(scale2, TENTH, grew), f64(n), flag && below.x);
+    results[first + 8u] = select(select(f64(scale2), TENTH, grew), f64(n), flag && below.x);
     results[first + 9u] = f64(f32(item.close)) + f64(i32(item.tail.x)) + f64(u32(abs(item.tail.z))) + f64(all(below));
     let chosen = select(item.triple, item.tail, below);
     results[first + 10u] = length(chosen) + normalize(item.quad).z;
     results[first + 11u] = max(cross(item.triple, item.quad.xyz).y, floor(item.close)) * fract(item.wide);
     let negative = -item.quad.wzyx;
     results[first + 12u] = max(negative.x, min(negative.y, negative[item.number % 4u]));
-    results[first + 13u] = clamp(item.close, -1.0lf, scale2) * sign(item.wide) + ceil(item.pair.x) - trunc(item.pair.y);
+    results[first + 13u] = clamp(item.close, -1.0lf, f64(scale2)) * sign(item.wide) + ceil(item.pair.x) - trunc(item.pair.y);
     results[first + 14u] = f64(vec2<f32>(item.pair).x) + vec2<f64>(vec2<i32>(item.last, 3)).x + vec3<f64>(x.xy, item.wide).z;
     results[first + 15u] = f64(item.number) * f64(item.last) + TABLE[item.number % 2u].y;
 }

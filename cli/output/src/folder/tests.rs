@@ -1,26 +1,10 @@
 //! Tests of how a folder opens its files, as Linux reports it.
 
 use super::*;
+use crate::tests::Folder as Own;
 
-/// A folder for one test. It is removed when this value is dropped.
-struct Own(PathBuf);
-
-impl Own {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("render-folder-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&path).expect("the temporary folder is writable");
-        Self(path)
-    }
-
-    fn open(&self) -> Folder {
-        Folder::open(&self.0, false).expect("it is there")
-    }
-}
-
-impl Drop for Own {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
+fn open(own: &Own) -> Folder {
+    Folder::open(&own.0, false).expect("it is there")
 }
 
 /// Returns the flags with which `file` was opened.
@@ -34,7 +18,7 @@ fn flags(file: &File) -> c_int {
 fn files_are_opened_only_for_writing_and_closed_when_a_program_is_started() {
     let Some(Flags { write, close_on_exec, no_follow, nonblocking, .. }) = FLAGS else { return };
     let own = Own::new("flags");
-    let folder = own.open();
+    let folder = open(&own);
     let expected = write | close_on_exec | no_follow;
     // 3 are the bits that tell whether a file is open for reading, writing or both.
     let bits = 3 | close_on_exec | no_follow | nonblocking;
@@ -47,7 +31,7 @@ fn files_are_opened_only_for_writing_and_closed_when_a_program_is_started() {
 #[test]
 fn a_new_file_does_not_get_the_name_of_an_existing_file_or_link() {
     let own = Own::new("exclusive");
-    let folder = own.open();
+    let folder = open(&own);
     std::os::unix::fs::symlink("nothing", own.0.join("link")).expect("links are allowed");
     drop(folder.create(c"new", 0o600).expect("the name is free"));
     for name in [c"new", c"link"] {
@@ -60,8 +44,8 @@ fn a_new_file_does_not_get_the_name_of_an_existing_file_or_link() {
 
 #[test]
 fn a_file_may_be_replaced_but_no_folder_and_no_missing_file() {
-    let own = Own::new("replace");
-    let folder = own.open();
+    let own = Own::new("may-replace");
+    let folder = open(&own);
     drop(folder.create(c"file", 0o600).expect("the name is free"));
     folder.may_replace(c"file").expect("the folder is ours");
     assert_eq!(folder.may_replace(c"missing").map_err(|error| error.kind()), Err(ErrorKind::NotFound));
@@ -82,7 +66,7 @@ fn the_right_to_write_is_checked_without_opening_the_file() {
 #[test]
 fn a_file_on_another_mount_is_noticed() {
     let own = Own::new("mounts");
-    let folder = own.open();
+    let folder = open(&own);
     let file = folder.create(c"file", 0o600).expect("the name is free");
     assert!(!folder.is_mount_point(&file).expect("both are open"));
     // /proc is another file system on every Linux.

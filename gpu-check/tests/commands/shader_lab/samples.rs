@@ -50,18 +50,6 @@ fn an_f32_picture_with_random_numbers_has_an_rmse_from_f64_and_with_the_arithmet
 }
 
 #[test]
-fn a_wrong_component_of_the_random_vector_is_noticed() {
-    common::gpu();
-    let folder = Folder::new();
-    let wrong = standard("scatter_vectors").replace("scatter_word(word + 1u)", "scatter_word(word + 2u)");
-    fs::write(folder.file("scatter_vectors.wgsl"), wrong).expect("the folder is writable");
-    let output = sampled(folder.path(), "scatter_vectors.wgsl --check");
-    let text = words(&output);
-    assert_eq!(output.status.code(), Some(1), "{text}");
-    assert!(!text.contains(": 0 of 1296 pixels differ"), "{text}");
-}
-
-#[test]
 fn a_module_that_such_a_picture_does_not_use_is_refused() {
     common::gpu();
     let folder = Folder::new();
@@ -73,16 +61,4 @@ fn a_module_that_such_a_picture_does_not_use_is_refused() {
         text.contains("Error: --samples renders with [kernels/samples], which does not use [kernels/image]"),
         "{text}"
     );
-}
-
-#[test]
-fn too_many_samples_are_refused_before_they_are_rendered() {
-    let folder = Folder::new();
-    fs::write(folder.file("uniform.wgsl"), standard("uniform")).expect("the folder is writable");
-    let mut command = command(folder.path(), "uniform.wgsl --samples");
-    fs::write(folder.file("config.txt"), format!("{CONFIG}samples_per_pixel: 1000000\n")).expect("writable");
-    let output = command.output().expect("the program starts");
-    let text = words(&output);
-    assert_eq!(output.status.code(), Some(2), "{text}");
-    assert!(text.contains("Error: the picture has 1296000000 samples, more than 268435456; lower "), "{text}");
 }

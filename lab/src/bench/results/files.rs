@@ -50,22 +50,3 @@ impl Results {
         Ok(Output::open(&sources::output(path), options).map(drop)?)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::{results, timing};
-    use test_support::folder::Folder;
-
-    use super::*;
-
-    #[test]
-    fn files_hold_what_was_measured() {
-        let folder = Folder::new();
-        let path = folder.file("bench.json");
-        let mut results = results(vec![timing("a", 4, &[4.0, 5.0]), timing("a", 1, &[1.0])]);
-        results.complete();
-        results.write(&path, Options::default()).expect("the folder is writable");
-        assert_eq!(Results::read(&path).expect("it was written"), results);
-        assert!(Results::read(Path::new("/dev/zero")).is_err(), "it has no end");
-    }
-}
