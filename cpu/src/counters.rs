@@ -49,7 +49,7 @@ counters! {
     MispredictedEntries,
     /// Rays that hit a surface.
     Hits,
-    /// Uncertain intersections with spheres that the compensated formula decided.
+    /// Uncertain intersections that the compensated formulas decided.
     Compensated,
     /// Uncertain intersections that were computed in double-double arithmetic.
     Fallbacks,

@@ -187,7 +187,7 @@ impl Path<'_> {
             };
             let Some(hit) = hit else { continue };
             let is_nearer = nearest.is_none_or(|(nearest, of_nearest)| {
-                let hits = [hit.of(&object.shape), nearest.of(&of_nearest.shape)];
+                let hits = [hit.lambda_and_surface(&object.shape), nearest.lambda_and_surface(&of_nearest.shape)];
                 nearest::is_nearer(&hit, P::compare(ray, hits))
             });
             if is_nearer {

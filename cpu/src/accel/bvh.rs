@@ -127,8 +127,7 @@ impl<B: Boxes> Bvh<B> {
                 objects.prefetch_sphere(node.number(Kind::Sphere, lane) as usize);
             }
             for lane in lanes_in(spheres) {
-                // Another object of this node may have been hit before the ray enters this box. A box at the same
-                // lambda counts, because its object may be hit at that lambda and be later in the scene file.
+                // Another object of this node may have been hit before the ray enters this box.
                 if distances[lane] <= farthest(closest) {
                     closest.intersect_sphere(objects, node.number(Kind::Sphere, lane) as usize, ray);
                 }
@@ -177,9 +176,9 @@ struct Query<'a, O, F> {
     sphere_ray: &'a SphereRay,
 }
 
-/// Returns the lambda up to which the next hit may be closer than the closest hit so far, in single precision. It is
-/// infinite before the first hit. It exceeds the lambda of the closest hit by at least 2^-25 of that: the factor adds a
-/// unit in the last place, and rounding takes half of one. The errors of two lambdas are smaller.
+/// Returns a lambda in single precision beyond which no object is closer than the closest hit so far, or ties with it.
+/// It is infinite before the first hit. It exceeds the lambda of the closest hit by at least 2^-25 of that: the factor
+/// adds at least one unit in the last place, and rounding takes at most half of one. The error of that lambda is smaller.
 #[inline(always)]
 fn farthest(closest: &ClosestHit) -> f32 {
     const { assert!(LIMITS.lambda_error::<f64>() < f32::EPSILON as f64 / 4.0) };

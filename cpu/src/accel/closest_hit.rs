@@ -21,9 +21,8 @@ pub struct ClosestHit {
 }
 
 /// Whether a hit of a ray is closer than another one, by their exact lambdas and the [rule for
-/// ties](crate::geometry::tie). The other one may be [`ClosestHit::NOTHING`]. This serves two hits of which
-/// [`is_certainly_closer`] decides nothing. The parameters are values and no references, so that all other hits stay in
-/// registers.
+/// ties](crate::geometry::tie). The other one may be [`ClosestHit::NOTHING`]. This is called if [`is_certainly_closer`]
+/// is false in both orders. The parameters are values and no references, so that most rays keep them in registers.
 #[cold]
 #[inline(never)]
 pub fn is_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, closest: ClosestHit) -> bool {
@@ -33,11 +32,11 @@ pub fn is_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, closest: Cl
     let rank = |hit: &ClosestHit| {
         Place { order: order_of(objects, hit.object), on_cap: hit.part != CylinderPart::Side }.rank()
     };
-    // The lambdas of rays that have no exact ones are compared as they are.
-    let order = order::compare(&ray, [&hit.surface(objects), &closest.surface(objects)]);
-    match order.or(hit.lambda.partial_cmp(&closest.lambda)) {
+    // If a number is not finite, there are no exact lambdas, and the computed ones are compared.
+    let compared = order::compare(&ray, [&hit.surface(objects), &closest.surface(objects)]);
+    match compared.or(hit.lambda.partial_cmp(&closest.lambda)) {
         Some(Ordering::Equal) => rank(&hit) >= rank(&closest),
-        order => order == Some(Ordering::Less),
+        compared => compared == Some(Ordering::Less),
     }
 }
 
@@ -64,9 +63,9 @@ impl ClosestHit {
     #[inline(always)]
     pub fn update<O: Objects>(&mut self, objects: &O, ray: &Ray, other: Self) {
         debug_assert!(other.is_hit());
-        let is_closer = is_certainly_closer(other.lambda, self.lambda)
-            || !is_certainly_closer(self.lambda, other.lambda) && is_closer(objects, *ray, other, *self);
-        if is_closer {
+        if is_certainly_closer(other.lambda, self.lambda)
+            || !is_certainly_closer(self.lambda, other.lambda) && is_closer(objects, *ray, other, *self)
+        {
             *self = other;
         }
     }
@@ -136,5 +135,5 @@ fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64
 #[cold]
 #[inline(never)]
 fn precise_cylinder<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<(f64, CylinderPart)> {
-    exact::cylinder::precise(&objects.cylinder(index).record, &objects.axis(index), &ray)
+    exact::cylinder::compensated_or_precise(&objects.cylinder(index).record, &objects.axis(index), &ray)
 }

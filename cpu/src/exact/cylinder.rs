@@ -10,7 +10,9 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder_parts::{Crossing, Plane, Side, filtered_cap};
-use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite};
+use crate::exact::{
+    cylinder_compensated, cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite,
+};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
 use crate::math::{double_double::DoubleDouble, real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
@@ -39,7 +41,7 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
     debug_assert!(is_made_from(record, *axis));
     match filtered(record, ray) {
         Decision::Certain(hit) => hit,
-        Decision::Uncertain => precise(record, axis, ray),
+        Decision::Uncertain => compensated_or_precise(record, axis, ray),
     }
 }
 
@@ -60,7 +62,12 @@ fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
 /// the exit through the side mostly decides alone.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
-    let side = Side::new(record, &record.seen_from(ray.origin), ray.direction);
+    decided(record, ray, &Side::new(record, &record.seen_from(ray.origin), ray.direction))
+}
+
+/// Returns the result of [`filtered`] with a quadratic of the side that may be more accurate than the plain one.
+#[inline(always)]
+fn decided<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, side: &Side<T>) -> Decision<Hit<T>> {
     if !in_scale(side.length_squared) {
         return Decision::Uncertain;
     }
@@ -100,8 +107,29 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<
     }
 }
 
-/// Intersects a ray for which [`filtered`] is uncertain, by double-double arithmetic. If that is uncertain too, dyadic
-/// arithmetic decides. This takes some thousand operations, and few rays need it. `axis` is the axis of the scene file.
+/// Intersects a ray for which [`filtered`] is uncertain. The [compensated](cylinder_compensated) quadratic of the side is
+/// tried first. If it is uncertain too, [`precise`] gives the result. `axis` is the axis of the scene file.
+#[cold]
+#[inline(never)]
+pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+    match compensated(record, axis, ray) {
+        Decision::Certain(hit) => {
+            add(Counter::Compensated, 1);
+            hit
+        }
+        Decision::Uncertain => precise(record, axis, ray),
+    }
+}
+
+/// Returns the result of [`filtered`] with the [compensated](cylinder_compensated) quadratic of the side.
+pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<f64>> {
+    run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<f64>> {
+        decided(record, ray, &cylinder_compensated::side(record, *axis, ray))
+    })
+}
+
+/// Intersects a ray by double-double arithmetic. If that is uncertain, dyadic arithmetic decides. This takes some
+/// thousand operations, and few rays need it. `axis` is the axis of the scene file.
 #[cold]
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {

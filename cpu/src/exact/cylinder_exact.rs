@@ -84,9 +84,9 @@ impl Inputs {
     /// Whether a root is in range, and its point is between the caps' planes.
     fn side_counts(&self, root: &ExactLambda) -> bool {
         let Self { half, slope, height, least, .. } = self;
-        root.is_linear_form_positive(&-least, &Dyadic::one())
-            && root.is_linear_form_positive(&(half - height), &-slope)
-            && root.is_linear_form_positive(&(half + height), slope)
+        root.is_at_least(least)
+            && root.is_linear_form_nonnegative(&(half - height), &-slope)
+            && root.is_linear_form_nonnegative(&(half + height), slope)
     }
 
     /// Returns the lambda of a cap's plane as numerator and denominator. The denominator is not negative.

@@ -25,19 +25,21 @@ pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 6553
 pub const STEEPNESS: f64 = 64.0;
 
 /// The quadratic of one ray and an infinite cylinder, with its error bound.
-pub(super) struct Side<T> {
+pub(super) struct Side<T: Real> {
     pub bound: ErrorBound<T>,
     pub length_squared: T,
-    a: T,
+    pub a: T,
+    /// Whether the relative error of `a` is smaller than that of an accepted lambda.
+    pub a_is_accurate: T::Mask,
     pub h: T,
     /// A quarter of the quadratic's discriminant. If it is negative, the ray's line misses the infinite cylinder, and
     /// so it misses the caps too.
     pub discriminant: T,
     /// The distance of the ray's origin, along the axis, from the plane halfway between the caps. It is positive on the
     /// side of the top cap.
-    along: T,
+    pub along: T,
     /// The distance, along the axis, that the ray's point moves if lambda grows by one.
-    slope: T,
+    pub slope: T,
 }
 
 /// What is certain about a point where the ray's line crosses the infinite cylinder. If no mask holds, nothing is
@@ -80,61 +82,55 @@ impl<T: Rounding> Side<T> {
         let (a, h, discriminant) = record.quadratic(view, direction);
         let bound = ErrorBound::new(LIMITS, length_squared, view.squares);
         let slope = direction.dot(record.axis);
-        Self { bound, length_squared, a, h, discriminant, along: view.along, slope }
-    }
-
-    /// Whether the quadratic's coefficient `a` is accurate enough. If a ray is nearly parallel to the axis, the terms
-    /// of `a` cancel, and its relative error may exceed that of an accepted lambda.
-    #[inline(always)]
-    fn is_steep_enough(&self) -> T::Mask {
+        // If a ray is nearly parallel to the axis, the terms of `a` cancel.
         let condition = LIMITS.condition_limit::<T>();
-        self.length_squared.less_equal(self.a * T::of(STEEPNESS * condition * condition))
+        let a_is_accurate = length_squared.less_equal(a * T::of(STEEPNESS * condition * condition));
+        Self { bound, length_squared, a, a_is_accurate, h, discriminant, along: view.along, slope }
     }
 
     /// Whether the lambda `numerator / a` certainly is below the smallest lambda in range. `root` is the square root of
     /// the discriminant.
     #[inline(always)]
     pub fn is_behind(&self, numerator: T, root: T) -> T::Mask {
-        self.is_steep_enough() & self.bound.is_too_small(self.a, numerator, root)
+        self.a_is_accurate & self.bound.is_too_small(self.a, numerator, root)
     }
 
     /// Returns the crossing at the lambda `numerator / a`. `root` is the square root of the discriminant.
     #[inline(always)]
     pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
-        let steep_enough = self.is_steep_enough();
         let crossing = self.bound.root(self.a, numerator, root);
         // The plain formula computes the point first, and then its distance along the axis. The margin covers the
         // difference of the two results.
         let along = self.along + crossing.lambda * self.slope;
         let margin = margin(record, ray, crossing.lambda);
-        let accurate = steep_enough & crossing.hits;
+        let accurate = self.a_is_accurate & crossing.hits;
         let (within, beyond) = (record.half_height - margin, record.half_height + margin);
         let hits = accurate & along.abs().less(within);
         Crossing {
             lambda: crossing.lambda,
             hits,
             straight: hits & self.along.abs().less(within),
-            behind: steep_enough & crossing.fails,
+            behind: self.a_is_accurate & crossing.fails,
             above: accurate & beyond.less(along),
             below: accurate & beyond.less(-along),
         }
     }
 }
 
-/// Returns `|center|_1 + radius + half_height`, an upper bound of the cylinder's coordinates, in scene units. Here
+/// Returns `|center|_1 + half_height`, an upper bound of the coordinates of points on the axis, in scene units. Here
 /// `|v|_1` is the sum of the magnitudes of a vector's components. The result is constant for all rays.
 #[inline(always)]
-fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
+fn extent_of_axis<T: Real>(record: &CylinderRecord<T>) -> T {
     // Underflow changes a length by far less than 2^-300.
     const UNDERFLOW: f64 = f64::from_bits((1023 - 300) << 52);
-    magnitude(record.center) + record.radius + record.half_height + T::of(UNDERFLOW)
+    magnitude(record.center) + record.half_height + T::of(UNDERFLOW)
 }
 
 /// Returns a bound of the distance, in scene units, by which rounding moves the ray's point at an accepted lambda.
 #[inline(always)]
 fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
     let along = lambda * magnitude(ray.direction) * T::of(2.0 * LIMITS.lambda_error::<T>());
-    along + extent(record) * T::of(64.0 * T::UNIT_ROUNDOFF)
+    along + (extent_of_axis(record) + record.radius) * T::of(64.0 * T::UNIT_ROUNDOFF)
 }
 
 /// Returns an upper bound of the vector's length: the sum of its components' magnitudes, which is at most 1.74 times
@@ -196,7 +192,8 @@ impl<T: Rounding> Plane<T> {
         let steep = (T::of(PARALLEL) + slope_error).less(steepness);
         // The distance is positive if the plane is in front of the ray.
         let distance = to_plane.flipped_by(slope);
-        let size = extent(record) + magnitude(to_center);
+        // The plane's rounding errors do not depend on the radius, so a wide floor is as certain as a narrow one.
+        let size = extent_of_axis(record) + magnitude(to_center);
         let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
         let too_near = (distance + distance_error).less((steepness - slope_error) * least_lambda());
         let accurate =

@@ -1,5 +1,5 @@
-//! The exact lambda of a hit. It is a root of a quadratic whose coefficients have no rounding errors. No root is taken,
-//! except for the rounded lambda.
+//! The exact lambda of a hit. It is a root of a quadratic whose coefficients have no rounding errors. Comparisons take
+//! no square root. Only [`ExactLambda::rounded`] does.
 
 use std::cmp::Ordering;
 
@@ -19,7 +19,7 @@ pub struct Quadratic {
 
 impl Quadratic {
     /// Returns the equation with these coefficients. The result is `None` if it has no real root, so that the ray's
-    /// line misses the surface. It is also `None` if `a` is not positive, so that the direction is null.
+    /// line misses the surface. It is also `None` if `a` is 0: the direction is null, or parallel to the axis.
     pub fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
         let discriminant = &h.squared() - &(&a * &c);
         let real = a.sign() == Ordering::Greater && discriminant.sign() != Ordering::Less;
@@ -54,17 +54,24 @@ impl ExactLambda {
         Self { quadratic, is_larger: true }
     }
 
+    /// Whether the lambda is at least `least`.
+    pub fn is_at_least(&self, least: &Dyadic) -> bool {
+        self.is_linear_form_nonnegative(&-least, &Dyadic::one())
+    }
+
     /// Whether `x + y lambda >= 0`.
-    pub fn is_linear_form_positive(&self, x: &Dyadic, y: &Dyadic) -> bool {
+    pub fn is_linear_form_nonnegative(&self, x: &Dyadic, y: &Dyadic) -> bool {
         let Quadratic { a, h, discriminant, .. } = &self.quadratic;
-        // The form is multiplied by `a`, which is positive. The result is `a x + y h -+ y sqrt(D)`.
+        // The form is multiplied by `a`, which is positive. The result is `a x + y h + s y sqrt(D)`, where
+        // `s` is -1 for the smaller root and 1 for the larger one.
         sign_with_root(&(&(a * x) + &(y * h)), &self.of_root(y), discriminant) != Ordering::Less
     }
 
     /// Compares two lambdas.
     pub fn compare(&self, other: &Self) -> Ordering {
         let (left, right) = (&self.quadratic, &other.quadratic);
-        // The difference is multiplied by `a a'`. The result is `a' h - a h' -+ a' sqrt(D) +- a sqrt(D')`.
+        // The difference is multiplied by `a a'`. The result is `a' h - a h' + s a' sqrt(D) - s' a sqrt(D')`, where `s`
+        // is -1 for the smaller root and 1 for the larger one.
         let difference = &(&right.a * &left.h) - &(&left.a * &right.h);
         let (of_left, of_right) = (self.of_root(&right.a), -&other.of_root(&left.a));
         sign_with_roots(&difference, (&of_left, &left.discriminant), (&of_right, &right.discriminant))

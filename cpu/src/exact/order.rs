@@ -2,11 +2,11 @@
 //!
 //! The computed lambdas have errors, so they decide only if they are further apart than their errors
 //! ([`is_certainly_closer`]). If they are not, [`compare`] takes these steps:
-//! 1. The hits on equal objects, and on caps perpendicular to the same coordinate axis, are compared by the numbers of
-//!    the objects. Rays inside an object that stands on another one often meet two such caps.
+//! 1. Identical surfaces tie. Two caps perpendicular to the same coordinate axis are ordered by the coordinates of their
+//!    planes. Rays inside a cylinder that stands on another one often meet two such caps.
 //! 2. Both hits are computed in double-double arithmetic.
-//! 3. The exact lambdas are compared, without a root being taken. So lambdas that are equal are told from lambdas that
-//!    nearly are.
+//! 3. The exact lambdas are compared in dyadic arithmetic, without a square root. Only this step recognises equal
+//!    lambdas.
 //!
 //! A tie, of two equal lambdas, is decided by [`geometry::tie`](crate::geometry::tie).
 
@@ -29,31 +29,31 @@ pub enum Surface {
     Cylinder(CylinderRecord, Vec3, CylinderPart),
 }
 
-/// Whether the exact lambda of one hit certainly is smaller than that of another. Both are given as the steps of
-/// [`crate::exact`] compute them in the arithmetic `T`. Their relative errors are at most a third of the
-/// [`lambda_error`](crate::exact::error_bound::Limits::lambda_error) of cylinders, larger than that of spheres.
-/// The result is false if a number is NaN.
+/// Whether the exact lambda of one hit certainly is smaller than that of another. Both are lambdas that the steps of
+/// [`crate::exact`] accept in the arithmetic `T`, or infinite, which stands for no hit. Their relative errors are at most
+/// a third of the [`lambda_error`](crate::exact::error_bound::Limits::lambda_error) of cylinders, which exceeds that of
+/// spheres. The result is false if a number is NaN.
 #[inline(always)]
 pub fn is_certainly_closer<T: Rounding>(lambda: T, other: T) -> T::Mask {
-    // The factor is exact.
+    // The factor is 1 + 2^-29 or 1 + 2^-54, which `T` holds without an error.
     (lambda * (T::of(1.0) + T::of(LIMITS.lambda_error::<T>()))).less(other)
 }
 
-/// Compares the exact lambdas of two hits of a ray, which must hit both surfaces. The result is `None` if a number of
-/// the ray or of a surface is not finite.
-pub fn compare(ray: &Ray, hits: [&Surface; 2]) -> Option<Ordering> {
+/// Compares the exact lambdas of a ray's hits on two surfaces, which it must hit. The result is `None` if the exact
+/// lambdas are needed, and a number is not finite.
+pub fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     add(Counter::NearHits, 1);
-    if hits[0] == hits[1] {
+    if surfaces[0] == surfaces[1] {
         return Some(Ordering::Equal);
     }
-    if let [Some((axis, left)), Some((other, right))] = hits.map(Surface::straight_plane)
-        && axis == other
+    if let [Some((axis, left)), Some((other_axis, right))] = surfaces.map(Surface::straight_plane)
+        && axis == other_axis
+        && let Some(order) = (left - right).high.partial_cmp(&0.0)
     {
-        let order = (left - right).high.partial_cmp(&0.0)?;
         return Some(if ray.direction.to_array()[axis] < 0.0 { order.reverse() } else { order });
     }
     add(Counter::NearHitsPrecisely, 1);
-    if let [Some(left), Some(right)] = hits.map(|surface| surface.in_double_double(ray)) {
+    if let [Some(left), Some(right)] = surfaces.map(|surface| surface.in_double_double(ray)) {
         if is_certainly_closer(left, right) {
             return Some(Ordering::Less);
         }
@@ -62,32 +62,31 @@ pub fn compare(ray: &Ray, hits: [&Surface; 2]) -> Option<Ordering> {
         }
     }
     add(Counter::NearHitsExactly, 1);
-    exactly(ray, hits)
+    exactly(ray, surfaces)
 }
 
-/// Compares as [`compare`] does, by the last of its steps.
-pub fn exactly(ray: &Ray, hits: [&Surface; 2]) -> Option<Ordering> {
-    let [left, right] = hits.map(|surface| surface.exact_lambda(ray).ok().flatten());
+/// Compares in dyadic arithmetic only, with the result of [`compare`].
+pub fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
+    let [left, right] = surfaces.map(|surface| surface.exact_lambda(ray).ok().flatten());
     Some(left?.compare(&right?))
 }
 
 impl Surface {
-    /// Returns the coordinate axis to which a cap is perpendicular, and the coordinate of its plane along that axis,
-    /// without a rounding error. The result is `None` for all other surfaces.
+    /// Returns the coordinate axis to which a cap is perpendicular, and twice the coordinate of its plane along that
+    /// axis, without a rounding error. The result is `None` for all other surfaces. It is NaN if the sum overflows.
     fn straight_plane(&self) -> Option<(usize, DoubleDouble)> {
         let &Self::Cylinder(CylinderRecord { center, .. }, axis, part) = self else { return None };
-        let (center, axis) = (center.to_array(), axis.to_array());
-        let along = (0..3).find(|&along| axis[along] != 0.0)?;
-        let half = match part {
+        let axis = axis.to_array();
+        let mut components = (0..3).filter(|&component| axis[component] != 0.0);
+        let (Some(along), None) = (components.next(), components.next()) else { return None };
+        // A double is exact, but a half may underflow.
+        let twice_to_cap = match part {
             CylinderPart::Side => return None,
-            CylinderPart::Top => axis[along] * 0.5,
-            CylinderPart::Bottom => axis[along] * -0.5,
+            CylinderPart::Top => axis[along],
+            CylinderPart::Bottom => -axis[along],
         };
-        let is_straight = (0..3).all(|other| other == along || axis[other] == 0.0);
-        // The half of a smaller number may be rounded.
-        let is_exact = half.abs() >= f64::MIN_POSITIVE;
-        let (high, low) = two_sum(center[along], half);
-        (is_straight && is_exact).then_some((along, DoubleDouble { high, low }))
+        let (high, low) = two_sum(2.0 * center.to_array()[along], twice_to_cap);
+        Some((along, DoubleDouble { high, low }))
     }
 
     /// Returns the lambda of the ray's hit, or `None` if double-double arithmetic does not decide about the hit.

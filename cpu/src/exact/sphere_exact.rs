@@ -54,9 +54,9 @@ pub fn lambda(record: &SphereRecord, ray: &Ray) -> Result<Option<ExactLambda>, N
     let direction = Exact3::new(ray.direction)?;
     let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
     let c = &r_c.dot(&r_c) - &exact(record.radius)?.squared();
-    let (least, one) = (-&least_lambda()?, Dyadic::one());
+    let least = least_lambda()?;
     let quadratic = Quadratic::with_roots(direction.dot(&direction), direction.dot(&r_c), c);
-    Ok(quadratic.and_then(|quadratic| quadratic.smallest_root(|root| root.is_linear_form_positive(&least, &one))))
+    Ok(quadratic.and_then(|quadratic| quadratic.smallest_root(|root| root.is_at_least(&least))))
 }
 
 /// Returns the rounded lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is

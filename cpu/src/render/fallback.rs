@@ -42,10 +42,10 @@ fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, inte
 type Hits<V> = [V; 3];
 
 /// A function that tells whether the first of two hits of a ray is closer.
-type IsCloser<'a> = &'a dyn Fn(&Ray, ClosestHit, ClosestHit) -> bool;
+type IsCloser<'a> = &'a dyn Fn(&Ray, [ClosestHit; 2]) -> bool;
 
-/// Returns the closer one of two hits in the lanes whose bits are set in `near`, and a bit for each lane in which it is
-/// the first one. All other lanes keep the second hit. If the lambda of the first hit is NaN, there is no such hit.
+/// In the lanes whose bits are set in `near`, replaces the second of two hits by the first if the first is closer.
+/// Returns the hits, and a bit for each lane in which this happened.
 #[inline(always)]
 pub fn closer_of_near<V: SimdF64>(
     ray: &Ray<V>,
@@ -76,7 +76,7 @@ fn closer_lane_by_lane(
             let object = if object < 0.0 { NO_OBJECT } else { ObjectNumber(object).id() };
             ClosestHit { lambda, object, part: CylinderPart::of_number(part) }
         };
-        if !hit[0].is_nan() && is_closer(&ray, of(hit), of(closest.get(lane))) {
+        if is_closer(&ray, [of(hit), of(closest.get(lane))]) {
             closest.set(lane, hit);
             closer |= 1 << lane;
         }

@@ -76,20 +76,23 @@ impl<V: SimdF64> HitLanes<V> {
 
     /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. In `certain` lanes an infinite
     /// lambda means a miss. In all other lanes NaN means a miss, because a hit's lambda may overflow to infinity there.
+    /// Lanes whose lambdas do not decide are [decided one by one](closer_of_near).
     #[inline(always)]
     fn update<O: Objects>(&mut self, object: ObjectId, (lambda, part): (V, V), certain: V::Mask, rays: &Rays<V, O>) {
         let object = ObjectNumber::of(object).0;
-        let may_be_hit = lambda.less(V::of(f64::INFINITY)) | !certain;
-        let closer = may_be_hit & is_certainly_closer(lambda, self.lambda);
-        let near = may_be_hit & !closer & !is_certainly_closer(self.lambda, lambda);
+        let infinity = V::of(f64::INFINITY);
+        let hits = lambda.less(infinity) | (lambda.less_equal(infinity) & !certain);
+        let closer = hits & is_certainly_closer(lambda, self.lambda);
+        let near = hits & !closer & !is_certainly_closer(self.lambda, lambda);
         self.lambda = V::select(closer, lambda, self.lambda);
         self.object.0 = V::select(closer, object, self.object.0);
         self.part = V::select(closer, part, self.part);
         self.bits |= closer.bits() & rays.valid;
         if near.bits() & rays.valid != 0 {
             let (hit, closest) = ([lambda, object, part], [self.lambda, self.object.0, self.part]);
-            let is_closer = |ray: &Ray, hit, closest| is_closer(rays.objects, *ray, hit, closest);
-            let (closest, closer) = closer_of_near(rays.ray, (hit, closest), near.bits() & rays.valid, &is_closer);
+            let (closest, closer) = closer_of_near(rays.ray, (hit, closest), near.bits() & rays.valid, &|ray, pair| {
+                is_closer(rays.objects, *ray, pair[0], pair[1])
+            });
             [self.lambda, self.object.0, self.part] = closest;
             self.bits |= closer;
         }
@@ -178,7 +181,7 @@ impl<V: SimdF64> HitLanes<V> {
         let certain = lanes.certain & in_scale(a);
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
-            hits = precise(ray, hits, uncertain, &|ray| exact::cylinder::precise(record, axis, ray));
+            hits = precise(ray, hits, uncertain, &|ray| exact::cylinder::compensated_or_precise(record, axis, ray));
         }
         self.update(id, hits, certain, rays);
     }

@@ -104,7 +104,8 @@ pub fn judge(case: &Case) -> Judgement {
 }
 
 /// Returns the index and the part of the closest hit of several objects, in the order of the scene file. Of hits with
-/// equal lambdas, the last sphere or side counts, or else the first cap (specification, section 8.2).
+/// equal lambdas, the last sphere or side counts, or else the first cap (specification, section 8.2). Lambdas of two
+/// objects that differ may agree in more bits than those of one object, but in random cases they do not.
 #[must_use]
 pub fn closest(shapes: &[Shape], ray: &Ray) -> Option<(usize, CylinderPart)> {
     let mut closest: Option<(usize, Truth)> = None;

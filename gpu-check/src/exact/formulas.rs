@@ -47,7 +47,7 @@ pub fn sphere(case: &[f64], result: &mut [f64]) {
     write(&steps, answer, result);
 }
 
-/// Writes the answers of all steps for a ray and a cylinder. There is no compensated formula for cylinders.
+/// Writes the answers of all steps for a ray and a cylinder.
 pub fn cylinder(case: &[f64], result: &mut [f64]) {
     let mut case = Reader(case);
     let ray = Ray { origin: case.vector(), direction: case.vector() };
@@ -57,7 +57,7 @@ pub fn cylinder(case: &[f64], result: &mut [f64]) {
     let precise = CylinderRecord::new(center.map(of), of(radius), axis.map(of));
     let steps = Steps {
         plain: cylinder::filtered(&record, &ray),
-        compensated: Decision::Uncertain,
+        compensated: cylinder::compensated(&record, &axis, &ray),
         doubled: cylinder::filtered(&precise, &ray.lanes()),
     };
     write(&steps, || intersect::cylinder(&record, &axis, &ray), result);

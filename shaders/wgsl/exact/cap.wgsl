@@ -14,7 +14,7 @@ fn exact_cap_filtered(cylinder: CylinderRecord, ray: Ray, center: vec3<real>, pa
     }
     let steep = real(1e-8) + slope_error < steepness;
     let distance = select(to_plane, -to_plane, slope < real(0.0));
-    let size = exact_cylinder_extent(cylinder) + exact_magnitude(to_center);
+    let size = exact_extent_of_axis(cylinder) + exact_magnitude(to_center);
     let distance_error = size * real(1.7763568394002505e-15);
     if steep && distance + distance_error < (steepness - slope_error) * real(1e-3) {
         return decision_miss();

@@ -2,7 +2,11 @@
 
 // cylinder::filtered: returns the hit, if rounding certainly has not changed it.
 fn exact_cylinder_filtered(cylinder: CylinderRecord, ray: Ray) -> Decision {
-    let side = exact_side_new(cylinder, ray);
+    return exact_cylinder_decided(cylinder, ray, exact_side_new(cylinder, ray));
+}
+
+// cylinder::decided: the same with a quadratic of the side that may be more accurate.
+fn exact_cylinder_decided(cylinder: CylinderRecord, ray: Ray, side: ExactSide) -> Decision {
     if !exact_in_scale(side.length_squared) {
         return decision_uncertain();
     }

@@ -12,16 +12,16 @@ fn exact_magnitude(v: vec3<real>) -> real {
     return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
-// extent: returns an upper bound of the cylinder's coordinates.
-fn exact_cylinder_extent(cylinder: CylinderRecord) -> real {
-    return exact_magnitude(cylinder.center) + cylinder.radius + cylinder.half_height + EXTENT_UNDERFLOW;
+// extent_of_axis: returns an upper bound of the coordinates of points on the axis.
+fn exact_extent_of_axis(cylinder: CylinderRecord) -> real {
+    return exact_magnitude(cylinder.center) + cylinder.half_height + EXTENT_UNDERFLOW;
 }
 
 // margin: returns a bound of the distance by which rounding moves the ray's point at an accepted lambda. The factors
 // are 512 * 65,536 * 2^-53 and 64 * 2^-53.
 fn exact_cylinder_margin(cylinder: CylinderRecord, ray: Ray, lambda: real) -> real {
     let along = lambda * exact_magnitude(ray.direction) * real(3.725290298461914e-09);
-    return along + exact_cylinder_extent(cylinder) * real(7.105427357601002e-15);
+    return along + (exact_extent_of_axis(cylinder) + cylinder.radius) * real(7.105427357601002e-15);
 }
 
 // Side: the quadratic of one ray and an infinite cylinder, with its bound.
@@ -29,6 +29,7 @@ struct ExactSide {
     bound: ErrorBound,
     length_squared: real,
     a: real,
+    a_is_accurate: bool,
     h: real,
     discriminant: real,
     // How far the ray's origin is above the middle, along the axis, and how fast the ray rises.
@@ -45,7 +46,10 @@ fn exact_side_new(cylinder: CylinderRecord, ray: Ray) -> ExactSide {
     let bound = error_bound_new(exact_cylinder_limits(), length_squared, squares);
     let along = vec3_dot(from_center, cylinder.axis);
     let slope = vec3_dot(ray.direction, cylinder.axis);
-    return ExactSide(bound, length_squared, quadratic.a, quadratic.h, quadratic.discriminant, along, slope);
+    // The limit of `a` is 64 * 65,536^2.
+    let a_is_accurate = length_squared <= quadratic.a * real(274877906944.0);
+    let discriminant = quadratic.discriminant;
+    return ExactSide(bound, length_squared, quadratic.a, a_is_accurate, quadratic.h, discriminant, along, slope);
 }
 
 // Crossing: what is certain about a point where the line crosses the infinite cylinder.
@@ -59,7 +63,7 @@ struct ExactCrossing {
     below: bool,
 }
 
-// Side::crossing: returns the crossing at `numerator / a`. The limit of `a` is 64 * 65,536^2.
+// Side::crossing: returns the crossing at `numerator / a`.
 fn exact_side_crossing(
     side: ExactSide,
     cylinder: CylinderRecord,
@@ -67,16 +71,15 @@ fn exact_side_crossing(
     numerator: real,
     root: real,
 ) -> ExactCrossing {
-    let steep_enough = side.length_squared <= side.a * real(274877906944.0);
     let crossing = error_bound_root(side.bound, side.a, numerator, root);
     let along = side.along + crossing.lambda * side.slope;
     let margin = exact_cylinder_margin(cylinder, ray, crossing.lambda);
-    let accurate = steep_enough && crossing.hits;
+    let accurate = side.a_is_accurate && crossing.hits;
     let within = cylinder.half_height - margin;
     let beyond = cylinder.half_height + margin;
     let hits = accurate && abs(along) < within;
     let straight = hits && abs(side.along) < within;
-    let behind = steep_enough && crossing.fails;
+    let behind = side.a_is_accurate && crossing.fails;
     return ExactCrossing(
         crossing.lambda,
         hits,

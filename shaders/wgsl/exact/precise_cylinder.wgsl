@@ -23,7 +23,7 @@ fn precise_cap_filtered(
     if dd_less(slope, dd_of(real(0.0))) {
         distance = dd_neg(to_plane);
     }
-    let size = dd_add(precise_cylinder_extent(cylinder), dd3_magnitude(to_center));
+    let size = dd_add(precise_extent_of_axis(cylinder), dd3_magnitude(to_center));
     let farthest = dd_add(distance, dd_mul(size, dd_of(real(3.1554436208840472e-30))));
     if steep && dd_less(farthest, dd_mul(dd_sub(steepness, slope_error), precise_least_lambda())) {
         return precise_miss();

@@ -28,9 +28,8 @@ fn precise_cylinder_limits() -> PreciseLimits {
     return PreciseLimits(real(3.7865323450608567e-29), real(9.094947017729282e-13), real(5.551115123125783e-20));
 }
 
-fn precise_cylinder_extent(cylinder: PreciseCylinder) -> DoubleDouble {
-    let sum = dd_add(dd_add(dd3_magnitude(cylinder.center), cylinder.radius), cylinder.half_height);
-    return dd_add(sum, dd_of(EXTENT_UNDERFLOW));
+fn precise_extent_of_axis(cylinder: PreciseCylinder) -> DoubleDouble {
+    return dd_add(dd_add(dd3_magnitude(cylinder.center), cylinder.half_height), dd_of(EXTENT_UNDERFLOW));
 }
 
 // margin: the factors are 512 * 65,536 * 2^24 * 2^-102 and 64 * 2^-102.
@@ -40,7 +39,8 @@ fn precise_cylinder_margin(
     lambda: DoubleDouble,
 ) -> DoubleDouble {
     let along = dd_mul(dd_mul(lambda, dd3_magnitude(direction)), dd_of(real(1.1102230246251565e-16)));
-    return dd_add(along, dd_mul(precise_cylinder_extent(cylinder), dd_of(real(1.262177448353619e-29))));
+    let extent = dd_add(precise_extent_of_axis(cylinder), cylinder.radius);
+    return dd_add(along, dd_mul(extent, dd_of(real(1.262177448353619e-29))));
 }
 
 // Side<DoubleDouble>

@@ -19,8 +19,8 @@ fn exact_cylinder(@builtin(global_invocation_id) id: vec3<u32>) {
     let center = vec3_load(cases[id.x].center);
     let axis = vec3_load(cases[id.x].axis);
     let radius = cases[id.x].radius;
-    let plain = exact_cylinder_filtered(cylinder_new(center, radius, axis), ray);
-    let doubled = precise_cylinder_filtered(center, radius, axis, ray);
-    // There is no compensated formula for cylinders.
-    reports[id.x] = exact_report(plain, decision_uncertain(), doubled);
+    let record = cylinder_new(center, radius, axis);
+    let plain = exact_cylinder_filtered(record, ray);
+    let compensated = exact_cylinder_decided(record, ray, exact_side_compensated(record, axis, ray));
+    reports[id.x] = exact_report(plain, compensated, precise_cylinder_filtered(center, radius, axis, ray));
 }

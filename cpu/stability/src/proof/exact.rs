@@ -187,7 +187,7 @@ fn cap() -> [Row; 2] {
     let (_, [distance, _]) = plane(16.0 * U);
     let lengths = sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length));
     // A vector's length is at most the sum of its components' magnitudes.
-    let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT), length(RADIUS)]);
+    let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT)]);
     let sizes = [lengths, extent.clone()];
     let need = relative_to_sizes(&distance.bounds().error, 16.0 * U, &sizes, 2.0_f64.powi(-300));
     let constant = added(distance, &extent, 16.0 * U, U);

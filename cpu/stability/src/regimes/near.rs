@@ -44,7 +44,7 @@ fn seen(random: &mut Random, mut shapes: Vec<Shape>, target: Vec3, from: Vec3, d
     NearCase { shapes, ray: Ray { origin: target + from * distance, direction } }
 }
 
-/// Returns a length in tenths up to 4, or any length in that range.
+/// Returns a length from 0.1 to 4. Half of the lengths are whole numbers of tenths.
 fn length(random: &mut Random) -> f64 {
     if random.below(2) == 0 { (random.below(40) + 1) as f64 / 10.0 } else { random.uniform(0.1, 4.0) }
 }
@@ -53,7 +53,7 @@ fn nudged(random: &mut Random, vector: Vec3, steps: usize) -> Vec3 {
     vector.to_array().map(|component| random.nudged(component, steps)).into()
 }
 
-/// Two to four spheres in each other, with gaps of 10^-16 to 10^-4 radii, from distances of 1 to 10^9 radii.
+/// Two to four spheres in each other, with gaps of 10^-16 to 10^-4 radii, from distances of 1.3 to 10^9 radii.
 fn shells(random: &mut Random) -> NearCase {
     let (center, radius) = (random.cube(10.0), length(random));
     let mut shapes = vec![sphere(center, radius)];
@@ -98,8 +98,8 @@ fn coplanar(random: &mut Random, is_straight: bool) -> NearCase {
     seen(random, shapes, target, from, distance)
 }
 
-/// A sphere, the side of a second cylinder and a cap of a third one that pass through the rim of a cylinder. The ray
-/// goes towards that point of the rim.
+/// A cylinder, and a surface through a point of its rim: a sphere, a side or a cap. Half of the cases have a longer
+/// cylinder with the same side. The ray goes towards that point.
 fn through_a_rim(random: &mut Random) -> NearCase {
     let (center, radius, axis) = (random.cube(10.0), length(random), random.unit() * length(random));
     let rim = center + axis * 0.5 + random.perpendicular(axis) * radius;
@@ -120,8 +120,8 @@ fn through_a_rim(random: &mut Random) -> NearCase {
     seen(random, shapes, target, from, distance)
 }
 
-/// Two to four copies of an object, in each of which a third of the numbers differ by up to two units in the last
-/// place.
+/// Two to four copies of an object. In a third of them the centre differs by up to two units in the last place, and so
+/// do the radius and the axis.
 fn nearly_identical(random: &mut Random) -> NearCase {
     let (center, radius, axis) = (random.cube(10.0), length(random), random.unit() * length(random));
     let is_sphere = random.below(2) == 0;

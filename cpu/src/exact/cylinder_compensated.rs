@@ -1,0 +1,67 @@
+//! The quadratic of a ray and the side of a cylinder, without the cancellation of the plain formula. It serves rays that
+//! run nearly along the axis, or start far away along it, such as those in a tube.
+//!
+//! The plain formula subtracts the parts along the axis from the direction and from the vector to the ray's origin, and
+//! its errors are relative to the whole vectors. The cross product with the axis `V` of the scene file has the part
+//! across the axis at once. Its components are differences of two products, which Kahan's algorithm computes with a
+//! relative error of 1.5 u (Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate
+//! computation of 2 x 2 determinants", Math. Comp. 82, 2013). So the errors are relative to the parts across the axis.
+//! The equation is multiplied by `V.V`, as in `exact/cylinder_exact.rs`. The bounds are derived in `docs/accuracy.md`.
+
+use crate::exact::cylinder_parts::{LIMITS, Side};
+use crate::exact::{error_bound::ErrorBound, error_bound::in_scale};
+use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
+use crate::math::{error_free::two_sum, rounding::MulAdd, vec3::Vec3};
+
+/// The share of `|O - C|^2` in the size of the squares, 2^-90. It covers the part of `O - C` that rounding loses, if the
+/// ray starts farther away along the axis than 2^40 radii.
+const SHARE_OF_DISTANCE: f64 = f64::from_bits((1023 - 90) << 52);
+
+/// Returns the quadratic of the ray and the side. `axis` is the axis of the scene file.
+#[inline(always)]
+pub(super) fn side<T: MulAdd>(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Side<T> {
+    let (from_center, error) = difference(ray.origin, record.center);
+    let r_c = cross(from_center, axis) + cross(error, axis);
+    let direction = cross(ray.direction, axis);
+    let axis_squared = axis.dot(axis);
+    let (a, h, r_c_squared) = (direction.dot(direction), direction.dot(r_c), r_c.dot(r_c));
+    let c = r_c_squared - record.radius_squared * axis_squared;
+    let far = from_center.dot(from_center) * T::of(SHARE_OF_DISTANCE);
+    let squares = r_c_squared + (record.radius_squared + far) * axis_squared;
+    Side {
+        bound: ErrorBound::new(LIMITS, a, squares),
+        length_squared: ray.direction.dot(ray.direction),
+        a,
+        h,
+        discriminant: h * h - a * c,
+        // No product of numbers in scale underflows or overflows.
+        a_is_accurate: in_scale(axis_squared) & in_scale(a) & in_scale(squares),
+        along: from_center.dot(record.axis),
+        slope: ray.direction.dot(record.axis),
+    }
+}
+
+/// Returns `a - b`, rounded, and the rounding error.
+#[inline(always)]
+fn difference<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
+    let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
+    (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
+}
+
+/// Returns the cross product. The relative error of each component is at most 1.5 u.
+#[inline(always)]
+fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+    Vec3::new(
+        difference_of_products(a.y, b.z, a.z, b.y),
+        difference_of_products(a.z, b.x, a.x, b.z),
+        difference_of_products(a.x, b.y, a.y, b.x),
+    )
+}
+
+/// Returns `a b - c d` by Kahan's algorithm.
+#[inline(always)]
+fn difference_of_products<T: MulAdd>(a: T, b: T, c: T, d: T) -> T {
+    let product = c * d;
+    let error = (-c).mul_add(d, product);
+    a.mul_add(b, -product) + error
+}
