@@ -3,6 +3,10 @@
 use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
 use crate::{layout::Objects, math::vec3::Vec3};
 
+/// The margin of a cylinder's extent along a direction, relative to the radius. If the axis is close to the direction,
+/// `1 - along * along` cancels, with an error of at most `16 u`. Its root has an error of at most 4.3e-8.
+pub const MARGIN_OF_CYLINDERS: f64 = 1e-7;
+
 /// An axis-aligned box, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -84,7 +88,8 @@ impl Bounds {
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index).record;
                 let half_size = cylinder.axis.map(|along| {
-                    cylinder.half_height * along.abs() + cylinder.radius * (1.0 - along * along).max(0.0).sqrt()
+                    let across = (1.0 - along * along).max(0.0).sqrt() + MARGIN_OF_CYLINDERS;
+                    cylinder.half_height * along.abs() + cylinder.radius * across
                 });
                 Self::around(cylinder.center, half_size.map(|half| half + slack(cylinder.radius)))
             }
@@ -128,6 +133,13 @@ mod tests {
         let diagonal = bounds("cylinder: 0 0 0 1 2 2 0");
         let half = 1.0 + 0.5_f32.sqrt();
         assert_tight(diagonal, [-half, -half, -1.0], [half, half, 1.0]);
+    }
+
+    #[test]
+    fn a_box_holds_the_rim_of_a_flat_cylinder_whose_tilt_is_rounded_away() {
+        // The unit axis is rounded to (1, 4e-9, 0), so `1 - 1 * 1` is 0, and the rim reaches 4e-9 farther.
+        let flat = bounds("cylinder: 0 0 0 1 2e-6 8e-15 0");
+        assert!(f64::from(flat.high[0]) > 1e-6 + 4e-9, "{flat:?}");
     }
 
     #[test]

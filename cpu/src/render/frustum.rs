@@ -27,10 +27,11 @@
 use crate::render::{prepared::Prepared, span::Span};
 
 use crate::{
-    accel::bounds::Bounds, accel::object::ObjectId, accel::object::ObjectRef, accel::object::count, counters::Counter,
-    counters::add, geometry::camera::HALF_PIXEL, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
-    geometry::sphere::SphereRecord, geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS,
-    layout::Objects, layout::with_room, math::vec3::Vec3,
+    accel::bounds::Bounds, accel::bounds::MARGIN_OF_CYLINDERS, accel::object::ObjectId, accel::object::ObjectRef,
+    accel::object::count, counters::Counter, counters::add, geometry::camera::HALF_PIXEL,
+    geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView, geometry::sphere::SphereRecord,
+    geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS, layout::Objects,
+    layout::with_room, math::vec3::Vec3,
 };
 
 /// An object that a span's rays may hit, with the terms of its formula that are constant for all camera rays.
@@ -45,10 +46,6 @@ pub enum Candidate {
 /// The margin of the culling tests, in units of the turn of a camera ray. The documentation of [this module](self)
 /// derives that 5 suffice.
 const TURNS: f64 = 8.0;
-
-/// An additional margin relative to a cylinder's radius. If the axis is close to the normal of the plane,
-/// `1 - along * along` cancels, with an error of at most `16 u`. Its root has an error of at most 4.3e-8.
-const MARGIN_OF_CYLINDERS: f64 = 1e-7;
 
 /// A half-space, as the normal of its plane, which goes through the camera. It contains the points `v`, relative to the
 /// camera, with `normal.v >= 0`. The normal has length one.
