@@ -18,7 +18,7 @@ pub mod every_object;
 pub mod extent;
 pub mod flat_filter;
 mod inside;
-pub(crate) mod isolated;
+pub mod isolated;
 pub mod may_hit;
 pub mod object;
 pub mod small_scene;

@@ -14,7 +14,7 @@ pub(crate) mod accumulation;
 pub(crate) mod arrays;
 pub mod background;
 pub mod background_pixels;
-pub(crate) mod background_slope;
+pub mod background_slope;
 pub(crate) mod boxed;
 pub mod camera_rays;
 pub(crate) mod fallback;

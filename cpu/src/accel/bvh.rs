@@ -6,10 +6,10 @@ pub(crate) mod byte_boxes;
 pub(crate) mod collapsed_root;
 mod find_isolated;
 pub(crate) mod node;
-mod planes;
+pub mod planes;
 pub mod slab_ray;
-pub(crate) mod sphere_leaf;
-mod sphere_ray;
+pub mod sphere_leaf;
+pub mod sphere_ray;
 mod visit;
 
 use crate::accel::{

@@ -16,7 +16,7 @@ use crate::math::{error_free::two_product, error_free::two_sum, rounding::MulAdd
 
 /// Limits the relative error of lambda to 4.9e-12. A root is accepted only if `a (|C - O|^2 + r^2) < CONDITION_LIMIT
 /// sqrt(D) (|h| + sqrt(D))`, with the quadratic `a lambda^2 - 2 h lambda + c` and `D = h^2 - a c`.
-const CONDITION_LIMIT: f64 = 4096.0;
+pub const CONDITION_LIMIT: f64 = 4096.0;
 /// The smallest magnitude of `c` for which the bound of lambda's error holds, in units of `u (|C - O|^2 + r^2)`. `u` is
 /// the unit roundoff.
 const LEAST_C: f64 = 64.0;

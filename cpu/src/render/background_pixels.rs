@@ -66,6 +66,12 @@ fn intervals<T: Real, L: Layout>(prepared: &Prepared<L>, mean: (T, T), rounding:
     [red_low, red_high, green_low, green_high, blue_low, blue_high]
 }
 
+/// Returns a bound of the rounding error of a mean of so many samples: `8 u` for each, and `512 u`
+/// (docs/margins.md).
+pub fn rounding(samples: f64) -> f64 {
+    (samples + 64.0) * 4.0 * f64::EPSILON
+}
+
 impl BackgroundPixels {
     /// Returns the state before the first span.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
@@ -74,7 +80,7 @@ impl BackgroundPixels {
             let (dark, light) = (background.dark.to_array()[channel], background.light.to_array()[channel]);
             (dark == light && (light == 0.0 || light == 1.0)).then(|| prepared.quantizer.quantize(light))
         });
-        let rounding = (prepared.samples as f64 + 64.0) * 4.0 * f64::EPSILON;
+        let rounding = rounding(prepared.samples as f64);
         let bytes = [[0; 3]; WIDEST];
         Self { bytes, derivatives: Columns::ZERO, intervals: Columns::ZERO, constant, rounding, last: [0; 3] }
     }

@@ -4,17 +4,20 @@
 //! value: of its exact size and of its rounding error, as polynomials of the magnitudes of the inputs. So no formula is
 //! written a second time, and what the code leaves out is missing here too.
 
+pub mod background;
 pub mod bounded;
+pub mod boxes;
 pub mod camera;
 pub mod exact;
 pub mod filters;
 pub mod lanes;
 mod operations;
+pub mod parts;
 pub mod polynomial;
 pub mod row;
 
 /// Returns the rows of all margins.
 #[must_use]
 pub fn rows() -> Vec<row::Row> {
-    [exact::rows(), filters::rows(), vec![camera::row()]].concat()
+    [exact::rows(), filters::rows(), boxes::rows(), background::rows().to_vec(), vec![camera::row()]].concat()
 }

@@ -103,7 +103,7 @@ pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
 
 /// Bounds of the relative error of lambda that docs/accuracy.md proves: the first for spheres, the second for
 /// cylinders. The bound for cylinders is that of the caps, which is larger than that of the side.
-pub const PROVEN_ERRORS: [f64; 2] = [5.9e-12, 6.2e-10];
+pub const PROVEN_ERRORS: [f64; 2] = [5.9e-12, 6.0e-10];
 
 /// Searches for the largest relative error of lambda by climbs in every regime of one kind, and returns it. The error
 /// must be below the bound `proven`.

@@ -5,23 +5,13 @@
 //! of bytes store `p` as `f + n s`, with the origin `f` of their frame, the step `s`, and the plane's number `n`. Then
 //! the distance is computed as `n (s r) + (f r - o r)`.
 //!
-//! Let `u = 2^-24`, and let `P` be the largest magnitude of a plane of the scene along the axis, so that
-//! `|f| <= P` and `n s <= 2 P`. Each product and each sum rounds, whether they are fused or not:
-//!
-//! | Rounding of | changes the distance by at most |
-//! |---|---|
-//! | the direction and its reciprocal | `2 u (P + |o|) |r|` |
-//! | `o`, its product with `r`, and the move itself | `3 u |o r|` |
-//! | `f r`, and the sum `f r - o r` | `u P |r| + u (P + |o|) |r|` |
-//! | `n (s r)`, and the last sum | `2 u P |r| + u (P + |o|) |r|` |
-//!
-//! These are `7 u P |r| + 7 u |o r|`, or less for boxes of coordinates. A plane lies up to one step, a 127th of the
-//! node's length, outside of the box it stands for, and so up to `P / 60` beyond `P`, which the next paragraph has room
-//! for. `s r` is exact unless it is
-//! subnormal, because `s` is a power of two. The boxes were built in double precision, which moved their
-//! planes by at most `2^-51 P`. The code moves the distance by at least `16 u (P + |o|) |r|`, towards the side on which
-//! the box is hit. So the computed distance of a plane where the ray enters is not too large. The computed distance of
-//! a plane where it leaves is not too small.
+//! Let `u = 2^-24`, and let `P` be the largest magnitude of a plane of the scene along the axis, so that `|f| <= P`
+//! and `n s <= 2 P` and a step, a 127th of the node's length. `cpu/stability/src/proof/boxes.rs` proves that rounding
+//! changes the distance by less than `14 u (P + |o|) |r|`, whether products and sums are fused or not. `s r` is exact
+//! unless it is subnormal, because `s` is a power of two. The boxes were built in double precision, which moved their
+//! planes by at most `2^-51 P`. The code moves the distance by at least `16 u (P + |o|) |r|`, towards the side on
+//! which the box is hit. So the computed distance of a plane where the ray enters is not too large. The computed
+//! distance of a plane where it leaves is not too small.
 //!
 //! A ray that hits a box enters all three slabs before it leaves one of them. This is then also true for the computed
 //! distances. So no box is lost that the ray hits before the closest hit so far. Nor is an object left out that can be
@@ -34,12 +24,12 @@
 
 use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
 use crate::accel::{bounds::Bounds, may_hit::conservative::is_too_short};
-use crate::{geometry::ray::Ray, simd::SimdF32};
+use crate::{geometry::ray::Ray, math::real::Real, simd::SimdF32};
 
 /// A slab test moves each plane of a box outward to cover rounding. Along the x axis it moves a plane by at least
 /// `MARGIN (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all boxes. The
 /// same holds for y and z. `MARGIN` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
-pub(super) const MARGIN: f32 = 8.0 * f32::EPSILON;
+pub const MARGIN: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a
 /// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
@@ -66,7 +56,21 @@ pub fn is_in_scale(length_squared: f64) -> bool {
 /// where `p` is the plane of `bounds` with the larger magnitude. It serves all boxes within `bounds`.
 pub fn margins(bounds: &Bounds) -> [f32; 3] {
     let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
-    [0, 1, 2].map(|axis| farthest(axis) * MARGIN + LEAST_MARGIN)
+    [0, 1, 2].map(|axis| margin(farthest(axis), LEAST_MARGIN))
+}
+
+/// Returns the move of a plane, which has the part `least`, for the ray's origin or the farthest plane at `coordinate`.
+#[inline(always)]
+pub fn margin<T: Real>(coordinate: T, least: T) -> T {
+    coordinate.abs() * T::of(f64::from(MARGIN)) + least
+}
+
+/// Returns the distance of the plane at the coordinate 0, moved down and moved up. `magnitude` is that of `reciprocal`.
+#[inline(always)]
+pub fn moved<T: Real>(minus_origin: T, reciprocal: T, magnitude: T, least: T) -> [T; 2] {
+    let margin = margin(minus_origin, least) * magnitude;
+    let distance = minus_origin * reciprocal;
+    [distance - margin, distance + margin]
 }
 
 /// A ray prepared for slab tests, with the same numbers in all lanes.
@@ -96,11 +100,10 @@ impl<F: SimdF32> SlabRay<F> {
             // With a comparison here, the compiler would make a branch, which costs 2 % of the time with 1,000 objects.
             let magnitude = (1.0 / narrow).abs().min(LARGEST_RECIPROCAL);
             let reciprocal = magnitude.copysign(narrow);
-            let margin = (minus_origin.abs() * MARGIN + margins[axis]) * magnitude;
-            let distance = minus_origin * reciprocal;
+            let [near, far] = moved(minus_origin, reciprocal, magnitude, margins[axis]);
             slab_ray.reciprocal[axis] = F::splat(reciprocal);
-            slab_ray.near_origin[axis] = F::splat(distance - margin);
-            slab_ray.far_origin[axis] = F::splat(distance + margin);
+            slab_ray.near_origin[axis] = F::splat(near);
+            slab_ray.far_origin[axis] = F::splat(far);
             // This uses the sign of the direction, which is known earlier than the reciprocal.
             let backwards = (direction[axis].to_bits() as i64 >> 63) as usize & (3 * WIDTH);
             slab_ray.near[axis] = axis * WIDTH + backwards;

@@ -8,29 +8,18 @@
 //!
 //! Let `u = 2^-24`, and let `o` be the ray's origin. `M` is the sum of `|o|` and `P` over the three axes, where `P` is
 //! the largest magnitude of a plane of the scene along the axis. So `|x| <= M` and `R <= M`, apart from the step of up
-//! to a 127th of a node by which bytes may move a centre or a radius. Fused or not, rounding changes at most:
-//!
-//! | Number | Rounding of | changes it by at most |
-//! |---|---|---|
-//! | `x` | `o`, the frame's origin minus `o`, and the last sum | `3 u M` |
-//! | `e` | the direction, its length and the quotient | `5 u` |
-//! | the cross product | `x`, `e`, and the products and differences | `12 u M` |
-//! | `b` | `x`, `e`, and the products and sums | `11 u M` |
-//! | both sides of the comparison | the enlarged radius, the squares and the sums, as a change of `R` | `4 u M` |
-//! | `b - R` as a lambda | the enlarged radius, the difference, and the product with the reciprocal | `10 u M` |
-//! | `b + R` | the enlarged radius | `u M` |
-//!
-//! The test decides about three things, and each needs a margin: the distance from the line `12 + 4 = 16 u M`, the
-//! entry `11 + 10 = 21 u M`, and the exit `11 + 1 = 12 u M`. The code enlarges each radius by `32 u M`. The rest covers
-//! the steps of bytes. So the test never discards a bounding sphere that the ray hits before the closest hit so far.
+//! to a 127th of a node by which bytes may move a centre or a radius. The test decides about three things: the
+//! distance from the line, the entry and the exit. `cpu/stability/src/proof/boxes.rs` proves that they need margins of
+//! less than `31 u M`, `22 u M` and `15 u M`, with the steps of bytes. The code enlarges each radius by `32 u M`. So
+//! the test never discards a bounding sphere that the ray hits before the closest hit so far.
 //!
 //! What happens at extreme magnitudes? Coordinates are at most 10^9, so no square overflows. The squared length of a
 //! direction may overflow to infinity. Then `e` and the reciprocal are 0, and every bounding sphere counts as hit. This
 //! is slow but right. The margin is at least 6 10^-10, so no square of a radius underflows.
 
-use crate::accel::bvh::slab_ray::MARGIN;
+use crate::accel::bvh::slab_ray::margin;
 use crate::accel::bvh::{planes::Plane, planes::WIDTH, sphere_leaf::SphereLeaf};
-use crate::{geometry::ray::Ray, simd::SimdF32};
+use crate::{geometry::ray::Ray, math::real::Real, simd::SimdF32};
 
 /// A ray prepared for tests against the bounding spheres of a [`SphereLeaf`].
 #[derive(Clone, Copy, Debug)]
@@ -53,11 +42,9 @@ impl SphereRay {
     #[inline(always)]
     pub fn new(ray: &Ray, margins: &[f32; 3], length_squared: f64) -> Self {
         let origin = ray.origin.to_array().map(|coordinate| coordinate as f32);
-        let reciprocal = 1.0 / (length_squared as f32).sqrt();
-        let along = ray.direction.to_array().map(|component| component as f32 * reciprocal);
-        // `MARGIN` is `16 u`, and the head of this module asks for twice as much.
-        let [x, y, z] = [0, 1, 2].map(|axis| 2.0 * (origin[axis].abs() * MARGIN + margins[axis]));
-        Self { origin, along, reciprocal, margin: x + y + z }
+        let direction = ray.direction.to_array().map(|component| component as f32);
+        let (along, reciprocal) = unit(direction, length_squared as f32);
+        Self { origin, along, reciprocal, margin: enlargement(origin, *margins) }
     }
 
     /// Returns 16 bits. Bit `i` is 1 if the ray hits bounding sphere `i` at a lambda of at most `farthest`. It may also
@@ -77,9 +64,7 @@ impl SphereRay {
         for at in (0..WIDTH).step_by(F::LANES) {
             let ([x, y, z], radius) = leaf.load::<F>(at, &self.origin);
             let radius = radius + F::splat(self.margin);
-            let cross_x = z.negative_mul_add(e_y, y * e_z);
-            let cross_y = x.negative_mul_add(e_z, z * e_x);
-            let cross_z = y.negative_mul_add(e_x, x * e_y);
+            let [cross_x, cross_y, cross_z] = cross([x, y, z], [e_x, e_y, e_z]);
             // The third square is subtracted on the other side, so that the processor computes both sides at once.
             let two_squares = cross_x.mul_add(cross_x, cross_y * cross_y);
             let rest = cross_z.negative_mul_add(cross_z, radius * radius);
@@ -91,6 +76,26 @@ impl SphereRay {
         }
         bits
     }
+}
+
+/// Returns the unit vector along the ray, and the reciprocal of the direction's length.
+#[inline(always)]
+pub fn unit<T: Real>(direction: [T; 3], length_squared: T) -> ([T; 3], T) {
+    let reciprocal = T::of(1.0) / length_squared.sqrt();
+    (direction.map(|component| component * reciprocal), reciprocal)
+}
+
+/// Returns the margin of radii. That of slabs is `16 u`, and the head of this module asks for twice as much.
+#[inline(always)]
+pub fn enlargement<T: Real>(origin: [T; 3], margins: [T; 3]) -> T {
+    let [x, y, z] = [0, 1, 2].map(|axis| T::of(2.0) * margin(origin[axis], margins[axis]));
+    x + y + z
+}
+
+/// Returns the cross product of the unit vector along the ray and the vector to a centre.
+#[inline(always)]
+pub fn cross<F: SimdF32>([x, y, z]: [F; 3], [e_x, e_y, e_z]: [F; 3]) -> [F; 3] {
+    [z.negative_mul_add(e_y, y * e_z), x.negative_mul_add(e_z, z * e_x), y.negative_mul_add(e_x, x * e_y)]
 }
 
 #[cfg(test)]

@@ -12,8 +12,9 @@ use super::polynomial::{LENGTH, Polynomial, Variable};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Bounded(u32);
 
-/// What is known of a number: `|exact| <= size` and `|computed - exact| <= u error`.
-#[derive(Clone, Debug, Default)]
+/// What is known of a number: `|exact| <= size`, `|computed - exact| <= u error` and, short of underflow,
+/// `|computed - exact| <= u relative |exact|`.
+#[derive(Clone, Debug)]
 pub struct Bounds {
     /// Bounds the magnitude of the exact value.
     pub size: Polynomial,
@@ -22,6 +23,12 @@ pub struct Bounds {
     /// Bounds the part of the error that the operands bring, without the last rounding. `None` for inputs and
     /// constants.
     pub(super) before: Option<Polynomial>,
+    /// Bounds the relative error, in units of the unit roundoff. It is infinite if nothing is known.
+    pub relative: f64,
+    /// Whether the number is a square, or made from squares, so that it is not negative.
+    pub(super) is_positive: bool,
+    /// Whether the number is a constant that is a power of two, so that products with it are exact.
+    pub(super) is_power_of_two: bool,
 }
 
 /// The rounding of an arithmetic.
@@ -94,19 +101,37 @@ pub(super) fn arithmetic() -> Arithmetic {
     TABLE.with_borrow(|table| table.arithmetic)
 }
 
+/// Returns the relative error of a product of numbers with these relative errors, in units of `u`.
+pub(super) fn composed(a: f64, b: f64) -> f64 {
+    if a.is_finite() && b.is_finite() { a + b + a * b * arithmetic().roundoff } else { f64::INFINITY }
+}
+
 impl Bounds {
     /// Returns the bounds of a result with this exact size, into which the operands bring the error `before`, and which
     /// is then rounded once.
     pub(super) fn rounded(size: Polynomial, before: Polynomial) -> Self {
         let rounding = size.clone().plus(&before.clone().scaled(arithmetic().roundoff));
-        Self { size, error: before.clone().plus(&rounding), before: Some(before) }
+        let error = before.clone().plus(&rounding);
+        let (relative, is_positive, is_power_of_two) = (f64::INFINITY, false, false);
+        Self { size, error, before: Some(before), relative, is_positive, is_power_of_two }
+    }
+
+    /// Returns the bounds of an exact value of this size, or of one that has a relative error of at most `error u`.
+    fn of_value(size: Polynomial, error: f64) -> Self {
+        let (before, is_positive, is_power_of_two) = (None, false, false);
+        Self { error: size.clone().scaled(error), size, before, relative: error, is_positive, is_power_of_two }
+    }
+
+    /// Returns the bounds with this relative error, to which the last rounding is added.
+    pub(super) fn with_relative(self, before: f64, is_positive: bool) -> Self {
+        Self { relative: composed(before, 1.0), is_positive, ..self }
     }
 
     /// Returns the bounds with lengths of vectors in place of products of components.
     #[must_use]
     pub fn in_lengths(&self) -> Self {
         let before = self.before.as_ref().map(Polynomial::in_lengths);
-        Self { size: self.size.in_lengths(), error: self.error.in_lengths(), before }
+        Self { size: self.size.in_lengths(), error: self.error.in_lengths(), before, ..*self }
     }
 }
 
@@ -125,7 +150,7 @@ impl Bounded {
     }
 
     fn known(variable: Variable, size: Polynomial, error: f64) -> Self {
-        let bounds = Bounds { error: size.clone().scaled(error), before: None, size };
+        let bounds = Bounds::of_value(size, error);
         let number = Self::of_operation(Operation::Input(variable), || bounds.clone());
         assert_eq!(number.raw().error, bounds.error, "another input has this name");
         number
@@ -136,7 +161,9 @@ impl Bounded {
     pub fn constant(value: f64, error: f64) -> Self {
         let is_margin = TABLE.with_borrow(|table| table.margin == value.abs());
         let size = if is_margin { Polynomial::of([MARGIN]) } else { Polynomial::constant(value.abs()) };
-        let bounds = Bounds { error: size.clone().scaled(error), before: None, size };
+        // A power of two has no bits after the leading one. A margin is not multiplied exactly, as it may change.
+        let is_power_of_two = !is_margin && error == 0.0 && value.to_bits() << 12 == 0 && value != 0.0;
+        let bounds = Bounds { is_positive: value > 0.0, is_power_of_two, ..Bounds::of_value(size, error) };
         Self::of_operation(Operation::Constant(value.to_bits()), || bounds)
     }
 
@@ -169,8 +196,20 @@ impl Bounded {
     /// # Panics
     /// If the number is an input.
     pub fn assume(self, size: Polynomial) {
-        let bounds = Bounds::rounded(size, self.raw().before.expect("only a computed number has a lemma"));
-        TABLE.with_borrow_mut(|table| table.bounds[self.0 as usize] = bounds);
+        let Bounds { before, relative, is_positive, .. } = self.raw();
+        if relative.is_finite() {
+            return self.assume_relative(size, relative);
+        }
+        let bounds = Bounds::rounded(size, before.expect("only a computed number has a lemma"));
+        TABLE.with_borrow_mut(|table| table.bounds[self.0 as usize] = Bounds { is_positive, ..bounds });
+    }
+
+    /// Applies a lemma: the exact magnitude of the number is at most `size`, and its relative error at most `error u`.
+    pub fn assume_relative(self, size: Polynomial, error: f64) {
+        TABLE.with_borrow_mut(|table| {
+            let bounds = &mut table.bounds[self.0 as usize];
+            *bounds = Bounds { error: size.clone().scaled(error), size, relative: error, ..bounds.clone() };
+        });
     }
 
     /// Returns the number that an operation makes, with these bounds if the operation is new.
@@ -191,7 +230,9 @@ impl Bounded {
     pub(super) fn sum(self, other: Self, operation: Operation) -> Self {
         Self::of_operation(operation, || {
             let (a, b) = (self.raw(), other.raw());
-            Bounds::rounded(a.size.plus(&b.size), a.error.plus(&b.error))
+            let are_positive = a.is_positive && b.is_positive && matches!(operation, Operation::Sum(..));
+            let relative = if are_positive { a.relative.max(b.relative) } else { f64::INFINITY };
+            Bounds::rounded(a.size.plus(&b.size), a.error.plus(&b.error)).with_relative(relative, are_positive)
         })
     }
 
@@ -204,8 +245,8 @@ impl Bounded {
     }
 
     /// Returns the number with another sign, which has the same bounds.
-    pub(super) fn with_sign(self, operation: Operation) -> Self {
-        Self::of_operation(operation, || self.raw())
+    pub(super) fn with_sign(self, is_positive: bool, operation: Operation) -> Self {
+        Self::of_operation(operation, || Bounds { is_positive, ..self.raw() })
     }
 
     /// Notes that the code compares two numbers.
@@ -213,9 +254,10 @@ impl Bounded {
         TABLE.with_borrow_mut(|table| table.compared.push([self, other]));
     }
 
-    /// Returns a number of which nothing is known.
-    pub(super) fn unknown(operation: Operation) -> Self {
+    /// Returns a number of which only the relative error, without the last rounding, is known.
+    pub(super) fn relative(before: f64, is_positive: bool, operation: Operation) -> Self {
         let infinite = Polynomial::constant(f64::INFINITY);
-        Self::of_operation(operation, || Bounds::rounded(infinite.clone(), infinite))
+        let bounds = || Bounds::rounded(infinite.clone(), infinite).with_relative(before, is_positive);
+        Self::of_operation(operation, bounds)
     }
 }

@@ -1,28 +1,18 @@
 //! The margins of the exact intersections: quadratics of spheres and cylinders, and the planes of caps.
 
-use std::slice;
-
-use cpu::Ray;
 use cpu::internals::exact::cylinder::SideLanes;
-use cpu::internals::exact::cylinder_parts::{self, Plane};
+use cpu::internals::exact::cylinder_parts;
+use cpu::internals::exact::sphere_compensated::CONDITION_LIMIT;
 use cpu::internals::exact::{
     error_bound::Limits, error_bound::NUMERATOR_WEIGHT, error_bound::UNDERFLOW, sphere_filter,
 };
-use cpu::internals::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
 
 use super::bounded::{Arithmetic, Bounded, begin, compared};
+use super::parts::{self, record};
 use super::polynomial::Polynomial;
-use super::row::{Domain, Row, added, enlarged, family::*, is, length, relative_to_sizes, squared};
-
-/// The unit roundoff.
-pub const U: f64 = Arithmetic::F64.roundoff;
-
-/// The error of an axis's components: `V / |V|` has a length that is accurate to 2.5 u, and one more rounding.
-pub const AXIS_ERROR: f64 = 3.5;
-
-/// The directions that are in scale, with any object.
-const IN_SCALE: Domain = Domain { direction: f64::from_bits((1023 - 150) << 52), size: 0.0, underflow: UNDERFLOW / U };
+use super::row::{IN_SCALE, Row, U, added, enlarged, family::*, is, length, ray, squared};
 
 /// The errors of a quadratic `a lambda^2 - 2 h lambda + c` and of its discriminant, in units of `u`.
 struct Quadratic {
@@ -62,6 +52,11 @@ pub fn rows() -> Vec<Row> {
         let named = names.into_iter().zip(margins);
         rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
     }
+    // As docs/accuracy.md derives, with 2 u for `c`.
+    let compensated = sphere.discriminant / 2.0 * CONDITION_LIMIT + sphere.h * CONDITION_LIMIT.sqrt() + 5.0;
+    let (what, file) = ("lambda of a compensated root", "exact/sphere_compensated.rs");
+    let constant = sphere.limits.lambda_error::<f64>() / 3.0 / U;
+    rows.push(Row { what, file, constant, need: compensated, unit: "u lambda" });
     // A ray is steep enough if `|d|^2 <= 64 k^2 |d'|^2`, with 64 for the constant of the code.
     let steep = cylinder_parts::STEEPNESS.sqrt() * cylinder.limits.condition_limit;
     let constant = cylinder.limits.lambda_error::<f64>() / U;
@@ -69,7 +64,7 @@ pub fn rows() -> Vec<Row> {
     rows.push(Row { what, file, constant, need: cylinder.a * steep, unit: "u a" });
     let (what, file, constant) = ("all rays miss, in lanes", "render/hit_lanes.rs", DISCRIMINANT_ERROR / U);
     rows.push(Row { what, file, constant, need: cylinder.discriminant, unit: "u M" });
-    rows.extend(cap());
+    rows.extend(parts::rows(side_lambda));
     rows
 }
 
@@ -106,10 +101,6 @@ impl Quadratic {
     }
 }
 
-fn ray() -> Ray<Bounded> {
-    Ray { origin: Bounded::vector(ORIGIN, 0.0), direction: Bounded::vector(DIRECTION, 0.0) }
-}
-
 fn quadratic(limits: Limits, file: &'static str, [a, h, c, discriminant]: [Bounded; 4]) -> Quadratic {
     let margin = limits.error_constant * U;
     let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
@@ -142,13 +133,6 @@ fn sphere() -> Quadratic {
     quadratic(limits, "exact/sphere_filter.rs", [a, h, view.c, discriminant])
 }
 
-/// Returns the record of a cylinder whose unit axis and half height are rounded.
-fn record() -> CylinderRecord<Bounded> {
-    let (center, axis) = (Bounded::vector(CENTER, 0.0), Bounded::vector(AXIS, AXIS_ERROR));
-    let (radius, half_height) = (Bounded::number(RADIUS, 0.0), Bounded::number(HALF_HEIGHT, AXIS_ERROR - 1.0));
-    CylinderRecord::with_unit_axis(center, radius, axis, half_height)
-}
-
 fn cylinder() -> Quadratic {
     let limits = cylinder_parts::LIMITS;
     begin(Arithmetic::F64, limits.error_constant * U);
@@ -160,36 +144,4 @@ fn cylinder() -> Quadratic {
     let (a, h, discriminant) = record.quadratic(&view, ray.direction);
     _ = SideLanes::new(&record, &view, &ray);
     quadratic(limits, "exact/cylinder_parts.rs", [a, h, view.c, discriminant])
-}
-
-/// Returns the rows of a cap's plane: the dot product of direction and axis, relative to `|d|_1`, and the distance from
-/// the origin to the plane, relative to the extent of cylinder and distance.
-fn cap() -> [Row; 2] {
-    let file = "exact/cylinder_parts.rs";
-    let plane = |margin: f64| {
-        begin(Arithmetic::F64, margin);
-        let (ray, record) = (ray(), record());
-        is(record.top - ray.origin, TO_CENTER);
-        _ = Plane::new(&record, &ray, record.top);
-        let compared = compared();
-        ([compared[0][0], compared[1][0]], compared[2])
-    };
-    let ([steep, parallel], _) = plane(8.0 * U);
-    let sum = |parts: &[Polynomial]| parts.iter().fold(Polynomial::default(), |sum, part| sum.plus(part));
-    let components = |family: u8| sum(&[0, 1, 2].map(|component| Polynomial::of([(family, component)])));
-    let direction = components(DIRECTION);
-    // Each component of the axis is at most 1.
-    let need = relative_to_sizes(&steep.raw().error, 8.0 * U, slice::from_ref(&direction), IN_SCALE.direction);
-    // The slope is compared with the limit of parallel rays from both sides.
-    let constant =
-        [steep, parallel].map(|number| added(number, &direction, 8.0 * U, U)).into_iter().fold(f64::MAX, f64::min);
-    let slope = Row { what: "slope of a ray along an axis", file, constant, need, unit: "u abs(d)" };
-    let (_, [distance, _]) = plane(16.0 * U);
-    let lengths = sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length));
-    // A vector's length is at most the sum of its components' magnitudes.
-    let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT)]);
-    let sizes = [lengths, extent.clone()];
-    let need = relative_to_sizes(&distance.bounds().error, 16.0 * U, &sizes, 2.0_f64.powi(-300));
-    let constant = added(distance, &extent, 16.0 * U, U);
-    [slope, Row { what: "distance of a cap's plane", file, constant, need, unit: "u X" }]
 }

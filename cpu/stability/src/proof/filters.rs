@@ -6,18 +6,21 @@ use cpu::internals::accel::may_hit::conservative::{ConservativeRay, MARGIN};
 use cpu::internals::accel::may_hit::filter_ray::{
     BoundingSpheres, CYLINDER_MARGIN, FilterRay, InfiniteCylinders, SPHERE_MARGIN,
 };
-use cpu::internals::accel::may_hit::target::Target;
+use cpu::internals::accel::may_hit::target::{SLACK, Target};
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::{Ray, Vec3};
 
 use super::bounded::{Arithmetic, Bounded, begin, compared};
-use super::exact::{AXIS_ERROR, U};
-use super::lanes::{Lane, name};
+use super::lanes::{self, Lane, name};
+use super::parts::axis_and_half_height;
 use super::polynomial::Polynomial;
-use super::row::{Domain, Row, added, family::*, is, length, relative_to_sizes, squared};
+use super::row::{Domain, Row, U, added, enlarged, family::*, is, length, ray, relative_to_sizes, squared};
 
 /// The directions that are not too short, and the scenes of moderate extent.
 const MODERATE: Domain = Domain { direction: 1e-7, size: 1e-6, underflow: 0.0 };
+
+/// The family of the scene's largest coordinate `L`.
+const EXTENT: u8 = DERIVED + 8;
 
 /// The value by which the flat filter multiplies the size of a cylinder.
 const FLAT_MARGIN: f64 = (4.0 * CYLINDER_MARGIN) as f32 as f64;
@@ -29,6 +32,7 @@ pub fn rows() -> Vec<Row> {
     for is_sphere in [true, false] {
         rows.extend(conservative(is_sphere));
     }
+    rows.push(beyond_a_cap());
     rows.extend(flat_filter());
     rows
 }
@@ -38,19 +42,39 @@ fn size_of_c() -> Polynomial {
     squared(TO_CENTER).plus(&squared(RADIUS))
 }
 
+/// Returns a target whose numbers are rounded. Its bounding radius has the family of the radius.
+fn target() -> Target<Bounded> {
+    let ((axis, half_height), radius) = (axis_and_half_height(), Bounded::number(RADIUS, 0.0));
+    let bounding_radius_squared = radius * radius + half_height * half_height;
+    bounding_radius_squared.assume(squared(RADIUS));
+    let half_height = half_height + Bounded::number(EXTENT, 0.0) * Bounded::constant(SLACK, 0.0);
+    let center = Bounded::vector(CENTER, 0.0);
+    Target { center, axis, radius_squared: radius * radius, bounding_radius_squared, half_height }
+}
+
+/// Returns the row of rays that start beyond a cap.
+///
+/// For a hit, the ray's origin and the point at `t` are at most `2 sqrt(3) L` from the points of the object. This is
+/// below `3.5 L`, which also covers a start that rounding has moved out of the scene's extent.
+fn beyond_a_cap() -> Row {
+    begin(Arithmetic::F64, SLACK);
+    let (ray, target) = (ray(), target());
+    is(target.center - ray.origin, TO_CENTER);
+    _ = ConservativeRay::new(ray).cylinder(&target);
+    let [limit, past] = compared()[3];
+    let error = in_t(limit).plus(&in_t(past)).scaled_by(TO_CENTER, 3.5).scaled_by(DIRECTION, 3.5);
+    let error = enlarged(&error).enlarged(&[TO_CENTER, DIRECTION, HALF_HEIGHT].map(|family| (family, Some(EXTENT))));
+    let size = length(EXTENT);
+    let constant = added(limit, &size, SLACK, U);
+    let need = relative_to_sizes(&error, SLACK, slice::from_ref(&size), MODERATE.size);
+    Row { what: "the ray starts beyond a cap", file: "accel/may_hit/target.rs", constant, need, unit: "u L" }
+}
+
 /// Returns the rows of a conservative test: the discriminant, the quadratic at the smallest lambda `t`, and the same
 /// for rays that are certainly inside.
 fn conservative(is_sphere: bool) -> [Row; 3] {
     begin(Arithmetic::F64, MARGIN);
-    let ray = Ray { origin: Bounded::vector(ORIGIN, 0.0), direction: Bounded::vector(DIRECTION, 0.0) };
-    let target = Target {
-        center: Bounded::vector(CENTER, 0.0),
-        axis: Bounded::vector(AXIS, AXIS_ERROR),
-        radius_squared: Bounded::of_size(DERIVED, squared(RADIUS), 1.0),
-        // The sum of two rounded squares, of which one has a rounded root.
-        bounding_radius_squared: Bounded::of_size(DERIVED + 1, squared(RADIUS), 2.0 * AXIS_ERROR + 2.0),
-        half_height: Bounded::number(HALF_HEIGHT, AXIS_ERROR),
-    };
+    let (ray, target) = (ray(), target());
     is(target.center - ray.origin, TO_CENTER);
     let test = ConservativeRay::new(ray);
     let quadratic = if is_sphere {
@@ -139,7 +163,7 @@ struct FlatNumbers {
 /// Runs the flat filter on one ray and one object.
 fn flat_numbers() -> FlatNumbers {
     // The code doubles all terms of a cylinder, and multiplies the margin by 4.
-    begin(Arithmetic::F32, FLAT_MARGIN);
+    lanes::begin(Arithmetic::F32, FLAT_MARGIN);
     const ROOT: f64 = std::f64::consts::SQRT_2;
     // Values that stand for the numbers of ray and object.
     let (origin, direction, center) =

@@ -11,10 +11,16 @@ use std::ops::{Add, Mul, Sub};
 use cpu::internals::math::{real::Real, rounding::MulAdd};
 use cpu::internals::simd::SimdF32;
 
-use super::bounded::{Bounded, compared};
+use super::bounded::{self, Arithmetic, Bounded, compared};
 
 thread_local! {
     static NAMES: RefCell<HashMap<u32, Bounded>> = RefCell::default();
+}
+
+/// Forgets all names and numbers of this thread, and begins a proof; see [`bounded::begin`].
+pub fn begin(arithmetic: Arithmetic, margin: f64) {
+    NAMES.with_borrow_mut(HashMap::clear);
+    bounded::begin(arithmetic, margin);
 }
 
 /// Makes the value `value` stand for `number` from now on. Its negative stands for the same number.

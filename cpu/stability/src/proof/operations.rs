@@ -5,7 +5,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use cpu::internals::math::real::Real;
 use cpu::internals::math::rounding::{MulAdd, Rounding};
 
-use super::bounded::{Bounded, Bounds, Operation};
+use super::bounded::{Bounded, Bounds, Operation, arithmetic, composed};
 
 impl Add for Bounded {
     type Output = Self;
@@ -25,8 +25,11 @@ impl Mul for Bounded {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         Self::of_operation(Operation::Product(self, other), || {
-            let [size, error] = self.product(other);
-            Bounds::rounded(size, error)
+            let ([size, error], a, b) = (self.product(other), self.raw(), other.raw());
+            let is_positive = self == other || a.is_positive && b.is_positive;
+            let relative = composed(a.relative, b.relative);
+            let rounded = Bounds::rounded(size, error.clone()).with_relative(relative, is_positive);
+            if a.is_power_of_two || b.is_power_of_two { Bounds { error, relative, ..rounded } } else { rounded }
         })
     }
 }
@@ -34,14 +37,25 @@ impl Mul for Bounded {
 impl Neg for Bounded {
     type Output = Self;
     fn neg(self) -> Self {
-        self.with_sign(Operation::Negative(self))
+        self.with_sign(false, Operation::Negative(self))
     }
 }
 
 impl Div for Bounded {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        Self::unknown(Operation::Quotient(self, other))
+        let (a, b) = (self.raw(), other.raw());
+        if b.is_power_of_two {
+            return self * Self::constant(1.0 / b.size.sum(), 0.0);
+        }
+        if !a.relative.is_finite() && b.relative.is_finite() {
+            // Rounded once. The bound allows for two roundings.
+            return self * (Self::constant(1.0, 0.0) / other);
+        }
+        // 1 / (1 - x) = 1 + x / (1 - x)
+        let x = b.relative * arithmetic().roundoff;
+        let relative = composed(a.relative, if x < 0.5 { b.relative / (1.0 - x) } else { f64::INFINITY });
+        Self::relative(relative, a.is_positive && b.is_positive, Operation::Quotient(self, other))
     }
 }
 
@@ -77,10 +91,12 @@ impl Real for Bounded {
         Self::constant(value, 0.0)
     }
     fn sqrt(self) -> Self {
-        Self::unknown(Operation::Root(self))
+        // sqrt(1 + x) differs from 1 by at most |x| / 2 + x^2 / 2.
+        let relative = self.raw().relative;
+        Self::relative(relative / 2.0 * (1.0 + relative * arithmetic().roundoff), true, Operation::Root(self))
     }
     fn abs(self) -> Self {
-        self.with_sign(Operation::Magnitude(self))
+        self.with_sign(true, Operation::Magnitude(self))
     }
     fn less(self, other: Self) -> Unknown {
         self.compare(other);
@@ -94,7 +110,7 @@ impl Real for Bounded {
         yes.sum(no, Operation::Sum(yes, no))
     }
     fn flipped_by(self, other: Self) -> Self {
-        self.with_sign(Operation::Flipped(self, other))
+        self.with_sign(false, Operation::Flipped(self, other))
     }
 }
 

@@ -1,8 +1,9 @@
 //! A margin of the code, and the proof that it is enough.
 
-use cpu::Vec3;
+use cpu::internals::exact::error_bound::UNDERFLOW;
+use cpu::{Ray, Vec3};
 
-use super::bounded::{Bounded, MARGIN};
+use super::bounded::{Arithmetic, Bounded, MARGIN};
 use super::polynomial::{LENGTH, Polynomial};
 
 /// The families of the numbers. A vector and its length have the same family.
@@ -29,6 +30,9 @@ pub mod family {
     pub const DERIVED: u8 = 16;
 }
 use family::*;
+
+/// The unit roundoff.
+pub const U: f64 = Arithmetic::F64.roundoff;
 
 /// Lengths that are known to be at most another one: the axis has length one, and the part of a vector across the axis
 /// is not longer than the vector.
@@ -61,6 +65,15 @@ pub struct Domain {
     pub underflow: f64,
 }
 
+/// The directions that are in scale, with any object.
+pub const IN_SCALE: Domain =
+    Domain { direction: f64::from_bits((1023 - 150) << 52), size: 0.0, underflow: UNDERFLOW / U };
+
+/// Returns a ray whose numbers are exact.
+pub fn ray() -> Ray<Bounded> {
+    Ray { origin: Bounded::vector(ORIGIN, 0.0), direction: Bounded::vector(DIRECTION, 0.0) }
+}
+
 /// Returns the square of a length.
 #[must_use]
 pub fn squared(family: u8) -> Polynomial {
@@ -71,6 +84,18 @@ pub fn squared(family: u8) -> Polynomial {
 #[must_use]
 pub fn length(family: u8) -> Polynomial {
     Polynomial::of([(family, LENGTH)])
+}
+
+/// Returns the sum of the magnitudes of a vector's components. Its length is at most that.
+#[must_use]
+pub fn components(family: u8) -> Polynomial {
+    sum(&[0, 1, 2].map(|component| Polynomial::of([(family, component)])))
+}
+
+/// Returns the sum of polynomials.
+#[must_use]
+pub fn sum(parts: &[Polynomial]) -> Polynomial {
+    parts.iter().fold(Polynomial::default(), |sum, part| sum.plus(part))
 }
 
 /// States that a vector is the exact one of `family`, up to the errors that are known of it.
@@ -117,16 +142,23 @@ fn with_margin(error: &Polynomial, margin: f64) -> Polynomial {
 /// If there are monomials that none of `sizes` bounds and that are not negligible.
 #[must_use]
 pub fn relative_to_sizes(error: &Polynomial, margin: f64, sizes: &[Polynomial], least: f64) -> f64 {
-    let (mut sum, mut rest) = (0.0, with_margin(error, margin));
+    factors(error, margin, sizes, least).into_iter().sum()
+}
+
+/// Returns factors with which the sum of the products with `sizes` is at least the error, as [`relative_to_sizes`].
+#[must_use]
+pub fn factors(error: &Polynomial, margin: f64, sizes: &[Polynomial], least: f64) -> Vec<f64> {
+    let (mut factors, mut rest) = (Vec::new(), with_margin(error, margin));
     for size in sizes {
         let factor;
-        (factor, rest) = rest.relative_to(size);
-        sum += factor;
+        (factor, rest) = rest.relative_to(&size.enlarged(&LARGER));
+        factors.push(factor);
     }
     let most = rest.sum() / least;
     assert!(most < 1e-9, "underflow adds {most:e} u: {rest:?}");
-    assert!(sum.is_finite(), "nothing is known of a part of the error");
-    sum + most
+    factors[0] += most;
+    assert!(factors.iter().all(|factor| factor.is_finite()), "nothing is known of a part of the error");
+    factors
 }
 
 impl Domain {

@@ -1,6 +1,7 @@
 //! Holds the exact intersections, the tangent and the power against arithmetic of another library, and whole pictures
 //! against what is known of them.
 
+mod constants;
 mod extremes;
 mod functions;
 mod furnaces;

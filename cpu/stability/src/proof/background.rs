@@ -1,0 +1,85 @@
+//! The margins of the background: of its colour, and of the interval that contains the mean of a pixel.
+
+use cpu::Vec3;
+use cpu::internals::geometry::camera::Camera;
+use cpu::internals::render::background::{Background, interval};
+use cpu::internals::render::background_pixels::rounding;
+use cpu::internals::render::background_slope::{DerivativeBound, PixelReach};
+use cpu::internals::render::ray_error::RayError;
+
+use super::bounded::{Arithmetic, Bounded, begin};
+use super::polynomial::Polynomial;
+use super::row::{Row, U, components, factors, family::*, length, relative_to_sizes, sum};
+
+/// The families of a reciprocal length, of the sides of a pixel, of the remainder, and of colours.
+const RECIPROCAL: u8 = DERIVED;
+const SIDES: [u8; 2] = [DERIVED + 1, DERIVED + 2];
+const REMAINDER: u8 = DERIVED + 3;
+const COLORS: [u8; 2] = [DERIVED + 4, DERIVED + 5];
+
+/// Returns the rows of the rounding that the interval of a mean allows, for each sample and for each pixel.
+///
+/// A sum in order of `n` colours adds at most `n - 1` roundings of at most `n`, and its quotient by `n` one of 1. The
+/// mean of the samples' offsets, each at most 1/2, has as many. It is multiplied by the derivatives, whose sum is below
+/// 2, and by 1/2.
+#[must_use]
+pub fn rows() -> [Row; 2] {
+    let row = |what, constant: f64, need| Row {
+        what,
+        file: "render/background_pixels.rs",
+        constant: constant / U,
+        need,
+        unit: "u",
+    };
+    [
+        row("mean of a background, for each sample", rounding(1.0) - rounding(0.0), 1.5),
+        row("mean of a background, for each pixel", rounding(0.0), of_color() + of_interval()),
+    ]
+}
+
+/// Returns the error of a colour.
+fn of_color() -> f64 {
+    begin(Arithmetic::F64, f64::NAN);
+    let one = Polynomial::constant(1.0);
+    let [dark, light] = COLORS.map(|family| Vec3::splat(Bounded::of_size(family, one.clone(), 0.0)));
+    let direction = Bounded::vector(DIRECTION, 0.0);
+    (direction.y / direction.length()).assume(one.clone());
+    let color = Background { dark, light }.color(direction).x;
+    relative_to_sizes(&color.bounds().error, 0.0, &[one], 1.0)
+}
+
+/// Returns the error of the ends of an interval, for a change of the channel of at most 1.
+///
+/// The sum of a pixel's sides is less than `2 |d0|`, or else there is no bound. The rounding of the remainder is left
+/// out: the remainder is five times as large as it must be.
+fn of_interval() -> f64 {
+    begin(Arithmetic::F64, f64::NAN);
+    let one = Polynomial::constant(1.0);
+    let camera = [CENTER, ORIGIN, SIDES[0], SIDES[1]].map(|family| Bounded::vector(family, 0.0));
+    let [position, origin, delta_x, delta_y] = camera;
+    let (camera, zero) = (Camera { position, origin, delta_x, delta_y }, Bounded::constant(0.0, 0.0));
+    // The bound holds for computed directions, so the direction of the middle is exact.
+    let middle = camera.ray(zero, zero, [zero; 2]).direction;
+    for (component, number) in (0..).zip(middle.to_array()) {
+        number.assume_relative(Polynomial::of([(DIRECTION, component)]), 0.0);
+    }
+    let (distance, reciprocal) = (middle.length(), length(RECIPROCAL));
+    (Bounded::constant(1.0, 0.0) / distance).assume(reciprocal.clone());
+    (middle.y / distance).assume(one.clone());
+    (middle.y / distance / distance).assume(reciprocal.clone());
+    for component in (middle * (middle.y / distance / distance)).to_array() {
+        component.assume(one.clone());
+    }
+    let real = Camera { position: Vec3::ZERO, origin: Vec3::ZERO, delta_x: Vec3::ZERO, delta_y: Vec3::ZERO };
+    let reach = PixelReach::new(&real, &RayError { length: 3.0, turn: 5.0 }).lanes();
+    let bound = DerivativeBound::new(&camera, zero, zero, reach);
+    bound.numbers()[3].assume_relative(length(REMAINDER), 0.0);
+    let sides = reciprocal.times(&sum(&SIDES.map(components)));
+    // A number just below 1, whose products are rounded.
+    let ends = interval(0.0, 1.0 - f64::EPSILON, bound.anywhere(), 0.0).map(|end| {
+        let factors = factors(&end.bounds().error, 0.0, &[one.clone(), sides.clone(), length(REMAINDER)], 1.0);
+        // The sum of a vector's components is at most sqrt(3) times its length.
+        factors[0] + 2.0 * 3.0_f64.sqrt() * factors[1]
+    });
+    ends[0].max(ends[1])
+}

@@ -1,0 +1,156 @@
+//! The margins of the BVH: planes of boxes, and bounding spheres.
+//!
+//! Steps are powers of two, so a product with a step is exact short of underflow. Here every step is 1, and a number of
+//! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
+//! The modules say why underflow is negligible.
+
+use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
+use cpu::internals::accel::bvh::slab_ray::{MARGIN, SlabRay, margin, moved};
+use cpu::internals::accel::bvh::sphere_leaf::{Frame, SphereLeaf};
+use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit};
+use cpu::internals::math::real::Real;
+use cpu::internals::simd::SimdF32;
+use cpu::{Ray, Vec3};
+
+use super::bounded::{Arithmetic, Bounded, compared};
+use super::lanes::{self, Lane, name};
+use super::polynomial::Polynomial;
+use super::row::{Row, added, components, family::*, length, relative_to_sizes, squared, sum};
+
+const WITHOUT_UNDERFLOW: Arithmetic = Arithmetic { underflow: 0.0, ..Arithmetic::F32 };
+const V: f64 = Arithmetic::F32.roundoff;
+
+/// The families of the largest coordinates, of a reciprocal, of numbers of steps, and of the origin of a frame.
+const FARTHEST: u8 = CENTER;
+const RECIPROCAL: u8 = DERIVED;
+const STEPS: u8 = DERIVED + 1;
+const FRAME: u8 = DERIVED + 4;
+/// The families of a cross product and of an enlarged radius, and of the square of a direction's length.
+const CROSS: u8 = DERIVED + 7;
+const SQUARE: u8 = DERIVED + 8;
+
+/// The most steps, relative to `P`.
+const MOST_STEPS: f64 = 2.0 * (1.0 + 1.0 / 127.0);
+
+/// Returns the rows of the BVH.
+#[must_use]
+pub fn rows() -> Vec<Row> {
+    let mut rows = vec![slabs()];
+    rows.extend(bounding_spheres());
+    rows
+}
+
+/// Returns the row of the distance of a plane.
+fn slabs() -> Row {
+    lanes::begin(WITHOUT_UNDERFLOW, f64::from(MARGIN));
+    // The values stand for the numbers of ray and plane.
+    let (origin, direction, plane, frame) = (3.0, 5.0, 7.0, 11.0);
+    let margins = [13.0; 3];
+    let least = margin(Bounded::number(FARTHEST, 0.0), Bounded::constant(0.0, 0.0));
+    let reciprocal = Bounded::constant(1.0, 0.0) / Bounded::number(DIRECTION, 1.0);
+    reciprocal.assume(length(RECIPROCAL));
+    let values = moved(-origin, 1.0 / direction, 1.0 / direction, margins[0]);
+    let numbers = moved(Bounded::number(ORIGIN, 1.0), reciprocal, reciprocal.abs(), least);
+    name(1.0 / direction, reciprocal);
+    values.into_iter().zip(numbers).for_each(|(value, number)| name(value, number));
+    name(plane, Bounded::of_size(STEPS, length(FARTHEST).scaled(MOST_STEPS), 0.0));
+    name(frame, Bounded::of_size(FRAME, length(FARTHEST), 0.0));
+    let splat = |value: f32| Vec3::splat(f64::from(value));
+    let ray = SlabRay::<Lane>::new(&Ray { origin: splat(origin), direction: splat(direction) }, &margins);
+    let planes: Planes<f32> = [[[plane; WIDTH]; 3]; 2];
+    _ = ray.in_frame(&[frame; 3], &[1.0; 3]).intersect(&planes, f32::INFINITY, &mut [0.0; WIDTH]);
+    let [[near, _], [far, _]] = compared()[..2] else { unreachable!("a test takes a maximum and a minimum") };
+    let size = length(RECIPROCAL).times(&sum(&[FARTHEST, ORIGIN].map(length)));
+    let of = |number: Bounded| {
+        let margin = f64::from(MARGIN);
+        let need = relative_to_sizes(&number.bounds().error, margin, std::slice::from_ref(&size), 1.0);
+        [added(number, &size, margin, V), need]
+    };
+    let [near, far] = [of(near), of(far)];
+    let (constant, need) = (near[0].min(far[0]), near[1].max(far[1]));
+    let (what, unit) = ("distance of a box's plane", "v (P + abs(O)) / abs(d)");
+    Row { what, file: "accel/bvh/slab_ray.rs", constant, need, unit }
+}
+
+/// The numbers of the test of one bounding sphere.
+struct SphereNumbers {
+    cross: [Lane; 3],
+    radius: Lane,
+    /// The pairs that the test compares: where the ray leaves the sphere, where it enters, and the squares.
+    pairs: [[Bounded; 2]; 3],
+}
+
+/// Runs the test of a bounding sphere on one ray. With `is_exact`, the cross product and the enlarged radius count as
+/// exact, with the family [`CROSS`].
+fn sphere_numbers(is_exact: bool) -> SphereNumbers {
+    lanes::begin(WITHOUT_UNDERFLOW, f64::from(MARGIN));
+    // Values that stand for the numbers of ray and sphere.
+    let (origin, direction, frame) = ([3.0, 5.0, 7.0], [11.0, 13.0, 17.0], [19.0_f32, 23.0, 29.0]);
+    let (margins, centers, radius) = ([31.0; 3], [37.0, 41.0, 43.0], 47.0);
+    let farthest = Bounded::vector(FARTHEST, 0.0).to_array();
+    let [from, along] =
+        [(ORIGIN, 1.0), (DIRECTION, 1.0)].map(|(family, error)| Bounded::vector(family, error).to_array());
+    let least = farthest.map(|coordinate| margin(coordinate, Bounded::constant(0.0, 0.0)));
+    let (along, reciprocal) = unit(along, Bounded::number(SQUARE, 1.0));
+    reciprocal.assume(length(RECIPROCAL));
+    let length_squared: f32 = direction.iter().map(|component| component * component).sum();
+    let (values, inverse) = unit(direction, length_squared);
+    name(inverse, reciprocal);
+    name(enlargement(origin, margins), enlargement(from, least));
+    for axis in 0..3 {
+        let of = |family: u8| Polynomial::of([(family, axis as u8)]);
+        along[axis].assume(of(AXIS));
+        name(values[axis], along[axis]);
+        let start = Bounded::of_size(FRAME + axis as u8, of(FARTHEST), 0.0) - from[axis];
+        name(frame[axis] - origin[axis], start);
+        name(centers[axis], Bounded::of_size(STEPS + axis as u8, of(FARTHEST).scaled(MOST_STEPS), 0.0));
+    }
+    name(radius, Bounded::number(RADIUS, 0.0));
+    let rows = [[centers[0]; WIDTH], [centers[1]; WIDTH], [centers[2]; WIDTH], [radius; WIDTH]];
+    let leaf = SphereLeaf { rows: &rows, frame: Frame { origin: frame, ..Frame::IDENTITY } };
+    // The centre is at most `P` from the middle of the scene along each axis, and a step more.
+    let (to_center, radius) = leaf.load::<Lane>(0, &origin);
+    for (axis, Lane(number)) in (0..).zip(to_center) {
+        let [farthest, origin] = [FARTHEST, ORIGIN].map(|family| Polynomial::of([(family, axis)]));
+        number.assume(farthest.scaled(MOST_STEPS / 2.0).plus(&origin));
+    }
+    let radius = radius + Lane::splat(enlargement(origin, margins));
+    let cross = cross(to_center, values.map(Lane::splat));
+    if is_exact {
+        cross.iter().chain([&radius]).for_each(|lane| lane.0.assume_relative(length(CROSS), 0.0));
+    }
+    let ray = Ray { origin: origin.map(f64::from).into(), direction: direction.map(f64::from).into() };
+    let ray = SphereRay::new(&ray, &margins, length_squared.into());
+    _ = ray.intersect::<_, Lane>(&leaf, f32::INFINITY, &mut [0.0; WIDTH]);
+    let pairs = compared()[..3].try_into().expect("a test compares three pairs");
+    SphereNumbers { cross, radius, pairs }
+}
+
+/// Returns the rows of bounding spheres: how near the line passes, where the ray enters, and where it leaves.
+///
+/// The computed cross product is at most `R + e`, with its error `e`, and the enlarged radius is at least `R` plus the
+/// margin. Both are compared by their squares. If their errors are at most `k u` times the square of the radius, it is
+/// enough that the margin exceeds `e` by `k u` times the radius, which is at most `P + |O|` itself.
+fn bounding_spheres() -> [Row; 3] {
+    let size = sum(&[FARTHEST, ORIGIN].map(components));
+    let need = |error: &Polynomial, unit: &Polynomial| {
+        let sizes = [sum(&[FARTHEST, ORIGIN].map(length)), length(RADIUS), size.clone()].map(|size| size.times(unit));
+        relative_to_sizes(error, f64::from(MARGIN), &sizes, 1.0)
+    };
+    let SphereNumbers { cross, radius, pairs: [[_, leaves], [enters, _], _] } = sphere_numbers(false);
+    let constant = added(radius.0, &size, f64::from(MARGIN), V);
+    let of_cross = sum(&cross.map(|lane| lane.0.raw().error)).plus(&radius.0.bounds().error).in_lengths();
+    let (one, reciprocal) = (Polynomial::constant(1.0), length(RECIPROCAL));
+    let [passes, leaves, enters] =
+        [(of_cross, &one), (leaves.bounds().error, &one), (enters.bounds().error, &reciprocal)]
+            .map(|(error, unit)| need(&error, unit));
+    let SphereNumbers { pairs: [.., [squares, rest]], .. } = sphere_numbers(true);
+    let squares = squares.bounds().error.plus(&rest.bounds().error);
+    let squares = relative_to_sizes(&squares, 0.0, &[squared(CROSS)], 1.0);
+    let row = |what, need| Row { what, file: "accel/bvh/sphere_ray.rs", constant, need, unit: "v (P + abs(O))" };
+    [
+        row("the line misses a sphere of a leaf", passes + squares),
+        row("the ray enters a sphere of a leaf", enters),
+        row("the ray leaves a sphere of a leaf", leaves),
+    ]
+}

@@ -1,0 +1,185 @@
+//! The margins of a cylinder's parts: the planes and discs of the caps, and the height of a hit on the side.
+
+use std::slice;
+
+use cpu::Vec3;
+use cpu::internals::accel::isolated::SEPARATION;
+use cpu::internals::exact::cylinder::SideLanes;
+use cpu::internals::exact::cylinder_parts::{LIMITS, Plane};
+use cpu::internals::geometry::cylinder::CylinderRecord;
+use cpu::internals::math::real::Real;
+
+use super::bounded::{Arithmetic, Bounded, begin, compared};
+
+use super::polynomial::{LENGTH, Polynomial};
+use super::row::{IN_SCALE, Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, sum};
+
+const FILE: &str = "exact/cylinder_parts.rs";
+
+/// The family of an accurate lambda.
+const LAMBDA: u8 = DERIVED;
+/// The families of the axis of the file, and of its length.
+const FILE_AXIS: u8 = DERIVED + 1;
+
+/// The part of a distance that the error of lambda moves, as a multiple of `u lambda |d|_1`.
+const MOVED: f64 = 2.0 * LIMITS.lambda_error::<f64>() / U;
+/// The part of a distance that other errors move, as a multiple of `u X`.
+const FIXED: f64 = 64.0;
+
+/// Returns the unit axis and half of the height of the cylinder with an axis of the file.
+pub fn axis_and_half_height() -> (Vec3<Bounded>, Bounded) {
+    let axis = Bounded::vector(FILE_AXIS, 0.0);
+    let (unit, half_height) = (axis.unit(), axis.length() / Bounded::constant(2.0, 0.0));
+    is(unit, AXIS);
+    half_height.assume(length(HALF_HEIGHT));
+    (unit, half_height)
+}
+
+/// Returns the record of a cylinder, and states that `from_center` of it is the vector of `TO_CENTER`.
+pub fn record() -> CylinderRecord<Bounded> {
+    let (axis, half_height) = axis_and_half_height();
+    CylinderRecord::with_unit_axis(Bounded::vector(CENTER, 0.0), Bounded::number(RADIUS, 0.0), axis, half_height)
+}
+
+/// Returns the rows. `of_side` is the relative error of an accepted lambda of the side, in units of `u`.
+pub fn rows(of_side: f64) -> Vec<Row> {
+    let row = |what, constant, need, unit| Row { what, file: FILE, constant, need, unit };
+    let slope = slope();
+    let ([constant, need], of_cap) = plane(slope[1] - 1.0);
+    let [[side, to_side], [cap, to_cap]] = [height(of_side), disc(of_cap)];
+    vec![
+        row("slope of a ray along an axis", slope[0], slope[1], "u abs(d)"),
+        row("distance of a cap's plane", constant, need, "u X"),
+        row("lambda of a cap", LIMITS.lambda_error::<f64>() / 3.0 / U, of_cap, "u lambda"),
+        row("height of a hit, due to lambda", side[0], to_side[0], "u lambda abs(d)"),
+        row("height of a hit, due to the extent", side[1], to_side[1], "u X"),
+        row("distance from a cap's centre, due to lambda", cap[0], to_cap[0], "u lambda abs(d)"),
+        row("distance from a cap's centre, due to the extent", cap[1], to_cap[1], "u X"),
+        isolated(of_cap),
+    ]
+}
+
+/// Returns the row of isolated objects, for this relative error of every lambda.
+///
+/// A ray between points of the scene is at most `2 sqrt(3) L` long, and one inside an object `2 L`. The first moves the
+/// start. The second moves the end, and the hit on another object that is compared with the end. The rounding of points
+/// adds less than 64 u L.
+fn isolated(of_lambda: f64) -> Row {
+    let need = ((12.0_f64.sqrt() + 2.0 * 2.0) * of_lambda + 64.0) * U * 1e9;
+    let (what, file) = ("isolated objects", "accel/isolated.rs");
+    Row { what, file, constant: SEPARATION * 1e9, need, unit: "10^-9 L" }
+}
+
+/// Returns the smallest of what the code adds to these numbers.
+fn least_added(numbers: &[Bounded], size: &Polynomial, margin: f64) -> f64 {
+    numbers.iter().map(|&number| added(number, size, margin, U)).fold(f64::MAX, f64::min)
+}
+
+/// Returns the constant and the need of a ray's slope along the axis, relative to `|d|_1`.
+fn slope() -> [f64; 2] {
+    begin(Arithmetic::F64, 8.0 * U);
+    let (ray, record) = (ray(), record());
+    _ = Plane::new(&record, &ray, record.top);
+    // The slope is compared with the limit of parallel rays from both sides.
+    let ([[steep, _], [parallel, _]], size) = (first(0), components(DIRECTION));
+    let need = relative_to_sizes(&steep.raw().error, 8.0 * U, slice::from_ref(&size), IN_SCALE.direction);
+    [least_added(&[steep, parallel], &size, 8.0 * U), need]
+}
+
+/// Returns `N` pairs of numbers that were compared.
+fn first<const N: usize>(from: usize) -> [[Bounded; 2]; N] {
+    compared()[from..from + N].try_into().expect("there are so many")
+}
+
+/// Returns the constant and the need of the distance from the origin to a cap's plane, relative to the extent of
+/// cylinder and distance. Then returns the relative error of an accepted lambda, for this error of the slope.
+fn plane(of_slope: f64) -> ([f64; 2], f64) {
+    let run = |margin: f64| {
+        begin(Arithmetic::F64, margin);
+        let (ray, record) = (ray(), record());
+        is(record.top - ray.origin, TO_CENTER);
+        _ = Plane::new(&record, &ray, record.top);
+        first::<3>(2)
+    };
+    // A vector's length is at most the sum of its components' magnitudes.
+    let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT)]);
+    let sizes = [sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length)), extent.clone()];
+    let need = |number: Bounded| relative_to_sizes(&number.bounds().error, 16.0 * U, &sizes, 2.0_f64.powi(-300));
+    let [[distance, _], _, _] = run(16.0 * U);
+    let row = [added(distance, &extent, 16.0 * U, U), need(distance)];
+    // Lambda is accepted if the distance exceeds `X / (4 k)`, and the slope `|d|_1 / (8 k)`.
+    let k = LIMITS.condition_limit;
+    let [_, [_, near], _] = run(4.0 * k);
+    let near = added(near, &length(TO_CENTER), 4.0 * k, 1.0);
+    let [_, _, [_, flat]] = run(8.0 * k);
+    let flat = added(flat, &length(DIRECTION), 8.0 * k, 1.0);
+    assert!(near > 1.0 && flat > 1.0, "the code uses these limits");
+    let [x, y] = [(row[1] - 1.0) * near * U, of_slope * flat * U];
+    (row, (1.0 / ((1.0 - x) * (1.0 - y)) - 1.0) / U + 1.0)
+}
+
+/// Returns the constants and the needs of two margins, relative to `lambda |d|_1` and to `X`: `run` gives the numbers
+/// to which the margins are added, and an error that they cover. `split` is a vector that is not longer than `lambda
+/// |d| + X`.
+fn margins(split: u8, run: impl Fn() -> (Vec<Bounded>, Polynomial)) -> [[f64; 2]; 2] {
+    let moved = |direction: Polynomial| length(LAMBDA).times(&direction);
+    let fixed = sum(&[components(CENTER), length(HALF_HEIGHT), length(RADIUS)]);
+    let sizes = [
+        length(split),
+        Polynomial::of([(split, 0)]),
+        moved(length(DIRECTION)),
+        moved(Polynomial::of([(DIRECTION, 0)])),
+        moved(components(DIRECTION)),
+        sum(&[CENTER, HALF_HEIGHT, RADIUS].map(length)),
+        sum(&[Polynomial::of([(CENTER, 0)]), Polynomial::of([(AXIS, 0), (HALF_HEIGHT, LENGTH)])]),
+        fixed.clone(),
+    ];
+    let pair = [(MOVED, moved(components(DIRECTION))), (FIXED, fixed)].map(|(margin, size)| {
+        begin(Arithmetic::F64, margin * U);
+        let (numbers, error) = run();
+        (least_added(&numbers, &size, margin * U), factors(&error, margin * U, &sizes, 2.0_f64.powi(-300)))
+    });
+    let need = |factors: &[f64], from: usize| factors[..2].iter().chain(&factors[from..from + 3]).sum();
+    [[pair[0].0, pair[1].0], [need(&pair[0].1, 2), need(&pair[1].1, 5)]]
+}
+
+/// Returns the margins of the height of a hit on the side.
+///
+/// `|O - C| <= lambda |d| + |P - C|` for the hit point `P`, which is at most `X` away from the centre.
+fn height(of_side: f64) -> [[f64; 2]; 2] {
+    margins(TO_CENTER, || {
+        let (ray, record) = (ray(), record());
+        is(ray.origin - record.center, TO_CENTER);
+        let view = record.seen_from(ray.origin);
+        let (a, h, discriminant) = record.quadratic(&view, ray.direction);
+        let root = discriminant.sqrt();
+        for numerator in [-h - root, -h + root] {
+            (numerator / a).assume_relative(length(LAMBDA), of_side);
+        }
+        _ = SideLanes::new(&record, &view, &ray);
+        // Five comparisons of the root come before those of the height, at the entry and at the exit.
+        let ([[along, within], _, [beyond, _]], exit) = (first(5), first::<3>(14));
+        let error = along.bounds().error.plus(&within.bounds().error);
+        (vec![within, beyond, exit[0][1], exit[2][0]], error)
+    })
+}
+
+/// Returns the margins of the distance of a hit from a cap's centre.
+///
+/// The errors of the three components are alike, so the length of the error is at most the same multiple of lengths.
+/// The ray starts at most `lambda |d| + |P|` from the scene's origin, and the hit point `P` at most `X`.
+fn disc(of_cap: f64) -> [[f64; 2]; 2] {
+    margins(ORIGIN, || {
+        let (ray, record) = (ray(), record());
+        let to_plane = (record.top - ray.origin).dot(record.axis);
+        let lambda = to_plane / ray.direction.dot(record.axis);
+        lambda.assume_relative(length(LAMBDA), of_cap);
+        let point = (ray.at(lambda) - record.top).x.raw().error;
+        let rounding = length(RADIUS).scaled(Bounded::vector(FILE_AXIS, 0.0).length().raw().relative);
+        let plane = Plane::new(&record, &ray, record.top);
+        let from = compared().len() + 1;
+        _ = plane.disc(&record, &ray);
+        let [[_, within], [beyond, _]] = first(from);
+        (vec![within, beyond], point.plus(&rounding).plus(&within.raw().error))
+    })
+}
