@@ -6,13 +6,13 @@ use cpu::internals::exact::sphere_compensated::CONDITION_LIMIT;
 use cpu::internals::exact::{
     error_bound::Limits, error_bound::NUMERATOR_WEIGHT, error_bound::UNDERFLOW, sphere_filter,
 };
-use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
 use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
 
 use super::bounded::{Arithmetic, Bounded, begin, compared};
 use super::parts::{self, record};
 use super::polynomial::Polynomial;
-use super::row::{IN_SCALE, Row, U, added, enlarged, family::*, is, length, ray, squared};
+use super::row::{IN_SCALE, Row, U, added, enlarged, family::*, is, length, ray, squared, uses_of_margin};
 
 /// The errors of a quadratic `a lambda^2 - 2 h lambda + c` and of its discriminant, in units of `u`.
 struct Quadratic {
@@ -34,7 +34,8 @@ struct Quadratic {
 /// Returns the rows of all margins.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    let (sphere, cylinder) = (sphere(), cylinder());
+    let sphere = quadratic(sphere_filter::LIMITS, "exact/sphere_filter.rs", sphere);
+    let cylinder = quadratic(cylinder_parts::LIMITS, "exact/cylinder_parts.rs", cylinder);
     let [sphere_lambda, side_lambda] = [sphere.lambda(0.0), cylinder.lambda(cylinder.a / 2.0 * 2.0_f64.sqrt())];
     let mut rows = Vec::new();
     for (quadratic, lambda, names) in [
@@ -101,8 +102,15 @@ impl Quadratic {
     }
 }
 
-fn quadratic(limits: Limits, file: &'static str, [a, h, c, discriminant]: [Bounded; 4]) -> Quadratic {
+/// Returns the errors of the quadratic whose `a`, `h`, `c` and discriminant `run` computes, together with its filter.
+fn quadratic(limits: Limits, file: &'static str, run: impl Fn() -> [Bounded; 4]) -> Quadratic {
+    begin(Arithmetic::F64, LAMBDA_MIN * limits.lambda_error::<f64>());
+    run();
+    // Both roots are compared with the smallest lambda from both sides.
+    assert_eq!(uses_of_margin(), 4, "{file}: the margin of lambda is not used");
     let margin = limits.error_constant * U;
+    begin(Arithmetic::F64, margin);
+    let [a, h, c, discriminant] = run();
     let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
     let pairs = compared();
     let [error, _] = pairs.iter().find(|pair| pair[1] == -discriminant).expect("a filter compares the discriminant");
@@ -121,21 +129,17 @@ fn quadratic(limits: Limits, file: &'static str, [a, h, c, discriminant]: [Bound
     }
 }
 
-fn sphere() -> Quadratic {
-    let limits = sphere_filter::LIMITS;
-    begin(Arithmetic::F64, limits.error_constant * U);
+fn sphere() -> [Bounded; 4] {
     let (ray, center) = (ray(), Bounded::vector(CENTER, 0.0));
     is(center - ray.origin, TO_CENTER);
     let view = SphereRecord::new(center, Bounded::number(RADIUS, 0.0)).seen_from(ray.origin);
     let a = ray.direction.dot(ray.direction);
     let (h, discriminant) = view.quadratic(ray.direction, a);
     _ = sphere_filter::filtered_from(&view, ray.direction, a);
-    quadratic(limits, "exact/sphere_filter.rs", [a, h, view.c, discriminant])
+    [a, h, view.c, discriminant]
 }
 
-fn cylinder() -> Quadratic {
-    let limits = cylinder_parts::LIMITS;
-    begin(Arithmetic::F64, limits.error_constant * U);
+fn cylinder() -> [Bounded; 4] {
     let (ray, record) = (ray(), record());
     is(ray.origin - record.center, TO_CENTER);
     is((ray.origin - record.center).perpendicular_to(record.axis), TO_CENTER_ACROSS);
@@ -143,5 +147,5 @@ fn cylinder() -> Quadratic {
     let view = record.seen_from(ray.origin);
     let (a, h, discriminant) = record.quadratic(&view, ray.direction);
     _ = SideLanes::new(&record, &view, &ray);
-    quadratic(limits, "exact/cylinder_parts.rs", [a, h, view.c, discriminant])
+    [a, h, view.c, discriminant]
 }

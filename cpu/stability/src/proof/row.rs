@@ -3,7 +3,7 @@
 use cpu::internals::exact::error_bound::UNDERFLOW;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{Arithmetic, Bounded, MARGIN};
+use super::bounded::{Arithmetic, Bounded, MARGIN, compared};
 use super::polynomial::{LENGTH, Polynomial};
 
 /// The families of the numbers. A vector and its length have the same family.
@@ -115,12 +115,19 @@ pub fn enlarged(bound: &Polynomial) -> Polynomial {
 /// value `margin` in the code. The result is 0 if the code forgets the margin in one of the monomials of `size`.
 #[must_use]
 pub fn added(number: Bounded, size: &Polynomial, margin: f64, roundoff: f64) -> f64 {
-    let bound = enlarged(&number.bounds().size);
+    let bound = number.bounds().size.enlarged(&[(AXIS, None)]);
     let factor = size.0.iter().map(|(monomial, coefficient)| {
         bound.coefficient(&Polynomial::of([monomial.as_slice(), &[MARGIN]].concat())) / coefficient
     });
     // The bounds are rounded up, by far less than this.
     factor.fold(f64::INFINITY, f64::min) * margin / roundoff * (1.0 - 1e-8)
+}
+
+/// Returns in how many comparisons the margin takes part.
+#[must_use]
+pub fn uses_of_margin() -> usize {
+    let has_margin = |number: &Bounded| number.bounds().size.0.keys().any(|monomial| monomial.contains(&MARGIN));
+    compared().iter().filter(|pair| pair.iter().any(has_margin)).count()
 }
 
 impl Row {
