@@ -160,56 +160,40 @@ mod tests {
     }
 
     #[test]
-    fn the_table_agrees_around_every_boundary() {
-        for gamma in GAMMAS.into_iter().chain([1e300, 1e-300, f64::MIN_POSITIVE, f64::MAX]) {
+    fn the_table_has_the_byte_of_every_mean() {
+        // The power is correctly rounded, so the byte never falls where the mean grows. So the ends of an interval
+        // decide about all means between them, and nothing is left to try.
+        let mut draws = crate::sampling::uniform::Uniform::new(7);
+        let random = std::iter::repeat_with(|| 10.0_f64.powf(draws.draw(-3.0, 3.0))).take(500);
+        for gamma in GAMMAS.into_iter().chain([1e300, 1e-300, f64::MIN_POSITIVE, f64::MAX]).chain(random) {
             let table = Quantizer::new(gamma);
             for byte in 1..=255 {
-                let boundary = (f64::from(byte) / 255.0).powf(gamma);
-                for steps in -300_i64..=300 {
-                    let mean = f64::from_bits(boundary.to_bits().saturating_add_signed(steps));
-                    assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+                let (below, from) = table.bounds[usize::from(byte)];
+                assert!(below < 0.0 || quantize(below, gamma) < byte, "gamma {gamma}, below {byte}");
+                assert!(from.is_infinite() || quantize(from, gamma) >= byte, "gamma {gamma}, from {byte}");
+                let (last, _) = table.bounds[usize::from(byte) + 1];
+                if from <= last && byte < 255 {
+                    assert_eq!(table.quantize_interval(from, last, byte), Some(byte), "gamma {gamma}");
+                    assert_eq!(table.quantize_interval(from.next_down(), last, byte), None, "gamma {gamma}");
+                    assert_eq!(table.quantize_interval(from, last.next_up(), byte), None, "gamma {gamma}");
                 }
             }
+            for (cell, &guess) in table.first_guess.iter().enumerate() {
+                assert!(guess == 0 || table.bounds[usize::from(guess)].1 <= cell as f64 / CELLS as f64);
+            }
         }
+        assert_eq!(Quantizer::new(2.2).quantize_interval(f64::NAN, f64::NAN, 0), None);
     }
 
     #[test]
-    fn the_table_agrees_everywhere_else() {
-        let mut draws = crate::sampling::uniform::Uniform::new(7);
+    fn special_means_have_their_bytes() {
         for gamma in GAMMAS {
             let table = Quantizer::new(gamma);
-            for _ in 0..20_000 {
-                let mean = draws.canonical();
-                assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
-            }
             let negative = [-1e-17, LOWEST.next_up(), LOWEST, LOWEST.next_down(), -0.1, -0.5, -2.0, f64::NEG_INFINITY];
             for mean in [0.0, -0.0, 1.0, 1.0_f64.next_up(), 2.0, f64::INFINITY, f64::NAN].into_iter().chain(negative) {
                 assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
             }
         }
-    }
-
-    #[test]
-    fn an_interval_has_a_byte_where_its_ends_and_all_between_share_it() {
-        let mut draws = crate::sampling::uniform::Uniform::new(8);
-        let mut known = 0;
-        for gamma in GAMMAS {
-            let table = Quantizer::new(gamma);
-            for _ in 0..5000 {
-                let low = draws.draw(-0.1, 1.01);
-                let high = low + draws.draw(0.0, 0.01);
-                let guess = (255.0 * draws.canonical()) as u8;
-                if let Some(byte) = table.quantize_interval(low, high, guess) {
-                    known += 1;
-                    for step in 0..=8 {
-                        let mean = low + (high - low) * f64::from(step) / 8.0;
-                        assert_eq!(quantize(mean, gamma), byte, "gamma {gamma}, {low:e} to {high:e}");
-                    }
-                }
-            }
-        }
-        assert!(known > 1000, "{known} intervals have a byte");
-        assert_eq!(Quantizer::new(2.2).quantize_interval(f64::NAN, f64::NAN, 0), None);
     }
 
     #[test]
@@ -226,22 +210,6 @@ mod tests {
                 }
             }
             assert!(known > 9_900, "gamma {gamma}: {known} of 10,000");
-        }
-    }
-
-    #[test]
-    fn bounds_have_the_width_of_the_rounding_errors_and_little_more() {
-        for gamma in [0.45, 1.0, 2.2, 10.0] {
-            for root in [0.1, 0.5, 254.0 / 255.0] {
-                let (below, from) = bound_of(root, gamma);
-                let boundary = root.powf(gamma);
-                // In units in the last place.
-                let expected = 16.0 * (1.0 + gamma);
-                for room in [1.0 - below / boundary, from / boundary - 1.0] {
-                    let room = room / f64::EPSILON;
-                    assert!((room - expected).abs() < 2.0, "gamma {gamma}, {root}: {room} for {expected}");
-                }
-            }
         }
     }
 

@@ -155,6 +155,17 @@ mod tests {
         assert_eq!([size_of::<WideBoxes>(), size_of::<ByteBoxes>()], [384, 112]);
     }
 
+    #[test]
+    fn of_every_length_255_steps_are_longer_and_at_most_twice_as_long() {
+        // The exponent grows with the length. So the lengths with an exponent of `e` or less are shorter than the
+        // length of 255 steps, if that has a larger exponent.
+        for exponent in 1..254 {
+            let steps = 255.0 * f64::from(power_of_two(exponent));
+            assert_eq!(exponent_of_step(steps), exponent + 1);
+            assert_eq!(exponent_of_step(steps / 2.0), exponent, "half as long");
+        }
+    }
+
     /// Returns `count` random boxes. Their coordinates differ from `offset` by at most `2 scale`.
     fn boxes(draws: &mut Uniform, count: usize, scale: f64, offset: f64) -> Vec<Bounds> {
         (0..count)
