@@ -27,6 +27,8 @@ pub struct Bounds {
     pub relative: f64,
     /// Whether the number is a square, or made from squares, so that it is not negative.
     pub(super) is_positive: bool,
+    /// Whether `size` is the magnitude itself and not only a bound. A margin times such a number is known.
+    pub(super) is_exact: bool,
     /// Whether the number is a constant that is a power of two, so that products with it are exact.
     pub(super) is_power_of_two: bool,
 }
@@ -85,6 +87,10 @@ impl Table {
 /// The variable for the constant of the margin that is proved.
 pub const MARGIN: Variable = (u8::MAX, LENGTH);
 
+/// The variable in place of [`MARGIN`] in products of which it is not known how large they are at least.
+pub const LOST_MARGIN: Variable = (u8::MAX - 1, LENGTH);
+const LOST: [(u8, Option<u8>); 1] = [(MARGIN.0, Some(LOST_MARGIN.0))];
+
 /// Forgets all numbers of this thread, and begins a proof about this arithmetic. Where the formulas use the constant
 /// `margin`, the bounds have the variable [`MARGIN`].
 pub fn begin(arithmetic: Arithmetic, margin: f64) {
@@ -112,19 +118,21 @@ impl Bounds {
     pub(super) fn rounded(size: Polynomial, before: Polynomial) -> Self {
         let rounding = size.clone().plus(&before.clone().scaled(arithmetic().roundoff));
         let error = before.clone().plus(&rounding);
-        let (relative, is_positive, is_power_of_two) = (f64::INFINITY, false, false);
-        Self { size, error, before: Some(before), relative, is_positive, is_power_of_two }
+        let [is_positive, is_exact, is_power_of_two] = [false; 3];
+        Self { size, error, before: Some(before), relative: f64::INFINITY, is_positive, is_exact, is_power_of_two }
     }
 
     /// Returns the bounds of an exact value of this size, or of one that has a relative error of at most `error u`.
     fn of_value(size: Polynomial, error: f64) -> Self {
-        let (before, is_positive, is_power_of_two) = (None, false, false);
-        Self { error: size.clone().scaled(error), size, before, relative: error, is_positive, is_power_of_two }
+        let is_exact = size.is_monomial();
+        let error = (size.clone().scaled(error), error);
+        let [is_positive, is_power_of_two] = [false; 2];
+        Self { size, error: error.0, before: None, relative: error.1, is_positive, is_exact, is_power_of_two }
     }
 
     /// Returns the bounds with this relative error, to which the last rounding is added.
-    pub(super) fn with_relative(self, before: f64, is_positive: bool) -> Self {
-        Self { relative: composed(before, 1.0), is_positive, ..self }
+    pub(super) fn with_relative(self, before: f64, is_positive: bool, is_exact: bool) -> Self {
+        Self { relative: composed(before, 1.0), is_positive, is_exact, ..self }
     }
 
     /// Returns the bounds with lengths of vectors in place of products of components.
@@ -163,7 +171,8 @@ impl Bounded {
         let size = if is_margin { Polynomial::of([MARGIN]) } else { Polynomial::constant(value.abs()) };
         // A power of two has no bits after the leading one. A margin is not multiplied exactly, as it may change.
         let is_power_of_two = !is_margin && error == 0.0 && value.to_bits() << 12 == 0 && value != 0.0;
-        let bounds = Bounds { is_positive: value > 0.0, is_power_of_two, ..Bounds::of_value(size, error) };
+        let (is_positive, is_exact) = (value >= 0.0, true);
+        let bounds = Bounds { is_positive, is_exact, is_power_of_two, ..Bounds::of_value(size, error) };
         Self::of_operation(Operation::Constant(value.to_bits()), || bounds)
     }
 
@@ -172,10 +181,10 @@ impl Bounded {
         Vec3::new(0, 1, 2).map(|component| Self::input((family, component), error))
     }
 
-    /// Returns the number whose magnitude is the length of a family, with a relative error of at most `error u`.
+    /// Returns the number that is the length of a family, with a relative error of at most `error u`.
     #[must_use]
     pub fn number(family: u8, error: f64) -> Self {
-        Self::input((family, LENGTH), error)
+        Self::input((family, LENGTH), error).of_squares()
     }
 
     /// Returns what is known of the number, in lengths of vectors.
@@ -190,7 +199,18 @@ impl Bounded {
         TABLE.with_borrow(|table| table.bounds[self.0 as usize].clone())
     }
 
-    /// Applies a lemma: the exact magnitude of the number is at most `size`. Numbers that were computed from it before
+    /// Returns the number, of which `size` is the value itself: a length, or a sum of squares.
+    #[must_use]
+    pub fn of_squares(self) -> Self {
+        TABLE.with_borrow_mut(|table| {
+            let bounds = &mut table.bounds[self.0 as usize];
+            (bounds.is_positive, bounds.is_exact) = (true, true);
+        });
+        self
+    }
+
+    /// Applies a lemma: the exact magnitude of the number is at most `size`. If `size` is one product of variables, it
+    /// is the magnitude. Numbers that were computed from it before
     /// keep their bounds.
     ///
     /// # Panics
@@ -200,15 +220,17 @@ impl Bounded {
         if relative.is_finite() {
             return self.assume_relative(size, relative);
         }
+        let is_exact = size.is_monomial();
         let bounds = Bounds::rounded(size, before.expect("only a computed number has a lemma"));
-        TABLE.with_borrow_mut(|table| table.bounds[self.0 as usize] = Bounds { is_positive, ..bounds });
+        TABLE.with_borrow_mut(|table| table.bounds[self.0 as usize] = Bounds { is_positive, is_exact, ..bounds });
     }
 
     /// Applies a lemma: the exact magnitude of the number is at most `size`, and its relative error at most `error u`.
     pub fn assume_relative(self, size: Polynomial, error: f64) {
         TABLE.with_borrow_mut(|table| {
             let bounds = &mut table.bounds[self.0 as usize];
-            *bounds = Bounds { error: size.clone().scaled(error), size, relative: error, ..bounds.clone() };
+            let is_exact = size.is_monomial();
+            *bounds = Bounds { error: size.clone().scaled(error), size, relative: error, is_exact, ..bounds.clone() };
         });
     }
 
@@ -232,7 +254,8 @@ impl Bounded {
             let (a, b) = (self.raw(), other.raw());
             let are_positive = a.is_positive && b.is_positive && matches!(operation, Operation::Sum(..));
             let relative = if are_positive { a.relative.max(b.relative) } else { f64::INFINITY };
-            Bounds::rounded(a.size.plus(&b.size), a.error.plus(&b.error)).with_relative(relative, are_positive)
+            let rounded = Bounds::rounded(a.size.plus(&b.size), a.error.plus(&b.error));
+            rounded.with_relative(relative, are_positive, are_positive && a.is_exact && b.is_exact)
         })
     }
 
@@ -241,7 +264,10 @@ impl Bounded {
         let (a, b) = (self.bounds(), other.bounds());
         let both = a.error.times(&b.error).scaled(arithmetic().roundoff);
         let error = a.size.times(&b.error).plus(&b.size.times(&a.error)).plus(&both);
-        [a.size.times(&b.size), error.plus(&Polynomial::constant(arithmetic().underflow))]
+        // The size of the other operand may be far above its magnitude. Then nothing is known of the margin.
+        let margin =
+            |of: &Bounds, other: &Bounds| if other.is_exact { of.size.clone() } else { of.size.enlarged(&LOST) };
+        [margin(&a, &b).times(&margin(&b, &a)), error.plus(&Polynomial::constant(arithmetic().underflow))]
     }
 
     /// Returns the number with another sign, which has the same bounds.
@@ -257,7 +283,7 @@ impl Bounded {
     /// Returns a number of which only the relative error, without the last rounding, is known.
     pub(super) fn relative(before: f64, is_positive: bool, operation: Operation) -> Self {
         let infinite = Polynomial::constant(f64::INFINITY);
-        let bounds = || Bounds::rounded(infinite.clone(), infinite).with_relative(before, is_positive);
+        let bounds = || Bounds::rounded(infinite.clone(), infinite).with_relative(before, is_positive, false);
         Self::of_operation(operation, bounds)
     }
 }

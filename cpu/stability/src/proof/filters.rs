@@ -42,9 +42,10 @@ fn size_of_c() -> Polynomial {
     squared(TO_CENTER).plus(&squared(RADIUS))
 }
 
-/// Returns a target whose numbers are rounded. Its bounding radius has the family of the radius.
-fn target() -> Target<Bounded> {
-    let ((axis, half_height), radius) = (axis_and_half_height(), Bounded::number(RADIUS, 0.0));
+/// Returns a target whose numbers are rounded.
+fn target(is_sphere: bool) -> Target<Bounded> {
+    let (axis, half_height) = axis_and_half_height();
+    let radius = Bounded::number(if is_sphere { RADIUS } else { INNER_RADIUS }, 0.0);
     let bounding_radius_squared = radius * radius + half_height * half_height;
     bounding_radius_squared.assume(squared(RADIUS));
     let half_height = half_height + Bounded::number(EXTENT, 0.0) * Bounded::constant(SLACK, 0.0);
@@ -58,7 +59,7 @@ fn target() -> Target<Bounded> {
 /// below `3.5 L`, which also covers a start that rounding has moved out of the scene's extent.
 fn beyond_a_cap() -> Row {
     begin(Arithmetic::F64, SLACK);
-    let (ray, target) = (ray(), target());
+    let (ray, target) = (ray(), target(false));
     is(target.center - ray.origin, TO_CENTER);
     _ = ConservativeRay::new(ray).cylinder(&target);
     let [limit, past] = compared()[3];
@@ -74,7 +75,7 @@ fn beyond_a_cap() -> Row {
 /// for rays that are certainly inside.
 fn conservative(is_sphere: bool) -> [Row; 3] {
     begin(Arithmetic::F64, MARGIN);
-    let (ray, target) = (ray(), target());
+    let (ray, target) = (ray(), target(is_sphere));
     is(target.center - ray.origin, TO_CENTER);
     let test = ConservativeRay::new(ray);
     let quadratic = if is_sphere {
@@ -178,7 +179,9 @@ fn flat_numbers(margin: f64) -> FlatNumbers {
     let mut known = |value: f64, size: Polynomial| {
         derived += 1;
         // Rounded once to f32, after a few roundings of f64.
-        name(value as f32, Bounded::of_size(derived, size, 1.0 + 16.0 * U / Arithmetic::F32.roundoff));
+        let number = Bounded::of_size(derived, size, 1.0 + 16.0 * U / Arithmetic::F32.roundoff);
+        name(value as f32, number);
+        number
     };
     for (family, vector, factor) in
         [(ORIGIN, origin, 1.0), (DIRECTION, direction, 1.0), (CENTER, center, 2.0), (AXIS, axis, ROOT)]
@@ -188,11 +191,11 @@ fn flat_numbers(margin: f64) -> FlatNumbers {
         }
     }
     let squares = squared(CENTER).plus(&squared(RADIUS));
-    known(direction.dot(direction), squared(DIRECTION));
+    _ = known(direction.dot(direction), squared(DIRECTION)).of_squares();
     known(center.dot(center) * (1.0 - SPHERE_MARGIN) - radius_squared * (1.0 + SPHERE_MARGIN), squares.clone());
     known(center.dot(axis * ROOT), length(CENTER).scaled(ROOT));
     known(2.0 * half_height * half_height, squared(RADIUS).scaled(2.0));
-    known(center.dot(center) + radius_squared, squares);
+    _ = known(center.dot(center) + radius_squared, squares).of_squares();
     let (mut spheres, mut cylinders) = (BoundingSpheres::EMPTY, InfiniteCylinders::EMPTY);
     let target = Target { center, axis, radius_squared, bounding_radius_squared: radius_squared, half_height };
     spheres.set(0, center, radius_squared);

@@ -28,7 +28,8 @@ impl Mul for Bounded {
             let ([size, error], a, b) = (self.product(other), self.raw(), other.raw());
             let is_positive = self == other || a.is_positive && b.is_positive;
             let relative = composed(a.relative, b.relative);
-            let rounded = Bounds::rounded(size, error.clone()).with_relative(relative, is_positive);
+            let is_exact = a.is_exact && b.is_exact;
+            let rounded = Bounds::rounded(size, error.clone()).with_relative(relative, is_positive, is_exact);
             if a.is_power_of_two || b.is_power_of_two { Bounds { error, relative, ..rounded } } else { rounded }
         })
     }
@@ -122,7 +123,9 @@ impl MulAdd for Bounded {
         Self::of_operation(Operation::Fused(self, factor, term), || {
             let ([size, error], added) = (self.product(factor), term.raw());
             let product = Bounds::rounded(size, error);
-            Bounds::rounded(product.size.plus(&added.size), product.error.plus(&added.error))
+            let is_square = self == factor && self.raw().is_exact && added.is_positive && added.is_exact;
+            let sum = Bounds::rounded(product.size.plus(&added.size), product.error.plus(&added.error));
+            Bounds { is_positive: is_square, is_exact: is_square, ..sum }
         })
     }
 }

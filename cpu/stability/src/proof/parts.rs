@@ -12,7 +12,9 @@ use cpu::internals::math::real::Real;
 use super::bounded::{Arithmetic, Bounded, begin, compared};
 
 use super::polynomial::{LENGTH, Polynomial};
-use super::row::{IN_SCALE, Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, sum};
+use super::row::{
+    IN_SCALE, Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, sum, uses_of_margin,
+};
 
 const FILE: &str = "exact/cylinder_parts.rs";
 
@@ -99,22 +101,21 @@ fn plane(of_slope: f64) -> ([f64; 2], f64) {
         let (ray, record) = (ray(), record());
         is(record.top - ray.origin, TO_CENTER);
         _ = Plane::new(&record, &ray, record.top);
-        first::<3>(2)
+        first::<1>(2)
     };
     // A vector's length is at most the sum of its components' magnitudes.
     let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT)]);
     let sizes = [sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length)), extent.clone()];
     let need = |number: Bounded| relative_to_sizes(&number.bounds().error, 16.0 * U, &sizes, 2.0_f64.powi(-300));
-    let [[distance, _], _, _] = run(16.0 * U);
+    let [[distance, _]] = run(16.0 * U);
     let row = [added(distance, &extent, 16.0 * U, U), need(distance)];
     // Lambda is accepted if the distance exceeds `X / (4 k)`, and the slope `|d|_1 / (8 k)`.
     let k = LIMITS.condition_limit;
-    let [_, [_, near], _] = run(4.0 * k);
-    let near = added(near, &length(TO_CENTER), 4.0 * k, 1.0);
-    let [_, _, [_, flat]] = run(8.0 * k);
-    let flat = added(flat, &length(DIRECTION), 8.0 * k, 1.0);
-    assert!(near > 1.0 && flat > 1.0, "the code uses these limits");
-    let [x, y] = [(row[1] - 1.0) * near * U, of_slope * flat * U];
+    for limit in [4.0 * k, 8.0 * k] {
+        run(limit);
+        assert_eq!(uses_of_margin(), 1, "the code compares with {limit}");
+    }
+    let [x, y] = [(row[1] - 1.0) * 4.0 * k * U, of_slope * 8.0 * k * U];
     (row, (1.0 / ((1.0 - x) * (1.0 - y)) - 1.0) / U + 1.0)
 }
 

@@ -35,6 +35,12 @@ impl Polynomial {
         Self(BTreeMap::from([(variables, 1.0)]))
     }
 
+    /// Whether this is one product of variables.
+    #[must_use]
+    pub fn is_monomial(&self) -> bool {
+        self.0.len() == 1 && self.0.iter().all(|(monomial, &factor)| factor == 1.0 && !monomial.is_empty())
+    }
+
     /// Returns the sum.
     #[must_use]
     pub fn plus(mut self, other: &Self) -> Self {

@@ -3,7 +3,7 @@
 use cpu::internals::exact::error_bound::UNDERFLOW;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{Arithmetic, Bounded, MARGIN, compared};
+use super::bounded::{Arithmetic, Bounded, LOST_MARGIN, MARGIN, compared};
 use super::polynomial::{LENGTH, Polynomial};
 
 /// The families of the numbers. A vector and its length have the same family.
@@ -26,6 +26,8 @@ pub mod family {
     pub const TO_CENTER_ACROSS: u8 = 7;
     /// Half of a cylinder's height.
     pub const HALF_HEIGHT: u8 = 8;
+    /// A cylinder's radius, where [`RADIUS`] is that of its bounding sphere.
+    pub const INNER_RADIUS: u8 = 9;
     /// The families from this one on are for numbers that are computed from others.
     pub const DERIVED: u8 = 16;
 }
@@ -36,8 +38,12 @@ pub const U: f64 = Arithmetic::F64.roundoff;
 
 /// Lengths that are known to be at most another one: the axis has length one, and the part of a vector across the axis
 /// is not longer than the vector.
-const LARGER: [(u8, Option<u8>); 3] =
-    [(AXIS, None), (DIRECTION_ACROSS, Some(DIRECTION)), (TO_CENTER_ACROSS, Some(TO_CENTER))];
+const LARGER: [(u8, Option<u8>); 4] = [
+    (AXIS, None),
+    (DIRECTION_ACROSS, Some(DIRECTION)),
+    (TO_CENTER_ACROSS, Some(TO_CENTER)),
+    (INNER_RADIUS, Some(RADIUS)),
+];
 
 /// A margin: the constant in the code, and what is proved to be enough, in units of the unit roundoff.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,7 +132,8 @@ pub fn added(number: Bounded, size: &Polynomial, margin: f64, roundoff: f64) -> 
 /// Returns in how many comparisons the margin takes part.
 #[must_use]
 pub fn uses_of_margin() -> usize {
-    let has_margin = |number: &Bounded| number.bounds().size.0.keys().any(|monomial| monomial.contains(&MARGIN));
+    let has = |number: &Bounded, margin| number.bounds().size.0.keys().any(|monomial| monomial.contains(margin));
+    let has_margin = |number: &Bounded| has(number, &MARGIN) || has(number, &LOST_MARGIN);
     compared().iter().filter(|pair| pair.iter().any(has_margin)).count()
 }
 
@@ -140,7 +147,9 @@ impl Row {
 
 /// Returns the bound of an error in which the margin has its value and lengths are replaced by larger ones.
 fn with_margin(error: &Polynomial, margin: f64) -> Polynomial {
-    enlarged(error).scaled_by(MARGIN.0, margin).enlarged(&[(MARGIN.0, None)])
+    let families = [MARGIN.0, LOST_MARGIN.0];
+    let of_margin = families.iter().fold(enlarged(error), |error, &family| error.scaled_by(family, margin));
+    of_margin.enlarged(&families.map(|family| (family, None)))
 }
 
 /// Returns how large an error is relative to a size that is at least each of `sizes` and `least`, in units of `u`.

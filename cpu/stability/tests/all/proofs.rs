@@ -6,7 +6,7 @@ use cpu::internals::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use cpu::internals::math::{double_double::DoubleDouble, real::Real, rounding::Rounding};
 use cpu::{Ray, Vec3};
 use stability::proof::bounded::{Arithmetic, Bounded, begin, compared};
-use stability::proof::{self, row::Row, row::U, row::added, row::family, row::squared};
+use stability::proof::{self, row::Row, row::U, row::added, row::family, row::is, row::squared};
 use stability::random::Random;
 use stability::run::PROVEN_ERRORS;
 
@@ -41,8 +41,9 @@ fn a_margin_that_the_formulas_do_not_use_is_zero() {
     let constant = |margin: f64| {
         begin(Arithmetic::F64, margin);
         let (origin, direction) = (Bounded::vector(family::ORIGIN, 0.0), Bounded::vector(family::DIRECTION, 0.0));
-        let view = SphereRecord::new(Bounded::vector(family::CENTER, 0.0), Bounded::number(family::RADIUS, 0.0));
-        _ = sphere_filter::filtered_from(&view.seen_from(origin), direction, direction.dot(direction));
+        let record = SphereRecord::new(Bounded::vector(family::CENTER, 0.0), Bounded::number(family::RADIUS, 0.0));
+        is(record.center - origin, family::TO_CENTER);
+        _ = sphere_filter::filtered_from(&record.seen_from(origin), direction, direction.dot(direction));
         let size = squared(family::DIRECTION).times(&squared(family::RADIUS));
         compared().iter().map(|pair| added(pair[0], &size, margin, f64::EPSILON / 2.0)).fold(0.0, f64::max)
     };
