@@ -96,6 +96,8 @@ mod tests {
         assert!(begins([1.0, 0.0, 0.0], [-1.0, 0.1, 0.0]) && begins([0.0, 1.0, 0.0], [0.1, -1.0, 0.0]));
         assert!(!begins([0.0, 1.0, 0.0], [0.1, 1.0, 0.0]) && !begins([0.0, 1.0 - LAMBDA_MIN, 0.0], [0.0, 1.0, 0.0]));
         // A ray that is parallel to the caps might hit only a cap, and such a hit does not count.
-        assert!(!begins([0.0, 0.0, 0.0], [1.0, 1e-9, 0.0]) && begins([0.0, 0.0, 0.0], [1.0, 1e-4, 0.0]));
+        let from_middle = |direction| begins([0.0, 0.0, 0.0], direction);
+        assert!(!from_middle([1.0, 1e-9, 0.0]) && from_middle([1.0, 1e-4, 0.0]));
+        assert!(!from_middle([1e-9, 1e-9, 0.0]) && !from_middle([100.0, 3e-8, 0.0]), "short, and rounded by too much");
     }
 }

@@ -68,6 +68,7 @@ mod tests {
     use crate::exact::error_bound::Decision;
     use crate::exact::sphere;
     use crate::exact::sphere::precise;
+    use crate::math::{double_double::DoubleDouble, real::Real};
     use crate::sampling::uniform::Uniform;
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, LaneMask, Simd};
@@ -101,6 +102,25 @@ mod tests {
         assert!(certain > 80_000, "{certain}");
         // By the proof the relative error is at most (10.5 k + 4 sqrt(k) + 5) u, where k is the condition limit.
         assert!(worst < 4.9e-12, "{worst:e}");
+    }
+
+    #[test]
+    fn a_c_of_rounding_errors_is_uncertain() {
+        // The surface is so near that `c` consists of the squares of the roundings of `C - O`, which are left out. The
+        // direction is so short that lambda is in range.
+        let (center, radius) = (Vec3::new(1.0 / 3.0, 0.1, 0.0), 1e6);
+        let record = SphereRecord::new(center, radius);
+        for number in 0..1000 {
+            let angle = 0.1 + f64::from(number) * 1e-3;
+            let [x, y] = [radius * angle.cos(), radius * angle.sin()];
+            let of = DoubleDouble::of;
+            let [across, up] = [of(x) - of(center.x), of(y) - of(center.y)];
+            let rest = of(radius) * of(radius) - across * across - up * up;
+            let origin = Vec3::new(x, y, rest.abs().sqrt().high);
+            let direction = (center - origin) * 1e-30;
+            let lanes = compensated(&record, &Ray { origin, direction });
+            assert!(!lanes.certain, "{origin:?}: {}", lanes.lambda);
+        }
     }
 
     #[test]

@@ -85,3 +85,31 @@ pub fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2]
 fn exact(value: f64) -> Dyadic {
     Dyadic::new(value).expect("the value is finite")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cmp::Ordering;
+
+    /// Whether the difference of two values is at most the bound.
+    fn is_within(value: &Dyadic, other: &Dyadic, bound: &Dyadic) -> bool {
+        let difference = value - other;
+        let magnitude = if difference.sign() == Ordering::Less { -&difference } else { difference };
+        (bound - &magnitude).sign() != Ordering::Less
+    }
+
+    #[test]
+    fn more_bits_change_a_value_by_at_most_the_bound() {
+        for integer in [1, 3, 5, 12345, (1 << 52) + 1, (1 << 53) - 1] {
+            for bits in [128, 192] {
+                let at = |bits| logarithm(integer, -7, bits);
+                let ((value, error), (more, _)) = (at(bits), at(512));
+                assert!(is_within(&value, &more, &error), "ln {integer}");
+                let at = |bits| sine_and_cosine(integer, -53, bits);
+                let ((values, error), (more, _)) = (at(bits), at(512));
+                let within = [0, 1].map(|index| is_within(&values[index], &more[index], &error));
+                assert_eq!(within, [true; 2], "sine and cosine of {integer}");
+            }
+        }
+    }
+}

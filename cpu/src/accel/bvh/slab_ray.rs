@@ -221,4 +221,15 @@ mod tests {
         }
         assert!(beside > 4000, "{beside}");
     }
+
+    #[test]
+    fn a_ray_in_the_plane_of_a_flat_box_hits_it() {
+        let flat = Bounds { low: [0.0; 3], high: [0.0, 1.0, 1.0] };
+        let ray = Ray { origin: Vec3::new(0.0, -3.0, 0.5), direction: Vec3::new(0.0, 1.0, 0.0) };
+        for set in sets() {
+            assert_eq!(set.run(Intersect(&ray, &[flat], flat, f32::INFINITY)), [1; 2], "{}", set.name());
+        }
+        let [x, ..] = margins(&Bounds { low: [-1e3; 3], high: [1.0; 3] });
+        assert!(x >= 1e3 * MARGIN, "the farther plane counts");
+    }
 }

@@ -82,7 +82,8 @@ fn slope() -> [f64; 2] {
     begin(Arithmetic::F64, 8.0 * U);
     let (ray, record) = (ray(), record());
     _ = Plane::new(&record, &ray, record.top);
-    // The slope is compared with the limit of parallel rays from both sides.
+    // The slope is compared with the limit of parallel rays from both sides, and with the distance of the plane.
+    assert_eq!(uses_of_margin(), 3, "the code compares the slope");
     let ([[steep, _], [parallel, _]], size) = (first(0), components(DIRECTION));
     let need = relative_to_sizes(&steep.raw().error, 8.0 * U, slice::from_ref(&size), IN_SCALE.direction);
     [least_added(&[steep, parallel], &size, 8.0 * U), need]
