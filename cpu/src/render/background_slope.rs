@@ -4,10 +4,10 @@
 //! The rays through a pixel have the directions `d = d0 + x dx + y dy` with `x, y` in `[-1/2, 1/2]`. Taylor's theorem
 //! gives
 //!
-//! `s(d) = s(d0) + x g.dx + y g.dy + R`, `g = (j - s(d0) d0 / |d0|) / |d0|`, `|R| <= 3 |e|^2 / (|d0| - |e|)^2`
+//! `s(d) = s(d0) + x g.dx + y g.dy + R`, `g = (j - s(d0) d0 / |d0|) / |d0|`, `|R| <= 0.6 |e|^2 / (|d0| - |e|)^2`
 //!
 //! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` follows because the second derivative of `s`
-//! is at most `6 / |d|^2`.
+//! is at most `2 / sqrt(3) |d|^2` (docs/margins.md), half of which is 0.578. The rest covers the rounding of `R`.
 //!
 //! The renderer computes `s` of rounded directions `d^` and `d0^`. Let `r` bound the error of a direction
 //! ([`RayError::length`]). The formula holds for `d^` and `d0^` too, but `e = d^ - d0^` differs from `x dx + y dy` by
@@ -65,7 +65,7 @@ impl<T: Real> DerivativeBound<T> {
         // A negative difference or NaN becomes 0, so that the bound is infinite.
         let closest = T::select(zero.less(length - radius), length - radius, zero);
         let share = radius / closest;
-        let remainder = share * share * T::of(3.0 * (1.0 + 1e-9)) + linear;
+        let remainder = share * share * T::of(0.6) + linear;
         Self { middle, along: [g.dot(camera.delta_x), g.dot(camera.delta_y)], remainder }
     }
 

@@ -6,6 +6,7 @@
 
 pub mod background;
 pub mod bounded;
+pub mod bounds;
 pub mod boxes;
 pub mod camera;
 pub mod exact;

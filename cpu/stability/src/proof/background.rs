@@ -7,7 +7,8 @@ use cpu::internals::render::background_pixels::rounding;
 use cpu::internals::render::background_slope::{DerivativeBound, PixelReach};
 use cpu::internals::render::ray_error::RayError;
 
-use super::bounded::{Arithmetic, Bounded, begin};
+use super::bounded::{Bounded, begin};
+use super::bounds::Arithmetic;
 use super::polynomial::Polynomial;
 use super::row::{Row, U, components, factors, family::*, length, relative_to_sizes, sum};
 
@@ -51,7 +52,7 @@ fn of_color() -> f64 {
 /// Returns the error of the ends of an interval, for a change of the channel of at most 1.
 ///
 /// The sum of a pixel's sides is less than `2 |d0|`, or else there is no bound. The rounding of the remainder is left
-/// out: the remainder is five times as large as it must be.
+/// out, because the bound of the remainder covers it.
 fn of_interval() -> f64 {
     begin(Arithmetic::F64, f64::NAN);
     let one = Polynomial::constant(1.0);

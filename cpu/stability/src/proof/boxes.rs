@@ -12,7 +12,8 @@ use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{Arithmetic, Bounded, compared};
+use super::bounded::{Bounded, compared};
+use super::bounds::Arithmetic;
 use super::lanes::{self, Lane, name};
 use super::polynomial::Polynomial;
 use super::row::{Row, added, components, family::*, length, relative_to_sizes, squared, sum};

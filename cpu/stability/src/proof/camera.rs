@@ -3,7 +3,8 @@
 use cpu::internals::geometry::camera::Camera;
 use cpu::internals::render::ray_error::ROUNDINGS;
 
-use super::bounded::{Arithmetic, Bounded, begin};
+use super::bounded::{Bounded, begin};
+use super::bounds::Arithmetic;
 use super::polynomial::{LENGTH, Polynomial};
 use super::row::{Row, family::*, relative_to_sizes};
 

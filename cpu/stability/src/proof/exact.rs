@@ -9,7 +9,8 @@ use cpu::internals::exact::{
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
 use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
 
-use super::bounded::{Arithmetic, Bounded, begin, compared};
+use super::bounded::{Bounded, begin, compared};
+use super::bounds::Arithmetic;
 use super::parts::{self, record};
 use super::polynomial::Polynomial;
 use super::row::{IN_SCALE, Row, U, added, enlarged, family::*, is, length, ray, squared, uses_of_margin};

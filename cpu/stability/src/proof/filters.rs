@@ -10,7 +10,8 @@ use cpu::internals::accel::may_hit::target::{SLACK, Target};
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{Arithmetic, Bounded, begin, compared};
+use super::bounded::{Bounded, begin, compared};
+use super::bounds::Arithmetic;
 use super::lanes::{self, Lane, name};
 use super::parts::axis_and_half_height;
 use super::polynomial::Polynomial;

@@ -11,7 +11,8 @@ use std::ops::{Add, Mul, Sub};
 use cpu::internals::math::{real::Real, rounding::MulAdd};
 use cpu::internals::simd::SimdF32;
 
-use super::bounded::{self, Arithmetic, Bounded, compared};
+use super::bounded::{self, Bounded, compared};
+use super::bounds::Arithmetic;
 
 thread_local! {
     static NAMES: RefCell<HashMap<u32, Bounded>> = RefCell::default();

@@ -5,7 +5,8 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use cpu::internals::math::real::Real;
 use cpu::internals::math::rounding::{MulAdd, Rounding};
 
-use super::bounded::{Bounded, Bounds, Operation, arithmetic, composed};
+use super::bounded::{Bounded, Operation};
+use super::bounds::{Bounds, arithmetic, composed};
 
 impl Add for Bounded {
     type Output = Self;

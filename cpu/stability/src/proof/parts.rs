@@ -9,7 +9,8 @@ use cpu::internals::exact::cylinder_parts::{LIMITS, Plane};
 use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::math::real::Real;
 
-use super::bounded::{Arithmetic, Bounded, begin, compared};
+use super::bounded::{Bounded, begin, compared};
+use super::bounds::Arithmetic;
 
 use super::polynomial::{LENGTH, Polynomial};
 use super::row::{

@@ -3,7 +3,8 @@
 use cpu::internals::exact::error_bound::UNDERFLOW;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{Arithmetic, Bounded, LOST_MARGIN, MARGIN, compared};
+use super::bounded::{Bounded, LOST_MARGIN, MARGIN, compared};
+use super::bounds::Arithmetic;
 use super::polynomial::{LENGTH, Polynomial};
 
 /// The families of the numbers. A vector and its length have the same family.
