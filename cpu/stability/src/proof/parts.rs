@@ -6,6 +6,7 @@ use cpu::Vec3;
 use cpu::internals::accel::isolated::SEPARATION;
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_parts::{LIMITS, Plane};
+use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::math::real::Real;
 
@@ -58,8 +59,21 @@ pub fn rows(of_side: f64) -> Vec<Row> {
         row("height of a hit, due to the extent", side[1], to_side[1], "u X"),
         row("distance from a cap's centre, due to lambda", cap[0], to_cap[0], "u lambda abs(d)"),
         row("distance from a cap's centre, due to the extent", cap[1], to_cap[1], "u X"),
+        order(of_cap),
         isolated(of_cap),
     ]
+}
+
+/// Returns the row of the order of two hits, each with this relative error of lambda.
+fn order(of_lambda: f64) -> Row {
+    let (margin, size) = (LIMITS.lambda_error::<f64>(), length(LAMBDA));
+    begin(Arithmetic::F64, margin);
+    let lambda = Bounded::number(LAMBDA, of_lambda);
+    _ = is_certainly_closer(lambda, lambda);
+    let [[nearer, farther]] = first(0);
+    let error = nearer.bounds().error.plus(&farther.bounds().error);
+    let (constant, need) = (added(nearer, &size, margin, U), relative_to_sizes(&error, margin, &[size], 1.0));
+    Row { what: "order of two hits", file: "exact/order.rs", constant, need, unit: "u lambda" }
 }
 
 /// Returns the row of isolated objects, for this relative error of every lambda.
