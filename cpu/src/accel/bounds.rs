@@ -3,9 +3,16 @@
 use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
 use crate::{layout::Objects, math::vec3::Vec3};
 
-/// The margin of a cylinder's extent along a direction, relative to the radius. If the axis is close to the direction,
-/// `1 - along * along` cancels, with an error of at most `16 u`. Its root has an error of at most 4.3e-8.
-pub const MARGIN_OF_CYLINDERS: f64 = 1e-7;
+/// Returns at least the extent along a direction of a disc of radius 1. `along` is the dot product of the direction and
+/// the disc's axis, both of length one.
+#[inline(always)]
+pub fn extent_of_disc(along: f64) -> f64 {
+    /// If `along` is close to 1, the difference cancels, with an error of at most `16 u`. Its root has an error of at
+    /// most 4.3e-8.
+    const MARGIN: f64 = 1e-7;
+
+    (1.0 - along * along).max(0.0).sqrt() + MARGIN
+}
 
 /// An axis-aligned box, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,10 +94,9 @@ impl Bounds {
             }
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index).record;
-                let half_size = cylinder.axis.map(|along| {
-                    let across = (1.0 - along * along).max(0.0).sqrt() + MARGIN_OF_CYLINDERS;
-                    cylinder.half_height * along.abs() + cylinder.radius * across
-                });
+                let half_size = cylinder
+                    .axis
+                    .map(|along| cylinder.half_height * along.abs() + cylinder.radius * extent_of_disc(along));
                 Self::around(cylinder.center, half_size.map(|half| half + slack(cylinder.radius)))
             }
         }

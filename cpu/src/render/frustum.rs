@@ -27,7 +27,7 @@
 use crate::render::{prepared::Prepared, span::Span};
 
 use crate::{
-    accel::bounds::Bounds, accel::bounds::MARGIN_OF_CYLINDERS, accel::object::ObjectId, accel::object::ObjectRef,
+    accel::bounds::Bounds, accel::bounds::extent_of_disc, accel::object::ObjectId, accel::object::ObjectRef,
     accel::object::count, counters::Counter, counters::add, geometry::camera::HALF_PIXEL,
     geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView, geometry::sphere::SphereRecord,
     geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS, layout::Objects,
@@ -68,18 +68,18 @@ struct Outline {
 impl Outline {
     fn new<L: Layout>(prepared: &Prepared<L>, id: ObjectId) -> Self {
         let objects = &prepared.objects;
-        let (center, axis, half_height, radius, margin) = match ObjectRef::of(objects, id) {
+        let (center, axis, half_height, radius) = match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => {
                 let SphereRecord { center, radius, .. } = objects.sphere(index).record;
-                (center, Vec3::ZERO, 0.0, radius, 0.0)
+                (center, Vec3::ZERO, 0.0, radius)
             }
             ObjectRef::Cylinder(index) => {
                 let CylinderRecord { center, axis, half_height, radius, .. } = objects.cylinder(index).record;
-                (center, axis, half_height, radius, MARGIN_OF_CYLINDERS * radius)
+                (center, axis, half_height, radius)
             }
         };
         let center = center - prepared.camera.position;
-        let margin = margin + TURNS * prepared.ray_error.turn * (center.length() + radius + half_height);
+        let margin = TURNS * prepared.ray_error.turn * (center.length() + radius + half_height);
         Self { id, center, axis, half_height, radius, margin }
     }
 
@@ -92,8 +92,7 @@ impl Outline {
             beyond(self.radius + self.half_height)
                 || self.half_height > 0.0 && {
                     let along = normal.dot(self.axis);
-                    let across = (1.0 - along * along).max(0.0).sqrt();
-                    beyond(self.half_height * along.abs() + self.radius * across)
+                    beyond(self.half_height * along.abs() + self.radius * extent_of_disc(along))
                 }
         };
         !planes.iter().any(outside)
