@@ -79,3 +79,30 @@ impl<B: Boxes, O: Objects> FindIsolated<'_, B, O> {
         count != 0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::accel::bvh::{Bvh, boxes::WideBoxes};
+    use crate::accel::{dominant_sphere::DominantSphere, extent::Extent};
+    use crate::input::scene::Scene;
+    use crate::layout::{Objects, aos::AosObjects};
+
+    /// Returns the objects of a scene whose largest coordinate is 1. Their boxes are hardly larger than the spheres.
+    fn objects(lines: &str) -> (AosObjects, Extent) {
+        let scene = Scene::parse(format!("matte: m 1 1 1\n{lines}").as_bytes()).expect("the scene is valid");
+        (AosObjects::build(&scene).expect("it fits"), Extent { max_coordinate: 1.0, moderate: true })
+    }
+
+    #[test]
+    fn objects_that_are_nearer_than_the_separation_are_not_isolated() {
+        for (gap, isolated) in [(5e-9, false), (3e-8, true)] {
+            let right = 3e-4 + gap;
+            let (mut spheres, extent) = objects(&format!("sphere: -3e-4 0 0 3e-4 m\nsphere: {right} 0 0 3e-4 m\n"));
+            let bvh = Bvh::<WideBoxes>::new(&mut spheres, &extent, None).expect("it fits");
+            assert_eq!([0, 1].map(|id| bvh.isolated.is(id)), [isolated; 2], "{gap}");
+            let (spheres, extent) = objects(&format!("sphere: -.5 0 0 .5 m\nsphere: {right} 0 0 3e-4 m\n"));
+            let overlapping = DominantSphere(Some(0)).overlapping(&spheres, &extent).expect("they are few");
+            assert_eq!(overlapping.is_empty(), isolated, "{gap}");
+        }
+    }
+}

@@ -116,3 +116,32 @@ fn exp(t: DoubleDouble) -> (DoubleDouble, i64) {
 fn nearest_integer(value: f64) -> i64 {
     (value + 0.5_f64.copysign(value)) as i64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::dyadic::{Dyadic, integer_and_exponent};
+    use crate::math::fixed_point;
+    use crate::sampling::uniform::Uniform;
+
+    #[test]
+    fn the_error_of_a_power_is_an_eighth_of_its_bound() {
+        let exact = |value: f64| Dyadic::new(value).expect("it is finite");
+        let logarithm = |value: f64| {
+            let (integer, exponent) = integer_and_exponent(value);
+            fixed_point::logarithm(integer, exponent, 192).0
+        };
+        let (mut draws, mut worst) = (Uniform::new(6), 0.0_f64);
+        for _ in 0..2000 {
+            let (base, exponent) = (10.0_f64.powf(draws.draw(-300.0, 300.0)), draws.draw(0.5, 1.0));
+            let (fraction, power) = exp(DoubleDouble::of(exponent) * ln(base));
+            // The logarithm of `high (1 + small)`.
+            let small = fraction.low / fraction.high;
+            let high = &logarithm(fraction.high) + &exact(small - small * small / 2.0);
+            let computed = &high + &(&logarithm(2.0) * &exact(power as f64));
+            let error = &computed - &(&exact(exponent) * &logarithm(base));
+            worst = worst.max(error.to_double_double().high.abs());
+        }
+        assert!(worst < ERROR / 8.0 && worst > ERROR / 8192.0, "{worst:e}");
+    }
+}
