@@ -150,6 +150,20 @@ mod tests {
     }
 
     #[test]
+    fn the_remainder_holds_where_the_second_derivative_is_largest_and_is_hardly_larger() {
+        // docs/margins.md derives these vectors, along `d0` and across it.
+        let (s, up) = ((1.0_f64 / 3.0).sqrt(), Vec3::new(0.0, 1.0, 0.0));
+        let d0 = Vec3::new((2.0_f64 / 3.0).sqrt(), s, 0.0);
+        let delta_x = (d0 + (up - d0 * s).unit() * 2.0_f64.sqrt()).unit() * 0.01;
+        let camera = Camera { position: Vec3::ZERO, origin: d0, delta_x, delta_y: Vec3::ZERO };
+        let bound = DerivativeBound::new(&camera, 0.0, 0.0, PixelReach { radius: 0.005, linear: 0.0 });
+        let at = |x: f64| camera.ray(0.0, 0.0, [x, 0.0]).direction.unit().y;
+        let differences = [-0.5, 0.5].map(|x| (at(x) - bound.middle - x * bound.along[0]).abs());
+        let largest = differences[0].max(differences[1]);
+        assert!(largest <= bound.remainder && largest > 0.9 * bound.remainder, "{largest:e} of {bound:?}");
+    }
+
+    #[test]
     fn the_slope_bounds_rays_whose_direction_is_rounded_to_few_digits() {
         // In the first picture the pixels are so small that most of the difference comes from rounding.
         for (distance, fov) in [("0.01", 0.05), ("0.01", 20.0), ("1e-4", 90.0)] {
