@@ -28,7 +28,7 @@
 //! let config = cpu::internals::input::config::Config::default();
 //! let scene = cpu::internals::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n"[..])?;
 //! let features = features_of(&config, &scene)?;
-//! let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &features)?;
+//! let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &features, &[])?;
 //! let rendering = renderer.render(&Picture::new(&config, &scene)?)?;
 //! println!("{} pixels in {:?}", rendering.pixels.len(), rendering.time);
 //! # Ok::<(), gpu_check::Error>(())

@@ -74,24 +74,27 @@ pub fn compile(gpu: &Gpu, operation: &Operation, arithmetic: Option<&Arithmetic>
     Pipeline::new(gpu, &composition, &[])
 }
 
-/// Compares the results of `operation` for `cases` with those of Rust.
+/// Runs the kernel of `operation` on a batch of operands, and adds the results to `tally`.
 ///
 /// # Errors
 /// The errors of [`Pipeline::run`].
-pub fn compare(gpu: &Gpu, pipeline: &Pipeline, operation: &Operation, cases: &[Operands]) -> Result<Tally, Error> {
-    let mut tally = Tally::new(operation);
-    for cases in cases.chunks(BATCH) {
-        let output = (cases.len() * operation.outcome.size()) as u64;
-        let packed: Vec<_> = cases.iter().map(Operands::packed).collect();
-        let contents = [Content::Input(bytemuck::cast_slice(&packed)), Content::Output(output)];
-        let run = pipeline.run(gpu, &contents, cases.len() as u64)?;
-        tally.time += run.time;
-        let bytes = run.outputs.concat();
-        for (case, actual) in cases.iter().zip(bytes.chunks(operation.outcome.size())) {
-            tally.add(operation, case, actual);
-        }
+pub fn compare(
+    gpu: &Gpu,
+    pipeline: &Pipeline,
+    operation: &Operation,
+    cases: &[Operands],
+    tally: &mut Tally,
+) -> Result<(), Error> {
+    let output = (cases.len() * operation.outcome.size()) as u64;
+    let packed: Vec<_> = cases.iter().map(Operands::packed).collect();
+    let contents = [Content::Input(bytemuck::cast_slice(&packed)), Content::Output(output)];
+    let run = pipeline.run(gpu, &contents, cases.len() as u64)?;
+    tally.time += run.time;
+    let bytes = run.outputs.concat();
+    for (case, actual) in cases.iter().zip(bytes.chunks(operation.outcome.size())) {
+        tally.add(operation, case, actual);
     }
-    Ok(tally)
+    Ok(())
 }
 
 /// Draws `count` cases with the seed `seed`, and compares the results of `operation` for them.
@@ -103,7 +106,7 @@ pub fn check(gpu: &Gpu, operation: &Operation, count: usize, seed: u64) -> Resul
     let mut tally = Tally::new(operation);
     for first in (0..count).step_by(BATCH) {
         let cases: Vec<_> = (first..count.min(first + BATCH)).map(|index| draw(seed, index as u64)).collect();
-        tally.join(compare(gpu, &pipeline, operation, &cases)?);
+        compare(gpu, &pipeline, operation, &cases, &mut tally)?;
     }
     Ok(tally)
 }
@@ -139,15 +142,6 @@ impl Tally {
                 self.shown.push(format!("{case:?}: {expected:#x} in Rust, {actual:#x} by integers"));
             }
         }
-    }
-
-    fn join(&mut self, other: Self) {
-        self.cases += other.cases;
-        self.differing += other.differing;
-        self.ordinary += other.ordinary;
-        self.time += other.time;
-        self.shown.extend(other.shown);
-        self.shown.truncate(3);
     }
 }
 

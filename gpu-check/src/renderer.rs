@@ -49,24 +49,12 @@ pub struct Rendering<T> {
 }
 
 impl<'a, T: Float> Renderer<'a, T> {
-    /// Compiles `kernels/image` from `library`, with the constants of `features`.
+    /// Compiles `kernels/image` from `library`, with the constants of `features`. `own` has the names and values of
+    /// constants that a replaced module declares.
     ///
     /// # Errors
     /// The errors of [`Pipeline::new`].
-    pub fn new(gpu: &'a Gpu, library: &Library, features: &Features) -> Result<Self, Error> {
-        Self::with_constants(gpu, library, features, &[])
-    }
-
-    /// Compiles as [`Self::new`] does. `own` has the names and values of constants that a replaced module declares.
-    ///
-    /// # Errors
-    /// The errors of [`Pipeline::new`].
-    pub fn with_constants(
-        gpu: &'a Gpu,
-        library: &Library,
-        features: &Features,
-        own: &[(&str, f64)],
-    ) -> Result<Self, Error> {
+    pub fn new(gpu: &'a Gpu, library: &Library, features: &Features, own: &[(&str, f64)]) -> Result<Self, Error> {
         let composition = library.compose("kernels/image", T::PRECISION)?;
         let constants = [&features.constants()[..], own].concat();
         let pipeline = Pipeline::new(gpu, &composition, &constants)?;

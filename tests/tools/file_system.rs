@@ -79,20 +79,3 @@ fn contents(events: &[Event], file: usize) -> BTreeSet<Content> {
     }
     contents.into_iter().map(Some).collect()
 }
-
-/// Checks the model with two programs for which the answers are known: one that does not sync, and one that does.
-pub fn is_right() -> Result<(), libtest_mimic::Failed> {
-    let write = Event::Write { file: 1, bytes: b"new!".to_vec() };
-    let (make, rename) =
-        (Event::Name { name: "t".to_owned(), file: 1 }, Event::Rename { from: "t".to_owned(), to: "out".to_owned() });
-    let old = Some(b"old".to_vec());
-    let after = |events: &[Event]| outcomes(events, "out", &old);
-    let [whole, half, room, empty] = [&b"new!"[..], b"ne\0\0", b"\0\0\0\0", b""].map(|text| Some(text.to_vec()));
-    let careless = after(&[make.clone(), write.clone(), rename.clone()]);
-    assert_eq!(careless, BTreeSet::from([old.clone(), whole.clone(), half, room, empty]));
-    let synced = [make, write, Event::SyncFile(1), rename, Event::SyncFolder];
-    assert_eq!(after(&synced[..3]), BTreeSet::from([old.clone()]));
-    assert_eq!(after(&synced[..4]), BTreeSet::from([old.clone(), whole.clone()]));
-    assert_eq!(after(&synced), BTreeSet::from([whole]));
-    Ok(())
-}

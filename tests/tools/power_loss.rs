@@ -28,7 +28,6 @@ const PIECES: [&[u8]; 3] = [b"the first piece, ", b"the second, ", b"and the las
 pub fn trials() -> Vec<Trial> {
     let missing = unavailable(Disturbance::Errors);
     vec![
-        trial("power_loss: the_model_knows_what_a_careless_program_loses", None, file_system::is_right),
         trial("power_loss: a_synced_file_is_the_old_one_or_the_new_one_at_any_moment", missing, synced),
         trial("power_loss: without_syncing_a_half_file_may_stand", missing, not_synced),
     ]

@@ -1,16 +1,14 @@
 //! This project's side of the comparison: the acceleration structure of the renderer, which gives the hits of exact
 //! arithmetic in double precision.
 
-use std::time::Instant;
-
+use cpu::internals::InstructionSet;
 use cpu::internals::accel::{
     choice::Accel, closest_hit::ClosestHit, every_object::intersect_every_object, extent::Extent, object::NO_OBJECT,
     object::ObjectId, object::count, object::order_of, stack::Stack,
 };
 use cpu::internals::input::scene::{Shape, Sphere};
-use cpu::internals::layout::{Objects, Placed, aos::AosObjects};
+use cpu::internals::layout::{Objects, aos::AosObjects};
 use cpu::internals::simd::{Kernel, Simd};
-use cpu::internals::{InstructionSet, geometry::sphere::SphereRecord};
 use cpu::{Error, Ray, Scene};
 
 use super::{NO_PLACE, NearestHit, Start};
@@ -22,8 +20,6 @@ pub struct Ours {
     accel: Accel,
     /// The number of each object, by its place in the scene file.
     numbers: Vec<ObjectId>,
-    /// Time to build the structure from the objects, in seconds.
-    pub build_seconds: f64,
 }
 
 /// A ray in the form that [`Ours::find`] takes.
@@ -47,24 +43,10 @@ impl Ours {
             Shape::Cylinder(_) => most,
         });
         let extent = Extent { max_coordinate, moderate: true };
-        let start = Instant::now();
         let accel = Accel::new(&mut objects, &extent)?;
-        let build_seconds = start.elapsed().as_secs_f64();
         let mut numbers: Vec<_> = (0..count(&objects) as ObjectId).collect();
         numbers.sort_unstable_by_key(|&id| order_of(&objects, id));
-        Ok(Self { objects, accel, numbers, build_seconds })
-    }
-
-    /// Returns the size of the acceleration structure in bytes, without the objects' records.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.accel.bytes()
-    }
-
-    /// Returns the size of the objects' records in bytes.
-    #[must_use]
-    pub fn record_bytes(&self) -> usize {
-        self.objects.sphere_count() * size_of::<Placed<SphereRecord>>()
+        Ok(Self { objects, accel, numbers })
     }
 
     /// Returns the rays in the form that [`Ours::find`] takes.

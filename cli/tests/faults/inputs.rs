@@ -5,7 +5,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::os::unix::fs::symlink;
 
-use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused};
+use crate::workshop::{PROGRAMS, Workshop, assert_refused, running};
 
 const SMALL: &str = "image_width: 8\nsamples_per_pixel: 1\n";
 
@@ -65,7 +65,7 @@ fn a_fifo_is_read_to_its_end() {
     let expected = workshop.render();
     nix::unistd::mkfifo(&workshop.file("fifo"), nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
     for program in PROGRAMS {
-        let mut child = Running::start(&mut workshop.command_with(program, ["fifo", "scene.txt", "d/out.ppm"]));
+        let mut child = running(&mut workshop.command_with(program, ["fifo", "scene.txt", "d/out.ppm"]));
         // The text is written in two pieces. The first piece ends within a line.
         let mut fifo = OpenOptions::new().write(true).open(workshop.file("fifo")).expect("the program reads");
         fifo.write_all(&SMALL.as_bytes()[..5]).expect("the program reads");

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use cpu::internals::sampling::uniform::Uniform;
 use nix::sys::signal::Signal;
 
-use crate::workshop::{PROGRAMS, Running, Workshop, send, signal_of};
+use crate::workshop::{PROGRAMS, Workshop, running, send, signal_of};
 
 /// A configuration for a picture of the background alone. A large part of its time is spent on writing.
 const CONFIG: &str = "image_width: 500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
@@ -33,7 +33,7 @@ fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
         tries += 1;
         assert!(tries < 100 * KILLS, "the signal ended only {kills} of {tries} runs");
         fs::write(&out, "old").expect("the folder is writable");
-        let mut child = Running::start(workshop.command(program).stdout(Stdio::null()));
+        let mut child = running(workshop.command(program).stdout(Stdio::null()));
         std::thread::sleep(whole.mul_f64(moments.canonical()));
         send(&child, signal);
         let status = child.wait().expect("it ends");
@@ -86,7 +86,7 @@ fn a_program_that_waits_for_its_input_can_be_stopped() {
     let fifo = workshop.file("never");
     nix::unistd::mkfifo(&fifo, nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
     for program in PROGRAMS {
-        let mut child = Running::start(&mut workshop.command_with(program, ["never", "scene.txt", "d/out.ppm"]));
+        let mut child = running(&mut workshop.command_with(program, ["never", "scene.txt", "d/out.ppm"]));
         std::thread::sleep(Duration::from_millis(50));
         assert!(child.try_wait().expect("it is ours").is_none(), "it ended without an input");
         send(&child, Signal::SIGTERM);

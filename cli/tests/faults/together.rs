@@ -2,9 +2,8 @@
 
 use std::fs;
 use std::io::Read;
-use std::process::{Command, Stdio};
 
-use crate::workshop::{PROGRAMS, Running, Workshop};
+use crate::workshop::{PROGRAMS, Workshop, running};
 
 /// How many times both programs run together.
 const PAIRS: usize = 100;
@@ -12,11 +11,6 @@ const PAIRS: usize = 100;
 /// A picture of `width` columns and rows of the background. Pictures of different sizes can be told apart.
 fn config(width: usize) -> String {
     format!("image_width: {width}\naspect_ratio: 1 1\nsamples_per_pixel: 1\n")
-}
-
-/// Starts a program whose messages the test reads.
-fn start(mut command: Command) -> Running {
-    Running::start(command.stderr(Stdio::piped()))
 }
 
 #[test]
@@ -36,8 +30,8 @@ fn two_programs_that_write_one_file_leave_one_whole_picture_and_nothing_else() {
             fs::write(workshop.file("d/out.ppm"), "old").expect("the folder is writable");
         }
         let mut programs = [
-            start(workshop.command(PROGRAMS[pair / 2 % 2])),
-            start(workshop.command_with(PROGRAMS[(pair / 2 + 1) % 2], large_names)),
+            running(&mut workshop.command(PROGRAMS[pair / 2 % 2])),
+            running(&mut workshop.command_with(PROGRAMS[(pair / 2 + 1) % 2], large_names)),
         ];
         for program in &mut programs {
             let mut message = String::new();

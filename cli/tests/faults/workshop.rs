@@ -1,13 +1,14 @@
 //! A folder with the input files of a run, and functions for processes that get signals.
 
 use std::fs;
-use std::ops::{Deref, DerefMut};
+use std::ops::Deref;
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, ExitStatus, Output, Stdio};
 
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use test_support::folder::Folder;
+use test_support::running::Running;
 
 /// Paths of the two programs.
 pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
@@ -72,35 +73,9 @@ impl Workshop {
     }
 }
 
-/// A process that is killed when this value is dropped.
-pub struct Running(Child);
-
-impl Running {
-    pub fn start(command: &mut Command) -> Self {
-        Self(command.spawn().expect("the program runs"))
-    }
-}
-
-impl Deref for Running {
-    type Target = Child;
-
-    fn deref(&self) -> &Child {
-        &self.0
-    }
-}
-
-impl DerefMut for Running {
-    fn deref_mut(&mut self) -> &mut Child {
-        &mut self.0
-    }
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        // An error is ignored: the process may have ended already.
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
+/// Starts a program, which is killed when the value is dropped.
+pub fn running(command: &mut Command) -> Running {
+    Running::start(command).expect("the program runs")
 }
 
 /// Sends `signal` to a process, which may have ended already.

@@ -135,7 +135,8 @@ pub fn cases() -> Vec<Operands> {
 pub fn notice(gpu: &Gpu, arithmetic: &Arithmetic, cases: &[Operands]) -> Result<Option<String>, Error> {
     for operation in &operations::BASIC {
         let pipeline = super::compile(gpu, operation, Some(arithmetic))?;
-        let tally = super::compare(gpu, &pipeline, operation, cases)?;
+        let mut tally = super::Tally::new(operation);
+        super::compare(gpu, &pipeline, operation, cases, &mut tally)?;
         if tally.differing > 0 {
             return Ok(Some(format!("{}, {} of {} cases", tally.operation, tally.differing, tally.cases)));
         }

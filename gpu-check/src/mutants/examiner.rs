@@ -169,7 +169,7 @@ impl<'a> Examiner<'a> {
         for (case, expected) in &self.pictures {
             let (features, picture) =
                 (features_of(&case.config, &case.scene)?, Picture::new(&case.config, &case.scene)?);
-            let rendering = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2).render(&picture)?;
+            let rendering = Renderer::<f64>::new(self.gpu, library, &features, &[])?.in_steps_of(2).render(&picture)?;
             if let Some(index) = first_differing(&rendering.pixels, expected) {
                 let start = Instant::now();
                 let constants = (&features, &[][..]);
@@ -198,7 +198,7 @@ impl<'a> Examiner<'a> {
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
             // The picture is rendered in several runs, so that an error in continuing the paths is noticed.
-            let renderer = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2);
+            let renderer = Renderer::<f64>::new(self.gpu, library, &features, &[])?.in_steps_of(2);
             let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
             let found = difference(&rendering.pixels, expected);
             if found.differing > 0 {
@@ -210,7 +210,7 @@ impl<'a> Examiner<'a> {
 
     /// Examines pictures with random numbers. They are rendered in several runs, which begin and end within a pixel.
     fn examine_samples(&self, library: &Library) -> Result<Option<String>, Error> {
-        let renderer = |depth: u32| SampleRenderer::<f64>::new(self.gpu, library, &Features::all(depth));
+        let renderer = |depth: u32| SampleRenderer::<f64>::new(self.gpu, library, &Features::all(depth), &[]);
         let noticed = |name: &str, rendering: &SampledRendering<f64>, recording: &Recording| {
             let (found, disagreeing) = (difference(&rendering.pixels, &recording.means), rendering.disagreeing);
             let Difference { differing, pixels, .. } = found;

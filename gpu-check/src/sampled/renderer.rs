@@ -53,25 +53,12 @@ pub struct SampledRendering<T> {
 }
 
 impl<'a, T: Float> SampleRenderer<'a, T> {
-    /// Compiles both kernels from `library`, with the constants of `features`.
+    /// Compiles both kernels from `library`, with the constants of `features`. `own` has the names and values of
+    /// constants that a replaced module declares; they are for `kernels/samples`.
     ///
     /// # Errors
     /// The errors of [`Pipeline::new`].
-    pub fn new(gpu: &'a Gpu, library: &Library, features: &Features) -> Result<Self, Error> {
-        Self::with_constants(gpu, library, features, &[])
-    }
-
-    /// Compiles as [`Self::new`] does. `own` has the names and values of constants that a replaced module declares;
-    /// they are for `kernels/samples`.
-    ///
-    /// # Errors
-    /// The errors of [`Pipeline::new`].
-    pub fn with_constants(
-        gpu: &'a Gpu,
-        library: &Library,
-        features: &Features,
-        own: &[(&str, f64)],
-    ) -> Result<Self, Error> {
+    pub fn new(gpu: &'a Gpu, library: &Library, features: &Features, own: &[(&str, f64)]) -> Result<Self, Error> {
         let constants = [&features.constants()[..], own].concat();
         let samples = Pipeline::new(gpu, &library.compose("kernels/samples", T::PRECISION)?, &constants)?;
         let means = Pipeline::new(gpu, &library.compose("kernels/means", T::PRECISION)?, &[])?;

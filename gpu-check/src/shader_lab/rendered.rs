@@ -71,11 +71,11 @@ pub(super) fn render<T: Float>(
     };
     let start = Instant::now();
     let Some(recording) = &truth.recording else {
-        let renderer = Renderer::<T>::with_constants(gpu, library, features, own)?;
+        let renderer = Renderer::<T>::new(gpu, library, features, own)?;
         let compiled = start.elapsed();
         return Ok(Rendered { rendering: renderer.render_telling(picture, tell)?, compiled, words: None });
     };
-    let renderer = SampleRenderer::<T>::with_constants(gpu, library, features, own)?;
+    let renderer = SampleRenderer::<T>::new(gpu, library, features, own)?;
     let compiled = start.elapsed();
     let SampledRendering { size, pixels, disagreeing, time, .. } = renderer.render_telling(picture, recording, tell)?;
     let text = format!(

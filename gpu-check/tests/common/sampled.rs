@@ -30,7 +30,7 @@ impl<'a, T: Float> Pipelines<'a, T> {
     pub fn render(&mut self, case: &Case, features: &Features, recording: &Recording) -> SampledRendering<T> {
         let key = format!("{features:?}");
         if !self.renderers.contains_key(&key) {
-            let renderer = SampleRenderer::new(self.gpu, self.library, features);
+            let renderer = SampleRenderer::new(self.gpu, self.library, features, &[]);
             self.renderers.insert(key.clone(), renderer.unwrap_or_else(|error| panic!("{}: {error}", case.name)));
         }
         let picture = Picture::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));

@@ -15,7 +15,7 @@ const RANDOM_SCENES: u64 = 12;
 const TESTS: usize = 1_000_000;
 
 fn render<T: Float>(gpu: &Gpu, case: &Case, features: &Features) -> (Vec<cpu::Vec3<T>>, Duration) {
-    let rendering = Renderer::<T>::new(gpu, &Library::standard(), features).and_then(|renderer| {
+    let rendering = Renderer::<T>::new(gpu, &Library::standard(), features, &[]).and_then(|renderer| {
         let picture = Picture::new(&case.config, &case.scene)?;
         // The first rendering is not measured.
         renderer.render(&picture)?;

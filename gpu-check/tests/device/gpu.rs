@@ -65,7 +65,7 @@ fn a_buffer_beyond_the_limit_is_an_error_that_says_so() {
     let config = cpu::Config { max_depth: 100_000, image_width: 2, ..cpu::internals::input::config::Config::default() };
     let picture = Picture::<f64>::new(&config, &cpu::internals::input::scene::Scene::default())
         .expect("the configuration is valid");
-    let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &Features::all(picture.max_depth));
+    let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &Features::all(picture.max_depth), &[]);
     let error = renderer.and_then(|renderer| renderer.render(&picture)).expect_err("the path is too long");
     assert!(error.to_string().starts_with("0 objects to a depth of 100000 are more than one run can loop"), "{error}");
 }

@@ -138,7 +138,7 @@ fn a_ray_that_visits_too_many_nodes_is_an_error_and_not_a_wrong_colour() {
     let case = large::ten_thousand(16);
     let features = features_of(&case.config, &case.scene).expect("it is valid");
     let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
-    let renderer = Renderer::<f64>::new(&gpu, &library, &features).expect("it compiles");
+    let renderer = Renderer::<f64>::new(&gpu, &library, &features, &[]).expect("it compiles");
     let error = renderer.render(&picture).map(|rendering| rendering.size).expect_err("20 nodes are too few");
     assert!(error.to_string().contains("did not write"), "{error}");
 }

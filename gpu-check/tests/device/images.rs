@@ -85,7 +85,7 @@ fn f32_pictures_are_near_the_reference_and_with_the_arithmetic_of_ieee_their_twi
 /// Renders as [`on_device`] does, but a path hits at most `surfaces` surfaces in each run.
 fn in_steps_of(surfaces: u32, gpu: &Gpu, case: &Case) -> Result<Rendering<f64>, gpu_check::Error> {
     let features = features_of(&case.config, &case.scene)?;
-    let renderer = Renderer::<f64>::new(gpu, &Library::standard(), &features)?.in_steps_of(surfaces);
+    let renderer = Renderer::<f64>::new(gpu, &Library::standard(), &features, &[])?.in_steps_of(surfaces);
     renderer.render(&Picture::new(&case.config, &case.scene)?)
 }
 
@@ -117,7 +117,7 @@ fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() 
     let case = Case { name: "66,001 spheres".to_owned(), config, scene };
     let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
     let features = features_of(&case.config, &case.scene).expect("it is valid");
-    let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &features).expect("the kernel is valid");
+    let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &features, &[]).expect("the kernel is valid");
     let error = renderer.render(&picture).expect_err("they are too many");
     assert!(
         error.to_string().starts_with("66001 objects to a depth of 1 are more than one run can loop over"),

@@ -84,7 +84,7 @@ fn every_picture_is_the_references_to_the_bit() {
     assert!(cases.len() >= 16 + RANDOM_SCENES as usize + scenes::edges().len(), "the repository has scenes");
     // A pipeline of so many instructions takes seconds to compile, so all scenes share one.
     let deepest = cases.iter().map(|case| case.config.max_depth as u32).max().expect("there are scenes");
-    let renderer = Renderer::<f64>::new(&gpu, &library(), &Features::all(deepest)).expect("the kernel is valid");
+    let renderer = Renderer::<f64>::new(&gpu, &library(), &Features::all(deepest), &[]).expect("the kernel is valid");
     for case in &cases {
         let picture = Picture::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
         let rendering = renderer.render(&picture).unwrap_or_else(|error| panic!("{}: {error}", case.name));

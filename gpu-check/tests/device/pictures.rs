@@ -10,7 +10,7 @@ use shaders::Library;
 pub fn on_device<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Rendering<T> {
     let render = || {
         let features = features_of(&case.config, &case.scene)?;
-        Renderer::<T>::new(gpu, library, &features)?.render(&Picture::new(&case.config, &case.scene)?)
+        Renderer::<T>::new(gpu, library, &features, &[])?.render(&Picture::new(&case.config, &case.scene)?)
     };
     render().unwrap_or_else(|error: Error| panic!("{}: {error}", case.name))
 }

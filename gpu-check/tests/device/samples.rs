@@ -108,7 +108,7 @@ fn samples_and_paths_in_several_runs_give_the_reference_to_the_bit() {
         let recording = record(&case, Convention::ALL[seed as usize % 2]);
         for (samples, surfaces) in [(333, 1), (64, 3), (1, 50)] {
             let first = if samples == 1 { 5 } else { usize::MAX };
-            let renderer = SampleRenderer::<f64>::new(&gpu, &Library::standard(), &features).expect("it is valid");
+            let renderer = SampleRenderer::<f64>::new(&gpu, &Library::standard(), &features, &[]).expect("it is valid");
             let recording = first_pixels(&recording, first);
             let rendering = renderer.in_steps_of(samples, surfaces).render(&picture, &recording).expect("it is small");
             tally.add(
@@ -135,7 +135,7 @@ fn a_wrong_recording_is_noticed() {
     let case = random(3);
     let features = features_of(&case.config, &case.scene).expect("it is not deep");
     let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
-    let renderer = SampleRenderer::<f64>::new(&gpu, &Library::standard(), &features).expect("it is valid");
+    let renderer = SampleRenderer::<f64>::new(&gpu, &Library::standard(), &features, &[]).expect("it is valid");
     let mut recording = record(&case, Convention::Statement);
     let sample = recording.words.iter().position(|count| *count >= 3).expect("a path hits a rough surface");
     recording.words[sample] -= 3;

@@ -125,13 +125,8 @@ fn material(draws: &mut Draws, weights: [f64; 3]) -> Material {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cpu::internals::input::scene::Shape;
 
     const ARRANGEMENTS: [Arrangement; 3] = [Arrangement::Scattered, Arrangement::Grid, Arrangement::Degenerate];
-
-    fn is_cylinder(object: &Object) -> bool {
-        matches!(object.shape, Shape::Cylinder(_))
-    }
 
     #[test]
     fn there_are_as_many_objects_as_asked_for() {
@@ -158,32 +153,6 @@ mod tests {
             let shapes = |objects| scene(&options(objects)).objects.into_iter().map(|object| object.shape);
             assert!(shapes(20).eq(shapes(50).take(20)));
         }
-    }
-
-    #[test]
-    fn the_share_of_cylinders_is_the_one_asked_for() {
-        for (cylinders, least, most) in [(0.0, 0, 0), (0.5, 350, 650), (1.0, 1000, 1000)] {
-            let scene = scene(&Options { objects: 1000, cylinders, ..Options::default() });
-            let count = scene.objects.iter().filter(|object| is_cylinder(object)).count();
-            assert!((least..=most).contains(&count), "{count} of 1000 with a share of {cylinders}");
-        }
-    }
-
-    #[test]
-    fn a_weight_of_zero_leaves_a_material_out() {
-        let kinds = |materials| {
-            let scene = scene(&Options { materials, ..Options::default() });
-            let count = |wanted: fn(&Material) -> bool| scene.materials.iter().filter(|m| wanted(m)).count();
-            [
-                count(|material| matches!(material, Material::Matte { .. })),
-                count(|material| matches!(material, Material::Metal { .. })),
-                count(|material| matches!(material, Material::Refractive { .. })),
-            ]
-        };
-        assert_eq!(kinds([1.0, 0.0, 0.0]), [PALETTE, 0, 0]);
-        assert_eq!(kinds([0.0, 1.0, 0.0]), [0, PALETTE, 0]);
-        assert_eq!(kinds([0.0, 0.0, 1.0]), [0, 0, PALETTE]);
-        assert!(kinds([1.0, 1.0, 1.0]).iter().all(|&count| count > 0));
     }
 
     #[test]

@@ -173,25 +173,6 @@ mod tests {
     }
 
     #[test]
-    fn markers_at_one_place_are_all_visible() {
-        let point = Point { x: 3.0, y: 4.0, bounds: None };
-        let mut chart = chart(vec![point]);
-        let series = |name: &str| Series { name: name.to_owned(), ..chart.series[0].clone() };
-        chart.series = ["a", "b", "c", "d"].map(series).into();
-        let svg = chart.draw().expect("there are points");
-        let value = |line: &str, name: &str| {
-            let (_, rest) = line.split_once(&format!(" {name}=\"")).expect("a circle has it");
-            rest.split('"').next().expect("it ends").to_owned()
-        };
-        let circles: Vec<_> = svg.lines().filter(|line| line.starts_with("<circle")).collect();
-        // The legend's markers come first.
-        assert_eq!(circles.len(), 4 + 4, "{svg}");
-        let sizes: Vec<_> = circles[4..].iter().map(|line| (value(line, "r"), value(line, "fill") == "none")).collect();
-        let expected = [("5", false), ("9", true), ("2", false), ("13", true)];
-        assert_eq!(sizes, expected.map(|(size, is_hollow)| (size.to_owned(), is_hollow)));
-    }
-
-    #[test]
     fn what_a_logarithmic_axis_cannot_show_is_refused() {
         assert!(chart(Vec::new()).draw().is_err());
         for (x, y) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)] {

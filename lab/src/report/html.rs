@@ -204,7 +204,7 @@ mod tests {
     fn a_page_has_contents_that_lead_to_its_headings() {
         let [scene, engine] = ["grid", "reference"].map(str::to_owned);
         let times_to_error = vec![TimeToError { scene, engine, error: 0.05, seconds: None }];
-        let machine = Machine { date: "2026-01-31".to_owned(), commit: "0123abcd".to_owned(), ..Machine::here() };
+        let machine = Machine { date: "2026-01-31".to_owned(), commit: "0123<\u{1b}".to_owned(), ..Machine::here() };
         let results = Results { times_to_error, machines: vec![machine], ..Results::default() };
         let picture = Thumbnail { scene: "grid".to_owned(), address: "data:image/png;base64,AAAA".to_owned() };
         let page = page(&results, &[], &[], &[picture]);
@@ -213,7 +213,7 @@ mod tests {
             assert!(both.iter().all(|text| page.contains(text)), "{id}: {page}");
         }
         assert!(page.contains("<img src=\"data:image/png;base64,AAAA\" alt=\"The scene grid\">"), "{page}");
-        assert!(page.contains("<p>Measured on 2026-01-31 with the program of commit 0123abcd.</p>"), "{page}");
+        assert!(page.contains("<p>Measured on 2026-01-31 with the program of commit 0123&lt;\u{fffd}.</p>"), "{page}");
         assert!(page.contains("<td class=\"t\">grid</td>") && page.contains("<td>0.05</td>"), "{page}");
     }
 }

@@ -7,16 +7,6 @@ use test_support::folder::Folder;
 
 use crate::{bash, complaint, run};
 
-/// Writes a copy of the committed results in which `to` replaces `from`, and returns the file's path.
-fn results(folder: &Folder, from: &str, to: &str) -> String {
-    let path = test_support::project_root().join("docs/report/data/bench.json");
-    let text = fs::read_to_string(path).expect("it is committed");
-    assert!(text.contains(from), "{from}");
-    let name = folder.name("bench.json");
-    fs::write(&name, text.replace(from, to)).expect("the folder is writable");
-    name
-}
-
 #[test]
 fn endless_results_are_refused() {
     let folder = Folder::new();
@@ -139,23 +129,4 @@ fn the_limit_on_entries_holds_for_two_files_together() {
     let expected = "the parts together: the list \"omitted\" has 4097 entries, more than 4096";
     assert!(message.contains(expected), "{message}");
     assert!(!folder.file("o").exists());
-}
-
-#[test]
-fn scenes_with_odd_names_stay_in_the_folder_and_in_valid_svg() {
-    let folder = Folder::new();
-    let data = results(&folder, "\"materials\"", r#""../../../x\u0000\u001b\"<""#);
-    let report = folder.name("deep/report");
-    let output = run(&["report", &data, "--out", &report]);
-    assert!(output.status.success(), "{output:?}");
-    assert_eq!(folder.names(), ["bench.json", "deep"]);
-    let mut charts = 0;
-    for entry in fs::read_dir(folder.file("deep/report/charts")).expect("it was made") {
-        let svg = fs::read_to_string(entry.expect("it is readable").path()).expect("it is text");
-        assert!(!svg.chars().any(|c| c.is_control() && c != '\n'), "{svg}");
-        charts += 1;
-    }
-    assert!(charts > 5, "{charts}");
-    let page = fs::read_to_string(folder.file("deep/report/index.html")).expect("it was written");
-    assert!(!page.chars().any(|c| c.is_control() && c != '\n'));
 }

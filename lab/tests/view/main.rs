@@ -7,26 +7,20 @@ mod load;
 
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use test_support::folder::Folder;
+use test_support::running::Running;
 
 /// A running server with a small scene. It is killed when this value is dropped.
 struct Server {
-    child: Child,
+    child: Running,
     address: String,
     secret: String,
     _folder: Folder,
     /// Two servers at a time would disturb each other's times.
     _turn: MutexGuard<'static, ()>,
-}
-
-impl Drop for Server {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
 }
 
 impl Server {
@@ -38,7 +32,7 @@ impl Server {
         folder.write("site/index.html", "<!doctype html><meta name=\"served-by\" content=\"\">");
         let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
         command.current_dir(folder.path()).args(["view", "config.txt", "scene.txt", "--port", "0", "--site", "site"]);
-        let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
+        let mut child = Running::start(command.stdout(Stdio::piped())).expect("the program starts");
         let mut line = String::new();
         BufReader::new(child.stdout.take().expect("it is a pipe")).read_line(&mut line).expect("it prints its address");
         let rest = line.trim().strip_prefix("http://").expect("it is an address");

@@ -1,9 +1,11 @@
 //! Runs `shader-lab --watch` while the test changes the module.
 
 use std::io::{BufRead, BufReader, Read};
-use std::process::{Child, Stdio};
+use std::process::Stdio;
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
+
+use test_support::running::Running;
 
 use super::*;
 
@@ -11,18 +13,12 @@ use super::*;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A running program, and the lines that it writes. It is killed when this value is dropped.
-struct Watched(Child, Receiver<String>);
-
-impl Drop for Watched {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
+struct Watched(Running, Receiver<String>);
 
 impl Watched {
     fn start(mut command: Command) -> Self {
-        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+        let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = Running::start(command).expect("the program starts");
         let (sender, receiver) = mpsc::channel();
         let pipes: [Option<Box<dyn Read + Send>>; 2] = [
             child.stdout.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),

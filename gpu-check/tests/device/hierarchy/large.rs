@@ -28,7 +28,7 @@ fn ten_thousand_objects_are_rendered<T: Float>(form: Form) {
     let case = ten_thousand(480);
     let features = features_of(&case.config, &case.scene).expect("it is valid");
     let picture = Picture::<T>::new(&case.config, &case.scene).expect("it is valid");
-    let renderer = Renderer::new(&gpu, &Library::standard().in_hierarchy(), &features).expect("it compiles");
+    let renderer = Renderer::new(&gpu, &Library::standard().in_hierarchy(), &features, &[]).expect("it compiles");
     // The time of the first picture has that of bringing the program to the device.
     let [_, tree] = [(); 2].map(|()| renderer.render(&picture).expect("it is not deep"));
     assert_eq!((tree.size.width(), tree.size.height()), (480, 270));

@@ -10,8 +10,6 @@ use crate::report::axis::{Logarithmic, range};
 use crate::report::style::{GRID, INK, SERIES};
 
 const FONT: i32 = 17;
-/// Distance in pixels, horizontal and vertical, below which a marker covers another.
-const COVERS: u32 = 5;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
@@ -27,7 +25,7 @@ impl Chart {
                 area.draw(&PathElement::new([(x, y), (x + 24, y)], stroke))?;
             }
             if !series.is_guide {
-                draw_marker(area, series.color, (x + 12, y), 0)?;
+                draw_marker(area, series.color, (x + 12, y))?;
             }
             let left = Pos::new(HPos::Left, VPos::Center);
             area.draw(&Text::new(series.name.clone(), (x + 29, y), text(FONT).pos(left)))?;
@@ -47,7 +45,6 @@ impl Chart {
             .y_label_area_size(78)
             .build_cartesian_2d(Logarithmic(x), Logarithmic(y))?;
         self.draw_mesh(&mut chart)?;
-        let mut placed: Vec<(i32, i32)> = Vec::new();
         for series in &self.series {
             let style = color(series);
             let path: Vec<_> = series.points.iter().map(|point| (point.x, point.y)).collect();
@@ -60,10 +57,7 @@ impl Chart {
                 if point.bounds.is_some() {
                     chart.draw_series([PathElement::new(point.ends(), style.stroke_width(1))])?;
                 }
-                let place = chart.backend_coord(&(point.x, point.y)).relative_to(area);
-                let is_covered = |(x, y): &&(i32, i32)| x.abs_diff(place.0).max(y.abs_diff(place.1)) < COVERS;
-                draw_marker(area, series.color, place, placed.iter().filter(is_covered).count())?;
-                placed.push(place);
+                draw_marker(area, series.color, relative(chart.backend_coord(&(point.x, point.y)), area))?;
             }
         }
         Ok(())
@@ -85,7 +79,7 @@ impl Chart {
             .build_cartesian_2d(Logarithmic(x), count + 0.5..0.5)?;
         self.draw_mesh(&mut chart)?;
         for (index, name) in self.rows.iter().enumerate() {
-            let (_, y) = chart.backend_coord(&(1.0, index as f64 + 1.0)).relative_to(area);
+            let (_, y) = relative(chart.backend_coord(&(1.0, index as f64 + 1.0)), area);
             let style = ("sans-serif", FONT).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Center));
             area.draw(&Text::new(name.clone(), (names + 4, y), style))?;
         }
@@ -97,7 +91,7 @@ impl Chart {
                 if shifted.bounds.is_some() {
                     chart.draw_series([PathElement::new(shifted.ends(), color(series).stroke_width(1))])?;
                 }
-                draw_marker(area, series.color, chart.backend_coord(&(shifted.x, shifted.y)).relative_to(area), 0)?;
+                draw_marker(area, series.color, relative(chart.backend_coord(&(shifted.x, shifted.y)), area))?;
             }
         }
         Ok(())
@@ -134,15 +128,9 @@ impl Chart {
 }
 
 /// Converts a point's pixel coordinates in the whole picture to its pixel coordinates in one area of the picture.
-trait RelativeTo {
-    fn relative_to(self, area: &Area<'_>) -> (i32, i32);
-}
-
-impl RelativeTo for (i32, i32) {
-    fn relative_to(self, area: &Area<'_>) -> (i32, i32) {
-        let (left, top) = area.get_base_pixel();
-        (self.0 - left, self.1 - top)
-    }
+fn relative((x, y): (i32, i32), area: &Area<'_>) -> (i32, i32) {
+    let (left, top) = area.get_base_pixel();
+    (x - left, y - top)
 }
 
 fn color(series: &Series) -> RGBColor {
@@ -150,30 +138,16 @@ fn color(series: &Series) -> RGBColor {
 }
 
 /// Draws the marker of a series. Each colour has its shape, because some readers cannot tell the colours apart.
-///
-/// `below` is the number of markers that lie at the same place already. So that all of them are seen, the second marker
-/// is hollow and larger, the third is filled and smaller, the fourth is hollow and larger again, and so on.
-fn draw_marker(
-    area: &Area<'_>,
-    color: usize,
-    (x, y): (i32, i32),
-    below: usize,
-) -> Result<(), Box<dyn std::error::Error>> {
+fn draw_marker(area: &Area<'_>, color: usize, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
     let solid = SERIES[color % SERIES.len()].0;
     let shape = color % SERIES.len();
-    let steps = below.div_ceil(2) as i32;
-    // Half the width in pixels.
-    let size = if below % 2 == 1 { 6 + 4 * steps } else { (6 - 3 * steps).max(1) };
-    // Markers are 60 % opaque, so that points below them are seen; those on other markers are opaque.
-    let style = match (below, shape) {
-        (0, 4 | 5 | 7) => solid.stroke_width(2),
-        (0, _) => solid.mix(0.6).filled(),
-        (_, _) if below % 2 == 1 => solid.stroke_width(2),
-        _ => solid.filled(),
-    };
-    let (up, small) = (size - 1, (size - 2).max(1));
+    // Half the width in pixels, and less for shapes that look larger.
+    let (size, up, small) = (6, 5, 4);
+    // Filled markers are 60 % opaque, so that points below them are seen.
+    let is_hollow = matches!(shape, 4 | 5 | 7);
+    let style = if is_hollow { solid.stroke_width(2) } else { solid.mix(0.6).filled() };
     let corners = match shape {
-        1 | 4 => return Ok(area.draw(&Circle::new((x, y), up.max(1), style))?),
+        1 | 4 => return Ok(area.draw(&Circle::new((x, y), up, style))?),
         0 | 5 => return Ok(area.draw(&Rectangle::new([(x - small, y - small), (x + small, y + small)], style))?),
         2 => vec![(x, y - size), (x + size, y + up), (x - size, y + up)],
         6 => vec![(x, y + size), (x + size, y - up), (x - size, y - up)],

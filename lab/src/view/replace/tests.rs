@@ -22,12 +22,6 @@ fn replaced(path: &Path, edit: impl Fn()) -> Result<(), Unreplaced> {
     replace(path, (b"old", b"new"), read, Options { sync: true })
 }
 
-fn names(folder: &Folder) -> Vec<String> {
-    let entries = fs::read_dir(folder.path()).expect("it is there");
-    let name = |entry: io::Result<fs::DirEntry>| entry.expect("it is read").file_name().display().to_string();
-    entries.map(name).collect()
-}
-
 #[test]
 fn a_file_with_the_old_content_is_replaced_and_keeps_its_rights() {
     let folder = Folder::new();
@@ -36,7 +30,7 @@ fn a_file_with_the_old_content_is_replaced_and_keeps_its_rights() {
     replaced(&path, || ()).expect("nobody has changed it");
     assert_eq!(fs::read(&path).expect("it is there"), b"new");
     assert_eq!(fs::metadata(&path).expect("it is there").permissions().mode() & 0o777, 0o640);
-    assert_eq!(names(&folder), ["file"], "no other file is left");
+    assert_eq!(folder.names(), ["file"], "no other file is left");
 }
 
 #[test]
@@ -44,7 +38,7 @@ fn an_edit_that_came_before_the_exchange_stays() {
     let folder = Folder::new();
     let path = folder.write("file", "edited");
     assert!(matches!(replaced(&path, || ()), Err(Unreplaced::Changed)));
-    assert_eq!((fs::read(&path).expect("it is there"), names(&folder)), (b"edited".to_vec(), vec!["file".into()]));
+    assert_eq!((fs::read(&path).expect("it is there"), folder.names()), (b"edited".to_vec(), vec!["file".into()]));
 }
 
 #[test]
@@ -63,7 +57,7 @@ fn an_edit_during_the_exchange_stays_whether_it_writes_or_renames() {
     let other = folder.write("other", "renamed");
     let result = replaced(&path, || fs::rename(&other, &path).expect("the folder is writable"));
     assert!(result.is_ok());
-    assert_eq!((fs::read(&path).expect("it is there"), names(&folder)), (b"renamed".to_vec(), vec!["file".into()]));
+    assert_eq!((fs::read(&path).expect("it is there"), folder.names()), (b"renamed".to_vec(), vec!["file".into()]));
 }
 
 #[test]
@@ -85,5 +79,5 @@ fn a_link_is_never_followed() {
     symlink("/dev/null", &device).expect("the folder is writable");
     refused(&pipe, b"");
     refused(&device, b"");
-    assert_eq!(names(&folder).len(), 4, "no other file is left");
+    assert_eq!(folder.names().len(), 4, "no other file is left");
 }

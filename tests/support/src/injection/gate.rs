@@ -3,37 +3,14 @@
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use super::Job;
+use crate::running::Running;
 
 /// Time limit for each step of a program, long enough for a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
-
-/// A running process. It is killed when this value is dropped, so that it ends even if the test fails.
-struct Running(Option<Child>);
-
-impl Running {
-    fn start(command: &mut Command) -> Result<Self, String> {
-        command.spawn().map(|child| Self(Some(child))).map_err(|error| error.to_string())
-    }
-
-    fn wait(mut self) -> Result<Output, String> {
-        let child = self.0.take().ok_or("it was waited for")?;
-        child.wait_with_output().map_err(|error| error.to_string())
-    }
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        if let Some(mut child) = self.0.take() {
-            // An error is ignored: the process has ended already.
-            let _ = child.kill();
-            let _ = child.wait();
-        }
-    }
-}
 
 /// Runs the program of `job`, with the command `prefix` before it. The gate becomes a named pipe. When a thread of the
 /// program waits for the pipe's content, `strace` attaches only to this thread. Then the content is written.
@@ -55,8 +32,9 @@ pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[
         }
     };
     command.args(&job.arguments).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let program = Running::start(&mut command)?;
-    let first = program.0.as_ref().map_or(0, Child::id);
+    let failed = |error: std::io::Error| error.to_string();
+    let program = Running::start(&mut command).map_err(failed)?;
+    let first = program.id();
     let thread = until("the program reads the gate", || {
         let process = if prefix.is_empty() { first } else { only_child(first)? };
         waiting_thread(process, gate)
@@ -67,12 +45,12 @@ pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[
     fs::write(&log, "").map_err(|error| error.to_string())?;
     let mut strace = Command::new("strace");
     strace.args(["-y", "-qq", "-p", &thread.to_string(), "-o"]).arg(&log).args(more);
-    let strace = Running::start(&mut strace)?;
+    let strace = Running::start(&mut strace).map_err(failed)?;
     until("strace watches", || fs::metadata(&log).ok().filter(|file| file.len() > 0))?;
     pipe.write_all(content).map_err(|error| error.to_string())?;
     drop(pipe);
-    let output = program.wait()?;
-    strace.wait()?;
+    let output = program.output().map_err(failed)?;
+    strace.output().map_err(failed)?;
     Ok(output)
 }
 

@@ -22,19 +22,6 @@ fn a_call_that_two_threads_make_is_left_out_and_one_thread_needs_no_number() {
     assert_eq!(found.len(), 2);
 }
 
-#[test]
-fn some_calls_of_each_name_are_chosen_the_first_and_the_last_too() {
-    let text = "write(1, \"d/out\") = 1\n".repeat(10) + "close(1) = 0\n";
-    let numbers = |most| -> Vec<_> {
-        calls::spread(calls::calls(&text, "d/out", false), most).into_iter().map(|call| call.number).collect()
-    };
-    assert_eq!(numbers(1), [10, 1]);
-    assert_eq!(numbers(2), [1, 10, 1]);
-    assert_eq!(numbers(4), [1, 4, 7, 10, 1]);
-    assert_eq!(numbers(100).len(), 11);
-    assert_eq!(numbers(usize::MAX).len(), 11);
-}
-
 /// Returns a job that runs a bash script. The script's first argument is the path of the output file, and the second is
 /// the path of the gate.
 fn job(script: &str, with_gate: bool) -> (tempfile::TempDir, Job) {
@@ -78,15 +65,4 @@ fn a_program_that_leaves_a_second_file_when_it_is_stopped_is_found_out() {
     let (_folder, careless) = job(script, true);
     let error = careless.disturb(Disturbance::Signal).expect_err("the temporary file is left");
     assert!(error.contains("alone false"), "{error}");
-}
-
-#[test]
-fn a_program_that_is_never_disturbed_is_found_out() {
-    if unavailable(Disturbance::Signal).is_some() {
-        return;
-    }
-    let script = "for i in {1..20}; do echo $i; done > $1.new; mv $1.new $1";
-    let (_folder, some) = job(script, false);
-    let error = Job { most: 0, ..some }.disturb(Disturbance::Signal).expect_err("no call is chosen");
-    assert_eq!(error, "nothing was disturbed");
 }
