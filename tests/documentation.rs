@@ -1,4 +1,4 @@
-//! Checks that the documentation names only what exists: links, paths and functions.
+//! Checks that the documentation names only what exists: links, paths, sections of the specification and terms.
 //! Also checks the width of lines.
 //!
 //! Every check counts the places that it compared, and fails if they are too few. The module `faults` shows that each
@@ -17,7 +17,7 @@ mod words;
 
 use std::collections::BTreeMap;
 
-use checks::{check_columns, check_links, check_named_items, check_paths};
+use checks::{check_columns, check_links, check_named_items, check_paths, check_sections, check_terms};
 use markdown::Page;
 use project::Project;
 
@@ -51,6 +51,18 @@ fn every_path_that_a_page_or_a_comment_names_exists() {
 }
 
 #[test]
+fn every_section_of_the_specification_that_is_cited_exists() {
+    let project = Project::read();
+    let specification = Page::parse(&project.text("docs/specification.md"));
+    let mut texts: BTreeMap<&str, String> = BTreeMap::new();
+    for (path, _, text) in comments(&project) {
+        *texts.entry(path).or_default() += &(text + " ");
+    }
+    texts.extend(project.with_endings(&["md"]).map(|path| (path, project.text(path).replace('\n', " "))));
+    check_sections(&specification, texts.into_iter()).conclude(40);
+}
+
+#[test]
 fn no_line_of_prose_and_no_comment_is_longer_than_the_limit() {
     let project = Project::read();
     let pages = pages(&project);
@@ -64,4 +76,12 @@ fn no_line_of_prose_and_no_comment_is_longer_than_the_limit() {
         comments.map(|(index, line)| (path, index + 1, line.to_owned())).collect::<Vec<_>>()
     });
     check_columns(lines).conclude(5000);
+}
+
+#[test]
+fn every_term_of_the_glossary_is_used() {
+    let project = Project::read();
+    let paths = project.with_endings(&["md", "rs", "wgsl", "sh"]).filter(|path| *path != "docs/glossary.md");
+    let text: String = paths.map(|path| project.text(path).to_lowercase() + " ").collect();
+    check_terms(&Page::parse(&project.text("docs/glossary.md")), &text).conclude(100);
 }

@@ -230,6 +230,22 @@ fn precise_intersections_are_for_uncertain_rays() {
     assert!(far(Counter::Fallbacks) > far(Counter::Hits) / 2, "{} fallbacks", far(Counter::Fallbacks));
 }
 
+#[test]
+fn rays_along_a_tube_and_on_a_wide_floor_seldom_need_double_double() {
+    let spheres = "sphere: 0 1 0 1 m\nsphere: 2 .5 0 .5 m\nsphere: -2 .5 1 .5 m\n";
+    for scene in ["cylinder: 0 0 0 1 1 2 30 m\n", "cylinder: 0 0 0 1 0 0 30 m\n"] {
+        let tube = count("max_depth: 9\nfield_of_view: 1\n", &format!("{MIRROR}{scene}"));
+        assert!(tube(Counter::Hits) > 1000);
+        assert!(tube(Counter::Fallbacks) * 50 < tube(Counter::Hits), "{}", tube(Counter::Fallbacks));
+    }
+    for (radius, center) in [(1e3, 0.0), (1e6, 0.0), (1e6, 7e5), (1e9, 0.0)] {
+        let floor = format!("{MATTE}cylinder: {center} -1 0 {radius} 0 2 0 m\n{spheres}");
+        let floor = count("camera_position: 0 2 -9\n", &floor);
+        assert!(floor(Counter::Hits) > 1000);
+        assert!(floor(Counter::Fallbacks) * 50 < floor(Counter::Hits), "{radius}: {}", floor(Counter::Fallbacks));
+    }
+}
+
 /// Prints, for the scenes of the repository and the cases of the course, how many hits each step finds, and how many
 /// comparisons of near hits each step decides, with ten samples a pixel. In ordinary pictures both are few.
 #[test]

@@ -1,6 +1,6 @@
 //! The checks of the documentation. Each check returns a report, so that a test can show that it finds an error.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::markdown::{Link, Page};
 use crate::project::{self, Project};
@@ -66,6 +66,20 @@ pub fn check_paths<'a>(project: &Project, texts: impl Iterator<Item = (&'a str, 
     report
 }
 
+/// Checks that every section of the specification that `texts` cite exists. An entry of `texts` has the file and the
+/// text.
+pub fn check_sections<'a>(specification: &Page, texts: impl Iterator<Item = (&'a str, String)>) -> Report {
+    let mut report = Report::default();
+    let numbers: BTreeSet<_> =
+        specification.titles.iter().filter_map(|title| Some(title.split(' ').next()?.trim_end_matches('.'))).collect();
+    for (path, text) in texts {
+        for cited in words::sections(&text) {
+            report.check(numbers.contains(&*cited), || format!("{path}: the specification has no section [{cited}]"));
+        }
+    }
+    report
+}
+
 /// Checks that no line has more than [`MOST_COLUMNS`] columns. An entry of `lines` has the file, the line number and
 /// the text.
 pub fn check_columns<'a>(lines: impl Iterator<Item = (&'a str, usize, String)>) -> Report {
@@ -88,6 +102,17 @@ pub fn check_named_items(project: &Project, pages: &BTreeMap<&str, Page>) -> Rep
                 report.check(has_item, || format!("{path}:{line}: [{source}] does not define [{code}]"));
             }
         }
+    }
+    report
+}
+
+/// Checks that every term of the glossary is used in `text`, which is all text of the project except the glossary.
+pub fn check_terms(glossary: &Page, text: &str) -> Report {
+    let mut report = Report::default();
+    for term in glossary.rows.iter().filter_map(|row| row.first()).flat_map(|cell| cell.split(", ")) {
+        report.check(words::holds(text, &term.to_lowercase()), || {
+            format!("the glossary has [{term}], which is not used")
+        });
     }
     report
 }

@@ -31,6 +31,14 @@ fn links_and_paths_that_lead_nowhere_are_found() {
 }
 
 #[test]
+fn a_section_that_does_not_exist_is_found() {
+    let specification = Page::parse("## 1. A\n\n### 1.2 B\n");
+    let text = "(specification, sections 1 and 1.2), docs/specification.md, section 3.4.".to_owned();
+    let report = check_sections(&specification, [("x.rs", text)].into_iter());
+    assert_eq!((report.checked, report.faults), (3, vec!["x.rs: the specification has no section [3.4]".to_owned()]));
+}
+
+#[test]
 fn long_lines_are_found() {
     let long = "word ".repeat(36);
     let page = Page::parse(&format!("Short one. {long}.\n\n| {long} |\n|---|\n\n    {long}\n\n- {long}\n"));
@@ -45,4 +53,11 @@ fn a_function_that_is_not_in_its_file_is_found() {
     let report = check_named_items(&project, &BTreeMap::from([("page.md", page)]));
     let fault = "page.md:1: [tests/documentation/project.rs] does not define [gone]";
     assert_eq!((report.checked, report.faults), (2, vec![fault.to_owned()]));
+}
+
+#[test]
+fn unused_terms_are_found() {
+    let glossary = Page::parse("| Term | Meaning |\n|---|---|\n| BVH, tree | a TREE of boxes |\n");
+    let unused = ["Term", "tree"].map(|term| format!("the glossary has [{term}], which is not used"));
+    assert_eq!(check_terms(&glossary, "the bvh, and trees").faults, unused);
 }

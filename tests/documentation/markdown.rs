@@ -18,12 +18,14 @@ pub struct Link {
 #[derive(Debug, Default)]
 pub struct Page {
     /// The headings as they are written.
-    titles: Vec<String>,
+    pub titles: Vec<String>,
     /// The headings in the form that links use, such as `some-heading`.
     pub headings: Vec<String>,
     pub links: Vec<Link>,
     /// The code spans, and the lines of code blocks.
     pub code: Vec<(usize, String)>,
+    /// The cells of all tables: a list for each row.
+    pub rows: Vec<Vec<String>>,
     /// The lines outside of tables, code blocks and HTML, except empty lines and lines with only a link.
     pub prose: Vec<(usize, String)>,
 }
@@ -35,14 +37,16 @@ impl Page {
         let line = |offset: usize| text[..offset].matches('\n').count() + 1;
         let mut not_prose = BTreeSet::new();
         let mut heading = None::<String>;
-        let (mut in_code, mut in_link) = (false, false);
+        let (mut in_code, mut in_table, mut in_link) = (false, false, false);
         for (event, Range { start, end }) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
             match event {
                 Event::Start(tag @ (Tag::Table(_) | Tag::CodeBlock(_) | Tag::HtmlBlock)) => {
-                    in_code = matches!(tag, Tag::CodeBlock(_));
+                    (in_table, in_code) = (matches!(tag, Tag::Table(_)), matches!(tag, Tag::CodeBlock(_)));
                     not_prose.extend(line(start)..=line(end.saturating_sub(1)));
                 }
-                Event::End(TagEnd::CodeBlock) => in_code = false,
+                Event::End(TagEnd::Table | TagEnd::CodeBlock) => (in_table, in_code) = (false, false),
+                Event::Start(Tag::TableRow | Tag::TableHead) => page.rows.push(Vec::new()),
+                Event::Start(Tag::TableCell) => page.rows.last_mut().expect("a row").push(String::new()),
                 Event::End(TagEnd::Link | TagEnd::Image) => in_link = false,
                 Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
                     in_link = true;
@@ -59,6 +63,9 @@ impl Page {
                 }
                 Event::Text(ref words) | Event::Code(ref words) => {
                     heading.iter_mut().for_each(|title| title.push_str(words));
+                    if let Some(cell) = page.rows.last_mut().and_then(|row| row.last_mut()).filter(|_| in_table) {
+                        cell.push_str(words);
+                    }
                     if matches!(event, Event::Code(_)) {
                         page.code.push((line(start), words.to_string()));
                         page.links

@@ -32,6 +32,37 @@ pub fn paths<'a>(text: &'a str, folders: &BTreeSet<String>) -> impl Iterator<Ite
     })
 }
 
+/// Returns the sections of the specification that a text cites, as in "specification, section 4.2" or "sections 4.2 and
+/// 5". A citation without a number gives the section "".
+pub fn sections(text: &str) -> Vec<String> {
+    const BEFORE: [&str; 2] = ["specification, section", "specification.md, section"];
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut found = Vec::new();
+    for before in BEFORE {
+        for (start, _) in text.match_indices(before) {
+            let mut rest = text[start + before.len()..].trim_start_matches('s').trim_start();
+            loop {
+                let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(rest.len());
+                found.push(rest[..end].trim_end_matches('.').to_owned());
+                let next = [" and ", " to ", ", "].iter().find_map(|between| rest[end..].strip_prefix(between));
+                match next {
+                    Some(next) if next.starts_with(|letter: char| letter.is_ascii_digit()) => rest = next,
+                    _ => break,
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Whether `text`, which must be in lower case, contains `words` as whole words one after the other.
+pub fn holds(text: &str, words: &str) -> bool {
+    let is_apart = |letter: Option<char>| letter.is_none_or(|letter| !letter.is_alphanumeric() && letter != '_');
+    text.match_indices(words).any(|(start, _)| {
+        is_apart(text[..start].chars().next_back()) && is_apart(text[start + words.len()..].chars().next())
+    })
+}
+
 /// Whether a code span is a single name of Rust.
 pub fn is_name(code: &str) -> bool {
     !code.is_empty() && code.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_')

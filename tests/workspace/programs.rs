@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 
+use object::{Object, ObjectSection};
 use serde_json::Value;
 use test_support::folder::Folder;
 use test_support::{cargo, project_root};
@@ -107,4 +108,29 @@ fn fault_of_refusal(output: &Output) -> Option<String> {
     } else {
         None
     }
+}
+
+/// Returns up to 100 bytes of a program that begin with `path`, or `None` if the program does not contain it. Only what
+/// is loaded into memory is searched, so debug information is left out.
+fn data_with(program: &[u8], path: &str) -> Option<String> {
+    let file = object::File::parse(program).expect("it is a program");
+    let sections = file.sections().filter(|section| section.address() != 0);
+    let mut data = sections.filter_map(|section| section.data().ok());
+    data.find_map(|bytes| {
+        let place = bytes.windows(path.len()).position(|part| part == path.as_bytes())?;
+        Some(String::from_utf8_lossy(&bytes[place..bytes.len().min(place + 100)]).into_owned())
+    })
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn no_program_contains_the_path_of_its_checkout() {
+    let root = project_root();
+    let root = root.to_str().expect("the tests are in a folder with a plain name");
+    let data_of = |path: &PathBuf| data_with(&std::fs::read(path).expect("it was built"), root);
+    let faults: Vec<_> =
+        PROGRAMS.iter().filter_map(|(name, path)| Some(format!("{name}: {}", data_of(path)?))).collect();
+    assert_eq!(faults, [""; 0]);
+    // This test contains the path, because it looks for the programs there.
+    assert!(data_of(&std::env::current_exe().expect("it runs")).is_some());
 }

@@ -82,3 +82,35 @@ fn a_picture_one_pixel_too_large_is_refused_before_any_memory_is_taken() {
         assert_refused(&output, "Invalid configuration [config.txt]: the image is too large to hold: 32769 x 32768");
     }
 }
+
+/// Renders with both programs in an address space limited to `kilobytes`, and returns the size of the picture's file in
+/// bytes.
+fn renders_within(kilobytes: u64, config: &str, scene: &str) -> u64 {
+    let workshop = Workshop::new(config, scene);
+    let mut length = 0;
+    for program in PROGRAMS {
+        let start = Instant::now();
+        let output = workshop.limited(kilobytes, program, NAMES).output().expect("the program runs");
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        println!("{program}: {:?} within {kilobytes} kB", start.elapsed());
+        length = fs::metadata(workshop.file("d/out.ppm")).expect("it was written").len();
+    }
+    length
+}
+
+#[test]
+#[ignore = "writes 3 GB and takes a minute"]
+fn a_picture_of_16384_by_16384_pixels_fits_in_900_megabytes() {
+    let config = "image_width: 16384\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
+    let scene = "matte: m .5 .5 .5\nsphere: 0 0 0 3 m\nsphere: 0 -103 0 100 m\n";
+    let length = renders_within(900_000, config, scene);
+    assert!(length > 6 * (1 << 28), "{length} bytes for 2^28 pixels");
+}
+
+#[test]
+#[ignore = "takes a minute"]
+fn a_million_objects_fit_in_a_gigabyte() {
+    let config = "image_width: 64\nsamples_per_pixel: 1\n";
+    let length = renders_within(1_000_000, config, &spheres(1_000_000));
+    assert!(length > 6 * 64 * 36, "{length} bytes");
+}

@@ -178,7 +178,7 @@ struct Query<'a, O, F> {
 
 /// Returns a lambda in single precision beyond which no object is closer than the closest hit so far, or ties with it.
 /// It is infinite before the first hit. It exceeds the lambda of the closest hit by at least 2^-25 of that: the factor
-/// adds at least one unit in the last place, and rounding takes at most half of one. The error of that lambda is smaller.
+/// adds at least one unit in the last place, and rounding takes at most half of one. The error of that lambda is less.
 #[inline(always)]
 fn farthest(closest: &ClosestHit) -> f32 {
     const { assert!(LIMITS.lambda_error::<f64>() < f32::EPSILON as f64 / 4.0) };

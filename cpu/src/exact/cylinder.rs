@@ -62,17 +62,57 @@ fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
 /// the exit through the side mostly decides alone.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
-    decided(record, ray, &Side::new(record, &record.seen_from(ray.origin), ray.direction))
+    let side = Side::new(record, &record.seen_from(ray.origin), ray.direction);
+    decided(record, ray, &side, &PlainPlanes)
 }
 
-/// Returns the result of [`filtered`] with a quadratic of the side that may be more accurate than the plain one.
+/// A way to compute the plane of a cap. It is a trait and no closure; see [`crate::simd::Kernel::call`].
+trait Planes<T: Rounding> {
+    /// Returns the plane of the cap around `center`.
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: bool) -> Plane<T>;
+}
+
+/// Planes by the plain formula.
+struct PlainPlanes;
+
+/// Planes by the [compensated](cylinder_compensated) formula where the plain one is not accurate. It holds the axis of
+/// the scene file.
+struct CompensatedPlanes(Vec3);
+
+impl<T: Rounding> Planes<T> for PlainPlanes {
+    #[inline(always)]
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, _: bool) -> Plane<T> {
+        Plane::new(record, ray, center)
+    }
+}
+
+impl Planes<f64> for CompensatedPlanes {
+    #[inline(always)]
+    fn plane(&self, record: &CylinderRecord, ray: &Ray, center: Vec3, is_top: bool) -> Plane<f64> {
+        let plain = Plane::new(record, ray, center);
+        if plain.fails || plain.accurate {
+            return plain;
+        }
+        cylinder_compensated::plane(record, self.0, ray, center, is_top)
+    }
+}
+
+/// Returns the result of [`filtered`] with a side and planes that may be more accurate than the plain ones.
 #[inline(always)]
-fn decided<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, side: &Side<T>) -> Decision<Hit<T>> {
+fn decided<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    side: &Side<T>,
+    planes: &impl Planes<T>,
+) -> Decision<Hit<T>> {
     if !in_scale(side.length_squared) {
         return Decision::Uncertain;
     }
     if side.bound.misses(side.discriminant) {
         return Decision::Certain(None);
+    }
+    if !side.a_is_accurate {
+        return Decision::Uncertain;
     }
     let root = side.discriminant.sqrt();
     let (near, far) = (-side.h - root, -side.h + root);
@@ -100,15 +140,15 @@ fn decided<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, s
     let (facing, other) = (record.center - along, record.center + along);
     let part = |is_top: bool| if is_top { CylinderPart::Top } else { CylinderPart::Bottom };
     let down = slope.less(T::of(0.0));
-    match filtered_cap(record, ray, facing, part(down)) {
+    match filtered_cap(record, ray, &planes.plane(record, ray, facing, down), part(down)) {
         Decision::Certain(None) if exit.hits => Decision::Certain(Some((exit.lambda, CylinderPart::Side))),
-        Decision::Certain(None) => filtered_cap(record, ray, other, part(!down)),
+        Decision::Certain(None) => filtered_cap(record, ray, &planes.plane(record, ray, other, !down), part(!down)),
         decision => decision,
     }
 }
 
-/// Intersects a ray for which [`filtered`] is uncertain. The [compensated](cylinder_compensated) quadratic of the side is
-/// tried first. If it is uncertain too, [`precise`] gives the result. `axis` is the axis of the scene file.
+/// Intersects a ray for which [`filtered`] is uncertain. The [compensated](cylinder_compensated) formulas are tried
+/// first. If they are uncertain too, [`precise`] gives the result. `axis` is the axis of the scene file.
 #[cold]
 #[inline(never)]
 pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
@@ -121,10 +161,14 @@ pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -
     }
 }
 
-/// Returns the result of [`filtered`] with the [compensated](cylinder_compensated) quadratic of the side.
+/// Returns the result of [`filtered`] with the [compensated](cylinder_compensated) formulas.
 pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<f64>> {
     run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<f64>> {
-        decided(record, ray, &cylinder_compensated::side(record, *axis, ray))
+        let side = cylinder_compensated::side(record, *axis, ray);
+        if !side.a_is_accurate {
+            return Decision::Uncertain;
+        }
+        decided(record, ray, &side, &CompensatedPlanes(*axis))
     })
 }
 

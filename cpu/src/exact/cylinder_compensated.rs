@@ -1,5 +1,6 @@
-//! The quadratic of a ray and the side of a cylinder, without the cancellation of the plain formula. It serves rays that
-//! run nearly along the axis, or start far away along it, such as those in a tube.
+//! The quadratic of a ray and the side of a cylinder, and the planes of its caps, without the cancellation of the plain
+//! formulas. The quadratic serves rays that run nearly along the axis, or start far away along it, such as those in a
+//! tube. The planes serve rays that start near a wide cap and far from its centre, such as those on a floor.
 //!
 //! The plain formula subtracts the parts along the axis from the direction and from the vector to the ray's origin, and
 //! its errors are relative to the whole vectors. The cross product with the axis `V` of the scene file has the part
@@ -8,13 +9,13 @@
 //! computation of 2 x 2 determinants", Math. Comp. 82, 2013). So the errors are relative to the parts across the axis.
 //! The equation is multiplied by `V.V`, as in `exact/cylinder_exact.rs`. The bounds are derived in `docs/accuracy.md`.
 
-use crate::exact::cylinder_parts::{LIMITS, Side};
+use crate::exact::cylinder_parts::{LIMITS, Plane, Side};
 use crate::exact::{error_bound::ErrorBound, error_bound::in_scale};
 use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
-use crate::math::{error_free::two_sum, rounding::MulAdd, vec3::Vec3};
+use crate::math::{error_free::two_product, error_free::two_sum, rounding::MulAdd, vec3::Vec3};
 
-/// The share of `|O - C|^2` in the size of the squares, 2^-90. It covers the part of `O - C` that rounding loses, if the
-/// ray starts farther away along the axis than 2^40 radii.
+/// The share of `|O - C|^2` in the size of the squares, 2^-90. It covers the part of `O - C` that rounding loses, if
+/// the ray starts farther away along the axis than 2^40 radii.
 const SHARE_OF_DISTANCE: f64 = f64::from_bits((1023 - 90) << 52);
 
 /// Returns the quadratic of the ray and the side. `axis` is the axis of the scene file.
@@ -39,6 +40,34 @@ pub(super) fn side<T: MulAdd>(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &R
         along: from_center.dot(record.axis),
         slope: ray.direction.dot(record.axis),
     }
+}
+
+/// The share of the size of the plain terms in the size of the distance of a plane, 2^-40. It covers the roundings of
+/// rounding errors.
+const SHARE_OF_SIZE: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// Returns the plane of the cap around `center`. `axis` is the axis of the scene file.
+#[inline(always)]
+pub(super) fn plane<T: MulAdd>(
+    record: &CylinderRecord<T>,
+    axis: Vec3<T>,
+    ray: &Ray<T>,
+    center: Vec3<T>,
+    is_top: bool,
+) -> Plane<T> {
+    let to_cap = if is_top { axis } else { -axis };
+    let (from_middle, error) = difference(record.center + record.center, ray.origin + ray.origin);
+    let (twice, more) = difference(from_middle, -to_cap);
+    let (error, two) = (error + more, T::of(2.0));
+    let (x, x_error) = two_product(twice.x, axis.x);
+    let (y, y_error) = two_product(twice.y, axis.y);
+    let (z, z_error) = two_product(twice.z, axis.z);
+    let (sum, first) = two_sum(x, y);
+    let (sum, second) = two_sum(sum, z);
+    let rest = (first + second) + (x_error + y_error + z_error) + error.dot(axis);
+    let to_plane = (sum + rest) / (record.half_height * (two + two));
+    let size = to_plane.abs() + Plane::size(record, center - ray.origin) * T::of(SHARE_OF_SIZE);
+    Plane::at(record, ray, center, (to_plane, size))
 }
 
 /// Returns `a - b`, rounded, and the rounding error.

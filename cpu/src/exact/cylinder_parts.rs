@@ -140,17 +140,16 @@ fn magnitude<T: Real>(vector: Vec3<T>) -> T {
     vector.x.abs() + vector.y.abs() + vector.z.abs()
 }
 
-/// Intersects the ray with the cap around `center`. Returns `Certain(Some((lambda, part)))` if the ray certainly hits
-/// the cap, and `Certain(None)` if it certainly misses the cap. The result is `Uncertain` if rounding may have changed
-/// this decision, or if lambda may be inaccurate. `part` is the name of this cap, top or bottom.
+/// Intersects the ray with the cap in `plane`. Returns `Certain(Some((lambda, part)))` if the ray certainly hits the
+/// cap, and `Certain(None)` if it certainly misses the cap. The result is `Uncertain` if rounding may have changed this
+/// decision, or if lambda may be inaccurate. `part` is the name of this cap, top or bottom.
 #[inline(always)]
 pub(super) fn filtered_cap<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
     ray: &Ray<T>,
-    center: Vec3<T>,
+    plane: &Plane<T>,
     part: CylinderPart,
 ) -> Decision<Option<(T, CylinderPart)>> {
-    let plane = Plane::new(record, ray, center);
     if plane.fails {
         return Decision::Certain(None);
     }
@@ -175,25 +174,37 @@ pub struct Plane<T: Rounding> {
     pub fails: T::Mask,
     /// The ray is certainly not parallel to the plane.
     steep: T::Mask,
-    /// The plain formula gives a lambda that is accurate enough to be accepted.
-    accurate: T::Mask,
+    /// The distance and the slope give a lambda that is accurate enough to be accepted.
+    pub accurate: T::Mask,
 }
 
 impl<T: Rounding> Plane<T> {
     /// Returns the plane of the cap around `center`.
     #[inline(always)]
     pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Self {
-        let condition = LIMITS.condition_limit::<T>();
         let to_center = center - ray.origin;
-        let (to_plane, slope) = (to_center.dot(record.axis), ray.direction.dot(record.axis));
+        Self::at(record, ray, center, (to_center.dot(record.axis), Self::size(record, to_center)))
+    }
+
+    /// Returns the size of the terms that cancel in the distance of a cap's plane. It does not depend on the radius, so
+    /// a wide floor is as certain as a narrow one. `to_center` is the vector from the ray's origin to the cap's centre.
+    #[inline(always)]
+    pub(super) fn size(record: &CylinderRecord<T>, to_center: Vec3<T>) -> T {
+        extent_of_axis(record) + magnitude(to_center)
+    }
+
+    /// Returns the plane of the cap around `center`, for its distance from the ray's origin. The error of the distance
+    /// must be at most 16 u times `size`.
+    #[inline(always)]
+    pub(super) fn at(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, (to_plane, size): (T, T)) -> Self {
+        let condition = LIMITS.condition_limit::<T>();
+        let slope = ray.direction.dot(record.axis);
         let (steepness, size_of_direction) = (slope.abs(), magnitude(ray.direction));
         let slope_error = size_of_direction * T::of(8.0 * T::UNIT_ROUNDOFF);
         let parallel = (steepness + slope_error).less(T::of(PARALLEL));
         let steep = (T::of(PARALLEL) + slope_error).less(steepness);
         // The distance is positive if the plane is in front of the ray.
         let distance = to_plane.flipped_by(slope);
-        // The plane's rounding errors do not depend on the radius, so a wide floor is as certain as a narrow one.
-        let size = extent_of_axis(record) + magnitude(to_center);
         let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
         let too_near = (distance + distance_error).less((steepness - slope_error) * least_lambda());
         let accurate =

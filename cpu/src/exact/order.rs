@@ -2,8 +2,8 @@
 //!
 //! The computed lambdas have errors, so they decide only if they are further apart than their errors
 //! ([`is_certainly_closer`]). If they are not, [`compare`] takes these steps:
-//! 1. Identical surfaces tie. Two caps perpendicular to the same coordinate axis are ordered by the coordinates of their
-//!    planes. Rays inside a cylinder that stands on another one often meet two such caps.
+//! 1. Identical surfaces tie. Two caps perpendicular to the same coordinate axis are ordered by the coordinates of
+//!    their planes. Rays inside a cylinder that stands on another one often meet two such caps.
 //! 2. Both hits are computed in double-double arithmetic.
 //! 3. The exact lambdas are compared in dyadic arithmetic, without a square root. Only this step recognises equal
 //!    lambdas.
@@ -30,9 +30,9 @@ pub enum Surface {
 }
 
 /// Whether the exact lambda of one hit certainly is smaller than that of another. Both are lambdas that the steps of
-/// [`crate::exact`] accept in the arithmetic `T`, or infinite, which stands for no hit. Their relative errors are at most
-/// a third of the [`lambda_error`](crate::exact::error_bound::Limits::lambda_error) of cylinders, which exceeds that of
-/// spheres. The result is false if a number is NaN.
+/// [`crate::exact`] accept in the arithmetic `T`, or infinite, which stands for no hit. Their relative errors are at
+/// most a third of the [`lambda_error`](crate::exact::error_bound::Limits::lambda_error) of cylinders, which exceeds
+/// that of spheres. The result is false if a number is NaN.
 #[inline(always)]
 pub fn is_certainly_closer<T: Rounding>(lambda: T, other: T) -> T::Mask {
     // The factor is 1 + 2^-29 or 1 + 2^-54, which `T` holds without an error.

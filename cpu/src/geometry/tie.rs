@@ -8,8 +8,8 @@
 //! Hits on several objects are found in any order, so their [ranks](Place::rank) are compared, by
 //! `accel/closest_hit.rs`. Two parts of a cylinder have the same lambda only on its edge, and `closest_part` in
 //! `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie, so `exact/cylinder.rs` finds the part without
-//! this rule. The reference has a literal copy of this rule in `is_nearer` of `reference/nearest.rs`, and WGSL has one in
-//! `tie.wgsl`. The plain formulas in WGSL and their twins compare computed lambdas (`is_closer`).
+//! this rule. The reference has a literal copy of this rule in `is_nearer` of `reference/nearest.rs`, and WGSL has one
+//! in `tie.wgsl`. The plain formulas in WGSL and their twins compare computed lambdas (`is_closer`).
 
 use crate::math::real::Real;
 

@@ -56,8 +56,8 @@ impl Intersect for Exact {
         exact::cylinder::intersect(record, axis, ray)
     }
 
-    /// Lambdas that differ by more than a thousandth are compared as they are, because their errors are far smaller. All
-    /// others are compared without rounding, unless a number is not finite.
+    /// Lambdas that differ by more than a thousandth are compared as they are, because their errors are far smaller.
+    /// All others are compared without rounding, unless a number is not finite.
     fn compare(ray: &Ray, [(left, of_left), (right, of_right)]: [(f64, Surface); 2]) -> Option<Ordering> {
         let rounded = left.partial_cmp(&right);
         if (left - right).abs() > left / 1000.0 {

@@ -61,7 +61,7 @@ modules! {
     "exact/cylinder_side" in "wgsl/exact/cylinder_side.wgsl" needs ["exact/error_bound"];
     "exact/cap" in "wgsl/exact/cap.wgsl" needs ["exact/cylinder_side"];
     "exact/cylinder" in "wgsl/exact/cylinder.wgsl" needs ["exact/cap"];
-    "exact/compensated_side" in "wgsl/exact/compensated_side.wgsl" needs ["exact/cylinder_side" "exact/error_free"];
+    "exact/compensated_cylinder" in "wgsl/exact/compensated_cylinder.wgsl" needs ["exact/cylinder" "exact/error_free"];
     "exact/double_double" in "wgsl/exact/double_double.wgsl" needs ["exact/error_free"];
     "exact/precise_bound" in "wgsl/exact/precise_bound.wgsl" needs ["cylinder" "exact/double_double"];
     "exact/precise_sphere" in "wgsl/exact/precise_sphere.wgsl" needs ["exact/precise_bound"];
@@ -85,7 +85,7 @@ modules! {
     "kernels/exact_sphere" in "wgsl/kernels/exact_sphere.wgsl"
         needs ["layout" "exact/compensated" "exact/precise_sphere" "kernels/exact_report"];
     "kernels/exact_cylinder" in "wgsl/kernels/exact_cylinder.wgsl"
-        needs ["layout" "exact/cylinder" "exact/compensated_side" "exact/precise_cylinder" "kernels/exact_report"];
+        needs ["layout" "exact/compensated_cylinder" "exact/precise_cylinder" "kernels/exact_report"];
     "kernels/exact_order" in "wgsl/kernels/exact_order.wgsl"
         needs ["layout" "exact/sphere" "exact/precise_sphere" "exact/order"];
     "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];

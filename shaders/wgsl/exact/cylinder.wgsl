@@ -1,43 +1,71 @@
 // The plain formulas of ray and cylinder with their error bounds; twin of cpu/src/exact/cylinder.rs.
 
-// cylinder::filtered: returns the hit, if rounding certainly has not changed it.
-fn exact_cylinder_filtered(cylinder: CylinderRecord, ray: Ray) -> Decision {
-    return exact_cylinder_decided(cylinder, ray, exact_side_new(cylinder, ray));
+// What the side alone decides. If the caps are needed, the decision is the hit where the ray leaves the side, or a
+// miss.
+struct ExactWithoutCaps {
+    needs_caps: bool,
+    decision: Decision,
 }
 
-// cylinder::decided: the same with a quadratic of the side that may be more accurate.
-fn exact_cylinder_decided(cylinder: CylinderRecord, ray: Ray, side: ExactSide) -> Decision {
+// cylinder::decided, up to the caps.
+fn exact_cylinder_without_caps(cylinder: CylinderRecord, ray: Ray, side: ExactSide) -> ExactWithoutCaps {
     if !exact_in_scale(side.length_squared) {
-        return decision_uncertain();
+        return ExactWithoutCaps(false, decision_uncertain());
     }
     if error_bound_misses(side.bound, side.discriminant) {
-        return decision_miss();
+        return ExactWithoutCaps(false, decision_miss());
     }
     let root = sqrt(side.discriminant);
     let entry = exact_side_crossing(side, cylinder, ray, -side.h - root, root);
     let leaving = exact_side_crossing(side, cylinder, ray, -side.h + root, root);
     if entry.behind && leaving.straight {
-        return decision_hit(leaving.lambda, SIDE);
+        return ExactWithoutCaps(false, decision_hit(leaving.lambda, SIDE));
     }
     if entry.hits {
-        return decision_hit(entry.lambda, SIDE);
+        return ExactWithoutCaps(false, decision_hit(entry.lambda, SIDE));
     }
     if !(exact_crossing_fails(entry) && (leaving.hits || exact_crossing_fails(leaving))) {
-        return decision_uncertain();
+        return ExactWithoutCaps(false, decision_uncertain());
     }
     if exact_crossing_passes_by(entry, leaving) {
-        return decision_miss();
-    }
-    // The cap that faces the ray is hit first. The other one counts only if nothing else is hit.
-    let down = side.slope < real(0.0);
-    let half = select(cylinder.half_height, -cylinder.half_height, down);
-    let along = cylinder.axis * half;
-    let facing = exact_cap_filtered(cylinder, ray, cylinder.center - along, select(BOTTOM, TOP, down));
-    if !facing.certain || facing.some {
-        return facing;
+        return ExactWithoutCaps(false, decision_miss());
     }
     if leaving.hits {
-        return decision_hit(leaving.lambda, SIDE);
+        return ExactWithoutCaps(true, decision_hit(leaving.lambda, SIDE));
     }
-    return exact_cap_filtered(cylinder, ray, cylinder.center + along, select(TOP, BOTTOM, down));
+    return ExactWithoutCaps(true, decision_miss());
+}
+
+// cylinder::decided, the caps. The cap that faces the ray is hit first. The other one counts only if nothing else is
+// hit. `leaving` is the hit where the ray leaves the side, or a miss.
+fn exact_cylinder_with_caps(
+    cylinder: CylinderRecord,
+    ray: Ray,
+    leaving: Decision,
+    facing: ExactPlane,
+    other: ExactPlane,
+    down: bool,
+) -> Decision {
+    let first = exact_cap_filtered(cylinder, ray, facing, select(BOTTOM, TOP, down));
+    if !first.certain || first.some {
+        return first;
+    }
+    if leaving.some {
+        return leaving;
+    }
+    return exact_cap_filtered(cylinder, ray, other, select(TOP, BOTTOM, down));
+}
+
+// cylinder::filtered: returns the hit, if rounding certainly has not changed it.
+fn exact_cylinder_filtered(cylinder: CylinderRecord, ray: Ray) -> Decision {
+    let side = exact_side_new(cylinder, ray);
+    let decision = exact_cylinder_without_caps(cylinder, ray, side);
+    if !decision.needs_caps {
+        return decision.decision;
+    }
+    let down = side.slope < real(0.0);
+    let along = cylinder.axis * select(cylinder.half_height, -cylinder.half_height, down);
+    let facing = exact_plane_new(cylinder, ray, cylinder.center - along);
+    let other = exact_plane_new(cylinder, ray, cylinder.center + along);
+    return exact_cylinder_with_caps(cylinder, ray, decision.decision, facing, other, down);
 }

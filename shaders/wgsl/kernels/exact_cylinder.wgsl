@@ -21,6 +21,6 @@ fn exact_cylinder(@builtin(global_invocation_id) id: vec3<u32>) {
     let radius = cases[id.x].radius;
     let record = cylinder_new(center, radius, axis);
     let plain = exact_cylinder_filtered(record, ray);
-    let compensated = exact_cylinder_decided(record, ray, exact_side_compensated(record, axis, ray));
+    let compensated = exact_cylinder_compensated(record, axis, ray);
     reports[id.x] = exact_report(plain, compensated, precise_cylinder_filtered(center, radius, axis, ray));
 }

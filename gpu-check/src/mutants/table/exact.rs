@@ -85,7 +85,21 @@ mutants! {
         "-side.h - root" => "side.h - root",
         "cylinder.center - along" => "cylinder.center + along * real(2.0)",
         "select(BOTTOM, TOP, down)" => "select(TOP, BOTTOM, down)",
-        "!facing.certain || facing.some" => "facing.some",
+        "!first.certain || first.some" => "first.some",
+    ;
+    "exact/compensated_cylinder":
+        "exact_mul_add(-c, d, product)" => "real(0.0)",
+        "+ exact_cross(error, axis)" => "",
+        "- cylinder.radius_squared * axis_squared" => "- cylinder.radius_squared",
+        "h * h - a * c" => "h * h + a * c",
+        "select(-axis, axis, is_top)" => "axis",
+        "(second.sum + rest)" => "second.sum",
+        "/ (cylinder.half_height * real(4.0))" => "/ (cylinder.half_height * real(2.0))",
+        "plain.fails || plain.accurate" => "true",
+    ;
+    "exact/order":
+        "real(1.000000001862645149230957)" => "real(1.0)",
+        "real(5.551115123125783e-17)" => "real(0.0)",
     ;
     "exact/precise_side":
         "dd_less(dd3_dot(v, v), dd_of(SHORT_SQUARED))" => "false",
