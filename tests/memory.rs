@@ -115,7 +115,9 @@ fn preparation<L: Renderable>(count: usize) {
     let extent = Extent::new(&objects, &camera, &scene.materials);
     assert!(extent.moderate, "there is something to prepare");
     assert!(refused("objects", 1, || L::Objects::build(&scene).map(drop)) >= 2);
-    assert!(refused("search", 1, || Accel::new(&mut objects, &extent).map(drop)) >= 1);
+    // A small scene has no list.
+    let lists = usize::from(count > 4);
+    assert!(refused("search", 1, || Accel::new(&mut objects, &extent).map(drop)) >= lists);
 }
 
 /// Smallest size in bytes of a request that is refused while a picture is rendered. Blocks of fixed size are smaller.
@@ -134,8 +136,9 @@ fn rendering<L: Renderable>() {
         let mut image = L::Image::black(prepared.size)?;
         cpu::internals::render_into(&prepared, set, &mut image, |_, _| ControlFlow::Break(())).map(drop)
     });
-    assert!(rendering >= 3, "only {rendering}");
-    assert!(refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, |_, _| ())) >= 3);
+    // The candidates of a row and those of a span.
+    assert!(rendering >= 2, "only {rendering}");
+    assert!(refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, |_, _| ())) >= 2);
 }
 
 /// Checks the rendering of a ray inside a mirror, whose path reaches the maximum depth.

@@ -94,3 +94,51 @@ fn difference_of_products<T: MulAdd>(a: T, b: T, c: T, d: T) -> T {
     let error = (-c).mul_add(d, product);
     a.mul_add(b, -product) + error
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{cylinder, error_bound::Decision};
+    use crate::sampling::uniform::Uniform;
+
+    #[test]
+    fn what_is_certain_is_the_precise_answer() {
+        let mut draws = Uniform::new(49);
+        let mut decided = [0; 2];
+        for number in 0..20_000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (center, axis, across, aside) = (vector(), vector(), vector(), vector() * 0.5);
+            let (far, direction, length) = (vector(), vector(), 10.0_f64.powf(draws.draw(0.0, 13.0)));
+            let is_tube = number % 2 == 0;
+            let (radius, axis, origin, direction) = if is_tube {
+                // The ray starts far away along the axis of a tube and goes towards a point in it, or it starts near the
+                // side of a long tube.
+                let off = across.perpendicular_to(axis.unit());
+                let rim = off.unit() * (1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-6.0, 0.0)));
+                let along = axis * (length * draws.draw(-0.4, 0.4));
+                match number % 4 {
+                    0 => (1.0, axis, center - axis * length + off * 0.9, aside + axis * length - off * 0.9),
+                    _ => (1.0, axis * length, center + along + rim, direction),
+                }
+            } else {
+                // The ray starts above a wide floor, far from its centre.
+                let from = far.perpendicular_to(axis.unit()) * length + axis * draws.draw(-0.4, 3.0);
+                (2.0 * length, axis, center + from, direction)
+            };
+            let record = CylinderRecord::new(center, radius, axis);
+            let ray = Ray { origin, direction };
+            let Decision::Certain(hit) = cylinder::compensated(&record, &axis, &ray) else { continue };
+            let precise = cylinder::precise(&record, &axis, &ray);
+            assert_eq!(hit.map(|hit| hit.1), precise.map(|hit| hit.1), "{record:?}, {ray:?}");
+            if let (Some((lambda, _)), Some((precise, _))) = (hit, precise) {
+                assert!(
+                    (lambda - precise).abs() <= 6.2e-10 * precise,
+                    "{lambda:e} and {precise:e}: {record:?}, {ray:?}"
+                );
+                let plain = cylinder::filtered(&record, &ray);
+                decided[usize::from(is_tube)] += usize::from(plain == Decision::Uncertain);
+            }
+        }
+        assert!(decided.iter().all(|&count| count > 1000), "{decided:?}");
+    }
+}

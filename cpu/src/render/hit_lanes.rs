@@ -186,3 +186,55 @@ impl<V: SimdF64> HitLanes<V> {
         self.update(id, hits, certain, rays);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::every_object::intersect_every_object;
+    use crate::input::scene::Scene;
+    use crate::layout::aos::AosObjects;
+    use crate::sampling::uniform::Uniform;
+    use crate::simd::instruction_set::InstructionSet;
+    use crate::simd::{Kernel, Simd};
+
+    /// A kernel that finds the closest hit of a ray, the same in all lanes, with a sphere and a cylinder. Returns its
+    /// lambda, or infinity for a miss.
+    struct Intersect<'a>(&'a AosObjects, Ray);
+
+    impl Kernel for Intersect<'_> {
+        type Output = f64;
+
+        #[inline(always)]
+        fn call<S: Simd>(self, _: S) -> f64 {
+            let Self(objects, ray) = self;
+            let ray = ray.lanes::<S::F64>();
+            let (rays, mut hits) = (Rays::new(objects, &ray, 1), HitLanes::none());
+            let (sphere, cylinder) = (objects.sphere(0).record, objects.cylinder(0).record);
+            hits.intersect_sphere(0, &sphere, &sphere.lanes().seen_from(ray.origin), &rays);
+            let view = cylinder.lanes().seen_from(ray.origin);
+            hits.intersect_cylinder(1, (&cylinder, &objects.axis(0)), &view, &rays);
+            let mut lambda = [0.0; 8];
+            hits.lambda.store(&mut lambda);
+            lambda[0]
+        }
+    }
+
+    #[test]
+    fn directions_of_any_length_give_the_closest_hit() {
+        let text = "matte: m 1 1 1\nsphere: 0 0 0 2 m\ncylinder: 0 1 5 3 0 4 1 m\n";
+        let objects = AosObjects::build(&Scene::parse(text.as_bytes()).expect("it is valid")).expect("it fits");
+        let (mut draws, mut hits) = (Uniform::new(9), 0);
+        for _ in 0..3000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-4.0, 4.0)));
+            let (origin, target) = (vector() * 3.0, vector());
+            let direction = (target - origin) * 10.0_f64.powf(draws.draw(-200.0, 200.0));
+            let ray = Ray { origin, direction };
+            let expected = intersect_every_object(&objects, ray);
+            hits += usize::from(expected.is_hit());
+            for set in InstructionSet::available() {
+                assert_eq!(set.run(Intersect(&objects, ray)), expected.lambda, "{}: {ray:?}", set.name());
+            }
+        }
+        assert!(hits > 500, "{hits}");
+    }
+}
