@@ -111,8 +111,8 @@ mod tests {
             let (far, direction, length) = (vector(), vector(), 10.0_f64.powf(draws.draw(0.0, 13.0)));
             let is_tube = number % 2 == 0;
             let (radius, axis, origin, direction) = if is_tube {
-                // The ray starts far away along the axis of a tube and goes towards a point in it, or it starts near the
-                // side of a long tube.
+                // The ray starts far away along the axis of a tube and goes towards a point in it, or it starts near
+                // the side of a long tube.
                 let off = across.perpendicular_to(axis.unit());
                 let rim = off.unit() * (1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-6.0, 0.0)));
                 let along = axis * (length * draws.draw(-0.4, 0.4));
