@@ -97,13 +97,15 @@ impl Record {
         self.by(ray, exact::sphere::intersect, exact::cylinder::intersect)
     }
 
-    /// Whether double-double arithmetic answers, because the formulas in f64, and the compensated root of spheres, are
-    /// uncertain.
+    /// Whether double-double arithmetic answers, because the plain and the compensated formulas are uncertain.
     #[must_use]
     pub fn needs_double_double(&self, ray: &Ray) -> bool {
         match self {
             Self::Sphere(record) => exact::sphere::filtered_or_compensated(record, ray) == Decision::Uncertain,
-            Self::Cylinder(..) => self.filtered(ray) == Decision::Uncertain,
+            Self::Cylinder(record, axis) => {
+                self.filtered(ray) == Decision::Uncertain
+                    && exact::cylinder::compensated(record, axis, ray) == Decision::Uncertain
+            }
         }
     }
 }
