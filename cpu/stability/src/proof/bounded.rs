@@ -105,7 +105,7 @@ impl Bounded {
         Vec3::new(0, 1, 2).map(|component| Self::input((family, component), error))
     }
 
-    /// Returns the number that is the length of a family, with a relative error of at most `error u`.
+    /// Returns a number such as a radius, which is the length of its `family`. Its relative error is at most `error u`.
     #[must_use]
     pub fn number(family: u8, error: f64) -> Self {
         Self::input((family, LENGTH), error).of_squares()

@@ -160,7 +160,8 @@ fn margins(split: u8, run: impl Fn() -> (Vec<Bounded>, Polynomial)) -> [[f64; 2]
     [[pair[0].0, pair[1].0], [need(&pair[0].1, 2), need(&pair[1].1, 5)]]
 }
 
-/// Returns the margins of the height of a hit on the side.
+/// Returns the margins of the height of a hit on the side, and then what it needs: each due to lambda, and due to the
+/// extent.
 ///
 /// `|O - C| <= lambda |d| + |P - C|` for the hit point `P`, which is at most `X` away from the centre.
 fn height(of_side: f64) -> [[f64; 2]; 2] {

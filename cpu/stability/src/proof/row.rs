@@ -87,7 +87,7 @@ pub fn squared(family: u8) -> Polynomial {
     Polynomial::of([(family, LENGTH); 2])
 }
 
-/// Returns the length of a family.
+/// Returns the length of the vector that gives a family its name.
 #[must_use]
 pub fn length(family: u8) -> Polynomial {
     Polynomial::of([(family, LENGTH)])
