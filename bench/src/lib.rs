@@ -1,10 +1,13 @@
 //! The shared code of the benchmarks.
 //!
 //! [`kernels`] are pieces of work that are small enough to be measured alone, by their time or their instructions.
-//! [`nearest`] compares nearest hits with Embree's.
+//! [`nearest`] compares nearest hits with Embree's. [`programs`] times two programs in turn, and [`families`] has the
+//! scenes on which the renderer may be slow.
 
+pub mod families;
 pub mod kernels;
 pub mod nearest;
+pub mod programs;
 
 use std::process::ExitCode;
 

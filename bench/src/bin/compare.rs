@@ -2,14 +2,11 @@
 //! and runs it.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::process::ExitCode;
 
+use bench::programs::{Comparison, Program, compare as compare_programs, known};
 use clap::Parser;
-use cpu::internals::InstructionSet;
 use measure::busy;
-use measure::clock::seconds_of_children;
-use measure::statistics::Median;
-use measure::turns::{in_turn, ratio, turns_of};
 
 /// Renders each scene with two programs in turn, and prints how much longer BASE takes than NEW: the median of the
 /// rounds' ratios of user times, with its bounds. Both must write the same picture.
@@ -47,13 +44,6 @@ fn main() -> ExitCode {
     bench::main(run)
 }
 
-/// Checks that this machine has the instruction set. The programs ignore the name of a set that it lacks.
-fn known(name: &str) -> Result<String, String> {
-    let names: Vec<_> = InstructionSet::available().map(InstructionSet::name).collect();
-    let message = || format!("this machine has no instruction set [{name}]; it has {}", names.join(", "));
-    names.contains(&name).then(|| name.to_owned()).ok_or_else(message)
-}
-
 /// Compares the programs on all scenes. Returns whether all pictures are equal.
 fn run(options: &Options) -> Result<bool, String> {
     let (scenes, []) = options.scenes.as_chunks::<2>() else {
@@ -71,43 +61,22 @@ fn run(options: &Options) -> Result<bool, String> {
 }
 
 fn compare(options: &Options, scenes: &[[PathBuf; 2]], folder: &Path) -> Result<bool, String> {
-    let programs = [&options.base, &options.new];
-    let sets = [options.base_set.as_ref().or(options.set.as_ref()), options.set.as_ref()];
-    let rounds = usize::from(options.rounds);
+    let programs = [
+        Program { path: &options.base, set: options.base_set.as_deref().or(options.set.as_deref()) },
+        Program { path: &options.new, set: options.set.as_deref() },
+    ];
     let mut all_equal = true;
     for [config, scene] in scenes {
-        let render = |index: usize, out: &Path| {
-            let mut command = Command::new(programs[index]);
-            command.envs(sets[index].map(|set| ("RENDER_INSTRUCTION_SET", set)));
-            let status = command.args([config, scene]).arg(out).stdout(Stdio::null()).status();
-            let name = programs[index].display();
-            match status {
-                Ok(status) if status.success() => Ok(()),
-                Ok(status) => Err(format!("{name} fails with {}: {status}", scene.display())),
-                Err(error) => Err(format!("{name}: {error}")),
-            }
-        };
-        let (mut turns, mut pictures) = (Vec::new(), Vec::new());
-        for (index, program) in programs.iter().enumerate() {
-            // Each program has its own file, so one that writes nothing is an error.
-            let out = folder.join(format!("{index}.ppm"));
-            let before = seconds_of_children();
-            render(index, &out)?;
-            turns.push(turns_of(seconds_of_children() - before));
-            let failed = |error| format!("{} wrote no picture: {error}", program.display());
-            pictures.push(
-                std::fs::read(&out).and_then(|bytes| std::fs::remove_file(&out).map(|()| bytes)).map_err(failed)?,
-            );
-        }
-        let times = in_turn(rounds, &turns, seconds_of_children, |index| render(index, Path::new("/dev/null")))?;
-        let is_equal = pictures[0] == pictures[1];
+        let Comparison { ratio, seconds, is_equal } =
+            compare_programs(&programs, [config, scene], usize::from(options.rounds), folder)?;
         all_equal &= is_equal;
-        let Median { median, low, high, .. } = ratio(&times[0], &times[1]);
-        let seconds = [0, 1].map(|index| Median::of(&times[index]).median);
         println!(
-            "{}: {median:.3} ({low:.3} to {high:.3}, {} rounds), {:.3} s and {:.3} s{}",
+            "{}: {:.3} ({:.3} to {:.3}, {} rounds), {:.3} s and {:.3} s{}",
             scene.display(),
-            rounds,
+            ratio.median,
+            ratio.low,
+            ratio.high,
+            options.rounds,
             seconds[0],
             seconds[1],
             if is_equal { "" } else { "; THE PICTURES DIFFER" }
