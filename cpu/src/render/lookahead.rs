@@ -6,7 +6,7 @@
 //! hit. The lanes after this path are computed again, because its hits may take more scatter samples.
 //!
 //! The intersections of one path depend on each other, so execution ports are idle meanwhile. Tests of the next paths
-//! use these ports, so they take almost no time.
+//! use these ports, so they take almost no time. A path with [many hits](MANY_HITS) is traced without them.
 //!
 //! If a ray is the last one that its path may send, and it certainly hits an object, the hit itself is not needed. The
 //! path is black, and the surface takes one scatter sample. This is used only if no object is refractive.
@@ -20,6 +20,10 @@ use crate::{
     accel::small_scene::SmallScene, accel::small_scene::closest_hit_among, counters::Counter, counters::add,
     geometry::ray::Ray, layout::Layout, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
 };
+
+/// A path with this many hits after its first one is probably between mirrors or inside an object, and will not escape
+/// with its next ray. So that ray is intersected with every object at once, and no other path is tested ahead.
+const MANY_HITS: usize = 4;
 
 /// The first scattered rays of consecutive paths of the queue, one in each lane, with the objects that they may hit.
 /// All paths take their scatter samples from one stream, so a ray depends on how many the paths before it take. The
@@ -114,6 +118,7 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
         let vertex = PathVertex::of(tracer.queue.entries.get(at));
         let mut ray = Ray { origin: vertex.point, direction: tracer.ends.direction.get(at).into() };
         let mut rays = vertex.rays.get();
+        let mut hits = 0;
         loop {
             let hit = closest_hit_among(&prepared.objects, &ray, may_hit);
             if !hit.is_hit() {
@@ -126,11 +131,16 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
             ray = scattered.ray;
             add(Counter::PathRays, 1);
             tracer.scatter_samples.prepare();
-            *if_escapes = Lookahead::new(small_scene, tracer, at + 1);
-            may_hit = small_scene.objects_may_hit::<V, _>(&prepared.objects, &ray);
-            // This is the most frequent case, so one branch decides it as early as possible.
-            if may_hit == 0 {
-                return tracer.ends.escape(at, ray.direction);
+            hits += 1;
+            if hits < MANY_HITS {
+                *if_escapes = Lookahead::new(small_scene, tracer, at + 1);
+                may_hit = small_scene.objects_may_hit::<V, _>(&prepared.objects, &ray);
+                // This is the most frequent case, so one branch decides it as early as possible.
+                if may_hit == 0 {
+                    return tracer.ends.escape(at, ray.direction);
+                }
+            } else {
+                may_hit = u32::MAX;
             }
             // If the last ray certainly hits, the object does not matter, because every material takes one scatter
             // sample.
