@@ -62,22 +62,6 @@ pub fn render_linear(
     render_counted::<Plain>(config, scene, scatter, pixel).map(|_| ())
 }
 
-/// Renders as [`render_linear`] does. After each sample it also calls `sample` with the number of words that the path
-/// took from the generator of the materials. With these numbers another renderer can start any path at its place in
-/// the stream, without tracing the paths before it.
-///
-/// # Errors
-/// The errors of [`render`].
-pub fn render_recorded(
-    config: &Config,
-    scene: &Scene,
-    scatter: Scatter,
-    sample: impl FnMut(u64),
-    pixel: impl FnMut(usize, Vec3),
-) -> Result<(), Error> {
-    render_observed::<Plain>(config, scene, scatter, sample, pixel).map(|_| ())
-}
-
 /// The work for a picture without any shortcut: the rays that the reference traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
@@ -97,12 +81,16 @@ pub fn render_counted<P: Intersect>(
     scatter: Scatter,
     pixel: impl FnMut(usize, Vec3),
 ) -> Result<Counts, Error> {
-    render_observed::<P>(config, scene, scatter, |_| (), pixel)
+    render_recorded::<P>(config, scene, scatter, |_| (), pixel)
 }
 
-/// Renders with the intersections of `P`. Calls `sample` as [`render_recorded`] does, and `pixel` as [`render_linear`]
-/// does. Returns the numbers of rays and hits.
-fn render_observed<P: Intersect>(
+/// Renders as [`render_counted`] does. After each sample it also calls `sample` with the number of words that the path
+/// took from the generator of the materials. With these numbers another renderer can start any path at its place in
+/// the stream, without tracing the paths before it.
+///
+/// # Errors
+/// The errors of [`render`].
+pub fn render_recorded<P: Intersect>(
     config: &Config,
     scene: &Scene,
     scatter: Scatter,

@@ -47,37 +47,6 @@ impl Image for SoaImage {
     }
 }
 
-/// A list of vectors as three arrays, one for each component.
-#[derive(Clone, Debug)]
-struct Vectors {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    z: Vec<f64>,
-}
-
-impl Vectors {
-    fn with_room(count: usize) -> Result<Self, Error> {
-        Ok(Self { x: with_room(count, OBJECTS)?, y: with_room(count, OBJECTS)?, z: with_room(count, OBJECTS)? })
-    }
-
-    fn push(&mut self, vector: Vec3) {
-        self.x.push(vector.x);
-        self.y.push(vector.y);
-        self.z.push(vector.z);
-    }
-
-    fn swap(&mut self, left: usize, right: usize) {
-        for numbers in [&mut self.x, &mut self.y, &mut self.z] {
-            numbers.swap(left, right);
-        }
-    }
-
-    #[inline(always)]
-    fn get(&self, index: usize) -> Vec3 {
-        Vec3::new(self.x[index], self.y[index], self.z[index])
-    }
-}
-
 /// Returns the value at `index`, or the default if there is none. The caller has already indexed another array of the
 /// same length. A second panic for an invalid index would keep the compiler from removing a load whose value is not
 /// used.
@@ -86,36 +55,35 @@ fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
     values.get(index).copied().unwrap_or_default()
 }
 
-/// The numbers that spheres and cylinders have in common, as one array for each number. The squared radius and a
-/// cylinder's caps are not stored. They are computed again by the formulas of the records.
+/// The objects of one kind: an array for each of the `N` numbers of an object, and arrays of their places in the scene
+/// file and of their materials. The squared radius and a cylinder's caps are not stored. They are computed again by the
+/// formulas of the records.
 #[derive(Clone, Debug)]
-struct Common {
-    center: Vectors,
-    radius: Vec<f64>,
+struct Kind<const N: usize> {
+    numbers: [Vec<f64>; N],
     order: Vec<u32>,
     material: Vec<MaterialId>,
 }
 
-impl Common {
+impl<const N: usize> Kind<N> {
     fn with_room(count: usize) -> Result<Self, Error> {
-        Ok(Self {
-            center: Vectors::with_room(count)?,
-            radius: with_room(count, OBJECTS)?,
-            order: with_room(count, OBJECTS)?,
-            material: with_room(count, OBJECTS)?,
-        })
+        let mut numbers = [const { Vec::new() }; N];
+        for list in &mut numbers {
+            *list = with_room(count, OBJECTS)?;
+        }
+        Ok(Self { numbers, order: with_room(count, OBJECTS)?, material: with_room(count, OBJECTS)? })
     }
 
-    fn push(&mut self, center: Vec3, radius: f64, order: u32, material: MaterialId) {
-        self.center.push(center);
-        self.radius.push(radius);
-        self.order.push(order);
-        self.material.push(material);
+    fn push<R>(&mut self, numbers: [f64; N], object: &Placed<R>) {
+        for (list, number) in self.numbers.iter_mut().zip(numbers) {
+            list.push(number);
+        }
+        self.order.push(object.order);
+        self.material.push(object.material);
     }
 
     fn swap(&mut self, left: usize, right: usize) {
-        self.center.swap(left, right);
-        self.radius.swap(left, right);
+        self.numbers.iter_mut().for_each(|list| list.swap(left, right));
         self.order.swap(left, right);
         self.material.swap(left, right);
     }
@@ -124,34 +92,27 @@ impl Common {
 /// The objects of a scene as one array for each number of the spheres and of the cylinders.
 #[derive(Clone, Debug)]
 pub struct SoaObjects {
-    spheres: Common,
-    cylinders: Common,
-    axis: Vectors,
-    /// The cylinders' axes as in the scene file. Only the fallback needs them.
-    file_axis: Vectors,
-    half_height: Vec<f64>,
+    /// The numbers are centre and radius.
+    spheres: Kind<4>,
+    /// The numbers are centre, radius, axis of length one and half height. Then follows the axis as in the scene file,
+    /// which only the fallback needs.
+    cylinders: Kind<11>,
 }
 
 impl Objects for SoaObjects {
     fn build(scene: &Scene) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = count_kinds(scene)?;
-        let mut objects = Self {
-            spheres: Common::with_room(sphere_count)?,
-            cylinders: Common::with_room(cylinder_count)?,
-            axis: Vectors::with_room(cylinder_count)?,
-            file_axis: Vectors::with_room(cylinder_count)?,
-            half_height: with_room(cylinder_count, OBJECTS)?,
-        };
-        for Placed { record, order, material } in layout::spheres(scene) {
-            objects.spheres.push(record.center, record.radius, order, material);
+        let (mut spheres, mut cylinders) = (Kind::with_room(sphere_count)?, Kind::with_room(cylinder_count)?);
+        for sphere in layout::spheres(scene) {
+            let SphereRecord { center, radius, .. } = sphere.record;
+            spheres.push([center.x, center.y, center.z, radius], &sphere);
         }
-        for (Placed { record, order, material }, file_axis) in layout::cylinders(scene) {
-            objects.cylinders.push(record.center, record.radius, order, material);
-            objects.axis.push(record.axis);
-            objects.file_axis.push(file_axis);
-            objects.half_height.push(record.half_height);
+        for (cylinder, file_axis) in layout::cylinders(scene) {
+            let CylinderRecord { center: c, radius, axis, half_height, .. } = cylinder.record;
+            let ([x, y, z], [file_x, file_y, file_z]) = (axis.to_array(), file_axis.to_array());
+            cylinders.push([c.x, c.y, c.z, radius, x, y, z, half_height, file_x, file_y, file_z], &cylinder);
         }
-        Ok(objects)
+        Ok(Self { spheres, cylinders })
     }
 
     fn sphere_count(&self) -> usize {
@@ -164,39 +125,36 @@ impl Objects for SoaObjects {
 
     #[inline(always)]
     fn sphere(&self, index: usize) -> Placed<SphereRecord> {
-        let Common { center, radius, order, material } = &self.spheres;
-        let record = SphereRecord::new(center.get(index), at(radius, index));
+        let Kind { numbers: [x, y, z, radius], order, material } = &self.spheres;
+        let record = SphereRecord::new(Vec3::new(x[index], y[index], z[index]), at(radius, index));
         Placed { record, order: at(order, index), material: at(material, index) }
     }
 
     #[inline(always)]
     fn prefetch_sphere(&self, index: usize) {
-        let Common { center, radius, order, .. } = &self.spheres;
-        for numbers in [&center.x, &center.y, &center.z, radius] {
+        for numbers in &self.spheres.numbers {
             numbers.get(index).into_iter().for_each(prefetch);
         }
-        order.get(index).into_iter().for_each(prefetch);
+        self.spheres.order.get(index).into_iter().for_each(prefetch);
     }
 
     #[inline(always)]
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
-        let Common { center, radius, order, material } = &self.cylinders;
-        let (axis, half_height) = (self.axis.get(index), at(&self.half_height, index));
-        let record = CylinderRecord::with_unit_axis(center.get(index), at(radius, index), axis, half_height);
+        let Kind { numbers: [x, y, z, radius, axis_x, axis_y, axis_z, half_height, ..], order, material } =
+            &self.cylinders;
+        let center = Vec3::new(x[index], y[index], z[index]);
+        let axis = Vec3::new(axis_x[index], axis_y[index], axis_z[index]);
+        let record = CylinderRecord::with_unit_axis(center, at(radius, index), axis, at(half_height, index));
         Placed { record, order: at(order, index), material: at(material, index) }
     }
 
     fn axis(&self, index: usize) -> Vec3 {
-        self.file_axis.get(index)
+        let [.., x, y, z] = &self.cylinders.numbers;
+        Vec3::new(x[index], y[index], z[index])
     }
 
     fn reorder(&mut self, spheres: &mut [u32], cylinders: &mut [u32]) {
         layout::reorder(spheres, |left, right| self.spheres.swap(left, right));
-        layout::reorder(cylinders, |left, right| {
-            self.cylinders.swap(left, right);
-            self.axis.swap(left, right);
-            self.file_axis.swap(left, right);
-            self.half_height.swap(left, right);
-        });
+        layout::reorder(cylinders, |left, right| self.cylinders.swap(left, right));
     }
 }

@@ -10,7 +10,7 @@
 //! Numbers that can change no byte are not drawn. There are three such cases: deterministic mode; background pixels
 //! with bytes that are known without a ray ([`PixelJitter::pass_over`]); and scenes in which `needs_samples` of
 //! `render/prepared.rs` finds no material for which a scatter sample matters at this maximum depth. The reference's
-//! copy of the rule is in `reference.rs` (`render_observed` and `scatter`), and the copy in WGSL is in
+//! copy of the rule is in `reference.rs` (`render_recorded` and `scatter`), and the copy in WGSL is in
 //! `trace_samples.wgsl`.
 //!
 //! The order follows from the loops over rows in `render.rs` and over the pixels of a span in `render/span.rs`. Which

@@ -103,7 +103,7 @@ impl Recording {
             means.push(mean);
             tell(means.len(), size);
         };
-        reference::render_recorded(config, scene, convention.scatter(), sample, pixel)?;
+        reference::render_recorded::<reference::Plain>(config, scene, convention.scatter(), sample, pixel)?;
         let Config { ray_rng_seed, material_rng_seed, .. } = *config;
         let time = start.elapsed();
         Ok(Self { convention, samples_per_pixel, ray_rng_seed, material_rng_seed, means, words, time })
