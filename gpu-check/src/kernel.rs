@@ -99,3 +99,21 @@ impl<T: Real> Reader<'_, T> {
         Vec3::new(self.number(), self.number(), self.number())
     }
 }
+
+/// A number type in which the formulas of kernels can calculate.
+pub trait Formulas: Float {
+    /// Returns the function that computes the kernel's formula in this precision.
+    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]);
+}
+
+impl Formulas for f32 {
+    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]) {
+        kernel.single
+    }
+}
+
+impl Formulas for f64 {
+    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]) {
+        kernel.wide
+    }
+}

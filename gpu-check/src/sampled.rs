@@ -13,7 +13,6 @@
 pub mod crafted;
 pub mod recording;
 pub mod renderer;
-mod runs;
 pub mod streams;
 pub mod twin;
 

@@ -13,7 +13,6 @@ pub mod files;
 pub mod guard;
 pub mod pixel;
 pub mod png;
-pub mod progress;
 mod rendered;
 pub mod sources;
 pub mod trial;

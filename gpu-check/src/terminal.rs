@@ -1,10 +1,12 @@
-//! Writes the messages of this package's programs to standard output and to standard error.
+//! Writes the messages of this package's programs to standard output and to standard error, and shows their progress.
 //!
 //! This module does not use the macros of the standard library, which panic if a stream cannot be written, and report
 //! no error if a stream is closed.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Writes `text` to standard output. All control characters except line ends are escaped.
 ///
@@ -40,6 +42,16 @@ pub fn answer(answer: &clap::Error) -> ExitCode {
         return ExitCode::from(TROUBLE);
     }
     print(&text).map_or_else(|error| failed(&error.to_string()), |()| ExitCode::SUCCESS)
+}
+
+/// Returns a bar on standard error for work of `parts` parts. Its text begins with `words`, and it vanishes when it is
+/// dropped. It shows nothing if standard error is not a terminal.
+#[must_use]
+pub fn bar(words: &'static str, parts: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg}: {percent} %, about {eta} left");
+    ProgressBar::with_draw_target(Some(parts as u64), ProgressDrawTarget::stderr())
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        .with_message(words)
 }
 
 /// Returns `text` with all control characters except line ends escaped, so that it cannot send commands to the

@@ -2,7 +2,6 @@
 
 pub mod located;
 pub mod recorder;
-pub mod shown;
 
 use std::io::BufReader;
 use std::path::{Path, PathBuf};

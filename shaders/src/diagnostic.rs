@@ -1,6 +1,5 @@
 //! An error in a shader, with its place in the module's own file.
 
-mod nesting;
 pub(crate) mod places;
 
 use std::error::Error as _;
@@ -42,9 +41,9 @@ pub struct Place {
 
 impl Diagnostic {
     pub(crate) fn of_parsing(error: &ParseError, composition: &Composition) -> Self {
-        if nesting::is_too_deep(error) {
-            let place = nesting::place(composition.source()).and_then(|offset| Place::at(offset, composition));
-            return Self { message: nesting::MESSAGE.to_owned(), place };
+        if places::is_too_deep(error) {
+            let place = places::of_deep_nesting(composition.source()).and_then(|offset| Place::at(offset, composition));
+            return Self { message: places::NESTED_TOO_DEEPLY.to_owned(), place };
         }
         let mut message = error.message().to_owned();
         for detail in error.labels().map(|(_, label)| label).chain(error.notes()).filter(|text| !text.is_empty()) {

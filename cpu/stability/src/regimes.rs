@@ -2,10 +2,11 @@
 
 mod cylinders;
 mod extremes;
-pub mod large;
 mod limits;
 pub mod near;
 mod spheres;
+
+pub use spheres::large;
 
 use crate::case::Case;
 use crate::random::Random;

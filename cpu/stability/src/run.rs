@@ -65,7 +65,7 @@ impl LargeSpheres {
         let radii: Vec<f64> = (0..=18).map(|half_decades| 10.0_f64.powf(f64::from(half_decades) / 2.0)).collect();
         let mut wrong: Vec<(&'static str, Vec<f64>)> = Vec::new();
         for &radius in &radii {
-            let judged = Judged::new("large spheres", large::cases(radius, seed, count));
+            let judged = Judged::new("large spheres", large(radius, seed, count));
             for method in methods {
                 let row = judged.measure(method.as_ref())?;
                 let share = row.wrong as f64 / row.cases as f64;

@@ -9,7 +9,7 @@ use shaders::{Features, Library, Precision};
 use super::Mutant;
 use crate::check::Tally;
 use crate::closest_hits::{closest_hits, random};
-use crate::conformance::single;
+use crate::conformance::accuracy;
 use crate::difference::first_differing;
 use crate::difference::{Difference, difference};
 use crate::exact::{EXACT_KERNELS, ExactKernel};
@@ -76,7 +76,7 @@ impl<'a> Examiner<'a> {
         let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
         let sampled = recorded.collect::<Result<_, _>>()?;
         let mut draws = Uniform::new(45);
-        let accuracy = single::accuracy(gpu);
+        let accuracy = accuracy(gpu);
         let rays = (0..RAY_SCENES).map(|number| {
             let (picture, rays, hits) = random_rays(&mut draws, number)?;
             let hits = match accuracy {

@@ -6,8 +6,7 @@ use std::time::Duration;
 use cpu::{Size, Vec3};
 use shaders::{Features, Library};
 
-use super::runs::{self, Limits};
-use super::streams::Streams;
+use super::streams::{Limits, Streams, samples_of_a_run};
 use super::{Convention, Recording};
 use crate::head::{Part, head};
 use crate::packed::Packed;
@@ -121,7 +120,7 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
         let mut first = 0;
         while first < total {
             let counts = &recording.words[first as usize..];
-            let counts = &counts[..runs::samples_of_a_run(counts, limits)];
+            let counts = &counts[..samples_of_a_run(counts, limits)];
             let part = Part::Samples {
                 first_pixel: (first / per_pixel) as u32,
                 first_sample: (first % per_pixel) as u32,

@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 use shaders::{Features, Library, Precision};
 
 use super::files::{self, UserModule};
-use super::progress::bar;
 use super::truth::Truth;
 use super::{args, guard};
 use crate::sampled::{SampleRenderer, SampledRendering};
+use crate::terminal::bar;
 use crate::{Error, Float, Gpu, Picture, Renderer, Rendering};
 
 /// The kernel of a picture in deterministic mode.

@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 
 use cpu::{Config, Scatter, Scene, Vec3, reference};
 
-use super::progress::bar;
 use crate::hierarchy::WORTHWHILE;
 use crate::picture::depth;
 use crate::sampled::twin::means;
 use crate::sampled::{Convention, Recording};
+use crate::terminal::bar;
 use crate::{Error, Picture, ray_loop};
 
 /// The start of each report on the progress of the CPU's rendering.

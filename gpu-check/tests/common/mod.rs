@@ -1,7 +1,7 @@
 //! Opens the device for all tests that need one.
 
 use gpu_check::Gpu;
-use gpu_check::conformance::single;
+use gpu_check::conformance;
 use gpu_check::running::Accuracy;
 
 /// Opens the device, and prints its name, driver and version. If there is no device, the test fails with a message that
@@ -16,7 +16,7 @@ pub fn gpu() -> Gpu {
 /// of Rust.
 #[allow(dead_code, reason = "not every test compares f32")]
 pub fn accuracy(gpu: &Gpu) -> Accuracy {
-    let accuracy = single::accuracy(gpu);
+    let accuracy = conformance::accuracy(gpu);
     println!("f32 has the accuracy of {accuracy:?}");
     // Else a fault of a probe would switch off the comparisons of f32 bits unseen.
     assert!(accuracy == Accuracy::Ieee || !gpu.is_lavapipe(), "lavapipe has the arithmetic of IEEE 754");

@@ -7,7 +7,6 @@ use std::path::Path;
 use cpu::Error;
 use cpu::internals::input::text::Tokens;
 
-use super::shown;
 use crate::format::{CONFIG, Line, SCENE, place};
 use crate::terminal;
 
@@ -44,7 +43,7 @@ pub fn message(
 /// Returns the line with its number, and below it carets under the bytes from `start` to `end`. A long line is
 /// shortened.
 fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
-    let [before, meant, after] = [&text[..start], &text[start..end], &text[end..]].map(shown::line);
+    let [before, meant, after] = [&text[..start], &text[start..end], &text[end..]].map(shown);
     let cut = before.chars().count().saturating_sub(AROUND);
     let before: String = before.chars().skip(cut).collect();
     let meant: String = meant.chars().take(AROUND).collect();
@@ -60,24 +59,24 @@ fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option
     Some(match error {
         Error::UnknownKey { key } => {
             let hint = unknown(key, kind, "key");
-            (format!("there is no configuration key [{}]", shown::line(key)), hint)
+            (format!("there is no configuration key [{}]", shown(key)), hint)
         }
         Error::UnknownEntity { name } => {
             let hint = unknown(name, kind, "entity");
-            (format!("there is no scene entity [{}]", shown::line(name)), hint)
+            (format!("there is no scene entity [{}]", shown(name)), hint)
         }
         Error::InvalidValue { .. } | Error::InvalidParameters { .. } => wrong_field(place::line_of(error)?, text),
         Error::ExtraValue { .. } | Error::ExtraParameters { .. } => extra(place::line_of(error)?),
         Error::MaterialExists { name, .. } => {
-            let name = shown::line(name);
+            let name = shown(name);
             (format!("a material [{name}] is already defined above"), "choose another name".to_owned())
         }
         Error::MaterialNotFound { name, .. } => {
             let hint = nearest(name, names.iter().map(Vec::as_slice)).map_or_else(
                 || "define it on a line above, as in: matte: NAME 0.5 0.5 0.5".to_owned(),
-                |known| format!("did you mean [{}]?", shown::line(known)),
+                |known| format!("did you mean [{}]?", shown(known)),
             );
-            (format!("no material [{}] is defined above this line", shown::line(name)), hint)
+            (format!("no material [{}] is defined above this line", shown(name)), hint)
         }
         _ => return None,
     })
@@ -95,11 +94,11 @@ fn unknown(word: &[u8], kind: Kind, what: &str) -> String {
         return format!("{order}: CONFIG SCENE");
     }
     if has(own) {
-        return format!("a colon follows the word: [{}:]", shown::line(bare));
+        return format!("a colon follows the word: [{}:]", shown(bare));
     }
     let words = own.iter().filter_map(|line| line.tag.as_bytes().strip_suffix(b":"));
     match nearest(bare, words) {
-        Some(known) => format!("did you mean [{}:]?", shown::line(known)),
+        Some(known) => format!("did you mean [{}:]?", shown(known)),
         None => {
             let topic = if kind == Kind::Config { "config" } else { "scene" };
             format!("render-lab help {topic} lists every {what}")
@@ -127,7 +126,7 @@ fn wrong_field(line: &Line, text: &[u8]) -> (String, String) {
         Some(field) => {
             let wanted = line.fields[field].wanted();
             match Tokens::new(text).nth(field + 1) {
-                Some(token) => format!("[{}] is not {wanted}", shown::line(token)),
+                Some(token) => format!("[{}] is not {wanted}", shown(token)),
                 None => format!("{wanted} is missing"),
             }
         }
@@ -139,4 +138,16 @@ fn extra(line: &Line) -> (String, String) {
     let summary = format!("{} there is more than its {} values", line.tag, line.fields.len());
     let summary = if line.fields.len() == 1 { format!("{} there is more than its value", line.tag) } else { summary };
     (summary, format!("the line is: {} {}", line.tag, line.values))
+}
+
+/// Returns a part of a line as text that is safe to print. A space replaces each tab, and a question mark replaces
+/// every other control character. The number of characters stays the same, so that carets in the next line stand below
+/// the right characters.
+fn shown(bytes: &[u8]) -> String {
+    let tame = |character: char| match character {
+        '\t' => ' ',
+        control if control.is_control() => '?',
+        other => other,
+    };
+    String::from_utf8_lossy(bytes).chars().map(tame).collect()
 }

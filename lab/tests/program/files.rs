@@ -1,4 +1,4 @@
-//! Tests of the commands that write files or describe scenes: `generate`, `inspect`, `man`.
+//! Tests of the commands that write files or describe scenes: `generate`, `inspect`, `man`; and `help`.
 
 use std::fs;
 
@@ -55,4 +55,14 @@ fn man_gets_pages() {
     printed(&["man", &folder.name("man1")]);
     let page = fs::read_to_string(folder.file("man1/render-lab-compare.1")).expect("it was written");
     assert!(page.contains(".TH render") && page.contains("heatmap"), "{page}");
+}
+
+#[test]
+fn help_explains_files_and_commands() {
+    assert!(printed(&["help", "config"]).contains("| `samples_per_pixel:`      | whole number > 0      | 20 "));
+    assert!(printed(&["help", "scene"]).contains("| `cylinder:`   | x y z radius ax ay az material |"));
+    assert!(printed(&["help", "bench", "scale"]).contains("Usage: render-lab bench scale"));
+    assert!(printed(&["help"]).contains("Exit status:") && printed(&["--help"]).contains("  130  interrupted"));
+    assert!(complaint(&["help", "nonsense"]).contains("invalid value 'nonsense' for '[TOPIC]'"));
+    assert!(complaint(&["help", "bench", "nonsense"]).contains("no command or topic [nonsense]"));
 }

@@ -16,7 +16,6 @@ mod results;
 mod scripts;
 #[cfg(unix)]
 mod slurm;
-mod words;
 
 use std::process::{Command, Output};
 

@@ -1,7 +1,11 @@
-//! Finds the place of a type. naga keeps a place for structures only, so the place of another type is its first use.
+//! Finds places that naga does not have: of types and of nesting that is too deep. naga keeps a place for structures
+//! only, so the place of another type is its first use.
 
+use naga::front::wgsl::{ParseError, parse_str};
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{Expression, Function, Handle, Module, Span, Type, TypeInner};
+
+use crate::limits::tokens;
 
 /// Returns the place in the source where the type `ty`, or a type that contains it, is first used. Returns
 /// [`Span::UNDEFINED`] if it is not used. A module that is not valid has no `info`. Then only those expressions count
@@ -76,4 +80,26 @@ impl<'a> Uses<'a> {
         });
         places.extend(expressions.map(|(expression, _)| function.expressions.get_span(expression)));
     }
+}
+
+/// naga's note about a text that is nested too deeply.
+const TOO_DEEP: &str = "Parser recursion limit exceeded";
+
+/// The message for a text that is nested too deeply, with what to do.
+pub const NESTED_TOO_DEEPLY: &str = "this is nested too deeply for naga; use several statements";
+
+/// Whether naga found the text nested too deeply.
+pub fn is_too_deep(error: &ParseError) -> bool {
+    error.notes().any(|note| note == TOO_DEEP)
+}
+
+/// Returns the offset in bytes of the token at which naga finds `source` nested too deeply. Returns `None` if naga does
+/// not.
+///
+/// The parser reads from left to right, so it fails in the same way for every start of the text that has this token,
+/// and in another way for every shorter start. A binary search needs 16 attempts for the longest text.
+pub fn of_deep_nesting(source: &str) -> Option<usize> {
+    let tokens: Vec<_> = tokens(source.as_bytes()).map(|(offset, token)| (offset, offset + token.len())).collect();
+    let is_read = |&(_, end): &(usize, usize)| !matches!(parse_str(&source[..end]), Err(error) if is_too_deep(&error));
+    tokens.get(tokens.partition_point(is_read)).map(|(offset, _)| *offset)
 }

@@ -4,7 +4,6 @@
 //! - [`picture`] is a scene in one of them, and [`packed`] and [`head`] write it into the shaders' buffers;
 //! - [`trace`] renders pixels, and [`steps`] records their paths.
 
-pub mod error;
 pub mod float;
 pub mod head;
 pub mod packed;
@@ -12,6 +11,5 @@ pub mod picture;
 pub mod steps;
 pub mod trace;
 
-pub use error::Error;
 pub use float::Float;
-pub use picture::{Picture, features_of};
+pub use picture::{Error, Picture, features_of};

@@ -146,3 +146,23 @@ fn everything(random: &mut Random) -> Case {
         }
     }
 }
+
+/// Returns `count` random rays that leave a sphere of this radius, outwards or inwards. They start near the origin of
+/// coordinates, through which the sphere's surface passes.
+#[must_use]
+pub fn large(radius: f64, seed: u64, count: usize) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let center = Vec3::new(0.0, -radius, 0.0);
+    let mut draw = || {
+        let extent = radius.min(10.0) * 0.5;
+        let (x, z) = (random.uniform(-extent, extent), random.uniform(-extent, extent));
+        let across = x * x + z * z;
+        // Equals sqrt(r^2 - across) - r, but nothing cancels.
+        let y = -across / (radius + (radius * radius - across).sqrt());
+        let origin = Vec3::new(x, y, z);
+        let outward = (origin - center) / radius;
+        let direction = outward * random.sign() + random.cube(1.0);
+        Case::sphere(center, radius, origin, direction)
+    };
+    (0..count).map(|_| draw()).collect()
+}
