@@ -2,7 +2,8 @@
 //! half a unit in the last place of the first.
 //!
 //! Sum, product and quotient, with their bounds, are those of Joldes, Muller and Popescu, "Tight and rigorous error
-//! bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017). The square root is that of Lefevre,
+//! bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017). Muller and Rideau proved the bounds
+//! with Coq ("Formalization of double-word arithmetic", ACM TOMS 48, 2022). The square root is that of Lefevre,
 //! Louvet, Muller, Picot and Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS
 //! 49 (2023). With u = 2^-53 the relative errors are at most 3u^2 for a sum (also under cancellation), 4u^2 for a
 //! product, 15u^2 for a quotient and 25/8 u^2 for a square root. So 16u^2 = 2^-102 serves as the unit roundoff of all

@@ -200,7 +200,6 @@ impl Mul for &Dyadic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sampling::uniform::Uniform;
 
     fn exact(value: f64) -> Dyadic {
         Dyadic::new(value).expect("the value is finite")
@@ -229,25 +228,6 @@ mod tests {
     }
 
     #[test]
-    fn sums_and_products_of_whole_numbers_are_theirs() {
-        // The whole numbers are below 2^62. Their products need two limbs, and their sums carry.
-        let mut draws = Uniform::new(1);
-        for _ in 0..2_000 {
-            let [a, b] = [(); 2].map(|()| draws.draw(-4.6e18, 4.6e18).round());
-            let [x, y] = [a, b].map(|value| value as i128);
-            for (actual, expected) in
-                [(&exact(a) + &exact(b), x + y), (&exact(a) - &exact(b), x - y), (&exact(a) * &exact(b), x * y)]
-            {
-                // The expected number is put together from digits of 50 bits, which f64 holds exactly.
-                let digit = |place: u32| exact(((expected >> (50 * place)) & ((1 << 50) - 1)) as f64);
-                let top = exact((expected >> 100) as f64);
-                let whole = &(&top.scaled(50) + &digit(1)).scaled(50) + &digit(0);
-                assert_eq!((&actual - &whole).sign(), Ordering::Equal, "{a:e} {b:e}");
-            }
-        }
-    }
-
-    #[test]
     fn nothing_is_lost_beside_something_large() {
         let (large, tiny) = (exact(1e300), exact(5e-324));
         let sum = &large + &tiny;
@@ -271,17 +251,6 @@ mod tests {
 
     #[test]
     fn sums_of_two_roots_are_compared_without_a_root() {
-        let number = |value: f64| exact(value);
-        // The square roots are of squares, so the sums are known.
-        for x in [-3.0, -1.0, 0.0, 2.0, 5.0] {
-            for (y, d) in [(1.0, 4.0), (-1.5, 16.0), (2.0, 0.0), (0.0, 9.0)] {
-                for (z, e) in [(1.0, 1.0), (-2.0, 4.0), (-1.0, 36.0), (3.0, 0.0)] {
-                    let sum: f64 = x + y * f64::sqrt(d) + z * f64::sqrt(e);
-                    let sign = sign_with_roots(&number(x), (&number(y), &number(d)), (&number(z), &number(e)));
-                    assert_eq!(Some(sign), sum.partial_cmp(&0.0), "{x} + {y} sqrt({d}) + {z} sqrt({e})");
-                }
-            }
-        }
         // sqrt(2) + sqrt(3) is 3.14626436994197234...
         let [one, two, three] = [1.0, 2.0, 3.0].map(exact);
         let near = |x: f64| sign_with_roots(&exact(-x), (&one, &two), (&one, &three));

@@ -196,6 +196,9 @@ fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2], margin:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::camera::Camera;
+    use crate::input::config::Config;
+    use crate::render::ray_error::RayError;
 
     const LEFT: Vec3 = Vec3::new(1.0, 0.0, 0.0);
     const RIGHT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
@@ -220,6 +223,29 @@ mod tests {
         assert!(!may_overlap(0.0) && !may_overlap(4e-7) && may_overlap(6e-7));
         assert!(may_overlap(f64::INFINITY) && may_overlap(f64::NAN));
         assert!(box_may_overlap(&bounds, Vec3::ZERO, &[LEFT, LEFT], 0.0));
+    }
+
+    #[test]
+    fn rounded_rays_along_the_edge_of_a_row_reach_objects_within_the_margin() {
+        // The directions are rounded to multiples of 1.5e-8.
+        let text = "image_width: 12\ncamera_position: 1e8 1e8 1e8\ncamera_target: 1e8 1e8 100000000.01\n";
+        let config = Config::parse(text.as_bytes()).expect("the configuration is valid");
+        let size = config.image_size().expect("it has a size");
+        let camera = Camera::new(&config, size).expect("there is a window");
+        let (turn, mut beyond) = (RayError::new(&camera, size).turn, 0);
+        for place in 0..72 {
+            let (row, column) = (f64::from(place / 12), f64::from(place % 12));
+            let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
+            let planes =
+                [half_space(at(row - HALF_PIXEL), camera.delta_x), half_space(camera.delta_x, at(row + HALF_PIXEL))];
+            for y in [-HALF_PIXEL, HALF_PIXEL] {
+                let center = camera.ray(row, column, [0.3, y]).direction;
+                let point = Outline { id: 0, center, axis: Vec3::ZERO, half_height: 0.0, radius: 0.0, margin: 0.0 };
+                beyond += u32::from(!point.may_overlap(&planes));
+                assert!(Outline { margin: TURNS * turn * center.length(), ..point }.may_overlap(&planes));
+            }
+        }
+        assert!(beyond > 30, "{beyond} points beyond the planes");
     }
 
     #[test]

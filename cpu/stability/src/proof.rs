@@ -9,6 +9,7 @@ pub mod bounded;
 pub mod bounds;
 pub mod boxes;
 pub mod camera;
+pub mod direction;
 pub mod exact;
 pub mod filters;
 pub mod lanes;

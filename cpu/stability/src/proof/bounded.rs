@@ -31,7 +31,7 @@ pub(super) enum Operation {
 
 struct Table {
     places: HashMap<Operation, Bounded>,
-    bounds: Vec<Bounds>,
+    numbers: Vec<(Operation, Bounds)>,
     compared: Vec<[Bounded; 2]>,
     /// The value of the constant whose use in the formulas is followed.
     margin: f64,
@@ -43,7 +43,7 @@ thread_local! {
 
 impl Table {
     fn new(margin: f64) -> Self {
-        Self { places: HashMap::new(), bounds: Vec::new(), compared: Vec::new(), margin }
+        Self { places: HashMap::new(), numbers: Vec::new(), compared: Vec::new(), margin }
     }
 }
 
@@ -120,22 +120,27 @@ impl Bounded {
     /// Returns what is known of the number, in the components of vectors.
     #[must_use]
     pub fn raw(self) -> Bounds {
-        TABLE.with_borrow(|table| table.bounds[self.0 as usize].clone())
+        TABLE.with_borrow(|table| table.numbers[self.0 as usize].1.clone())
     }
 
     /// Returns the number, of which `size` is the value itself: a length, or a sum of squares.
     #[must_use]
     pub fn of_squares(self) -> Self {
-        TABLE.with_borrow_mut(|table| {
-            let bounds = &mut table.bounds[self.0 as usize];
-            (bounds.is_positive, bounds.is_exact) = (true, true);
-        });
+        self.change(|bounds| (bounds.is_positive, bounds.is_exact) = (true, true));
         self
     }
 
+    /// Returns how the number has been computed.
+    pub(super) fn operation(self) -> Operation {
+        TABLE.with_borrow(|table| table.numbers[self.0 as usize].0)
+    }
+
+    fn change(self, change: impl FnOnce(&mut Bounds)) {
+        TABLE.with_borrow_mut(|table| change(&mut table.numbers[self.0 as usize].1));
+    }
+
     /// Applies a lemma: the exact magnitude of the number is at most `size`. If `size` is one product of variables, it
-    /// is the magnitude. Numbers that were computed from it before
-    /// keep their bounds.
+    /// is the magnitude. Numbers that were computed from it before keep their bounds.
     ///
     /// # Panics
     /// If the number is an input.
@@ -146,16 +151,19 @@ impl Bounded {
         }
         let is_exact = size.is_monomial();
         let bounds = Bounds::rounded(size, before.expect("only a computed number has a lemma"));
-        TABLE.with_borrow_mut(|table| table.bounds[self.0 as usize] = Bounds { is_positive, is_exact, ..bounds });
+        self.change(|old| *old = Bounds { is_positive, is_exact, ..bounds });
     }
 
     /// Applies a lemma: the exact magnitude of the number is at most `size`, and its relative error at most `error u`.
     pub fn assume_relative(self, size: Polynomial, error: f64) {
-        TABLE.with_borrow_mut(|table| {
-            let bounds = &mut table.bounds[self.0 as usize];
-            let is_exact = size.is_monomial();
-            *bounds = Bounds { error: size.clone().scaled(error), size, relative: error, is_exact, ..bounds.clone() };
-        });
+        self.assume_error(size.clone(), size.scaled(error));
+        self.change(|bounds| bounds.relative = error);
+    }
+
+    /// Applies a lemma: the exact magnitude of the number is at most `size`, and its error at most `u error`.
+    pub fn assume_error(self, size: Polynomial, error: Polynomial) {
+        let (is_exact, relative) = (size.is_monomial(), f64::INFINITY);
+        self.change(|bounds| *bounds = Bounds { error, size, relative, is_exact, ..bounds.clone() });
     }
 
     /// Returns the number that an operation makes, with these bounds if the operation is new.
@@ -165,8 +173,8 @@ impl Bounded {
         }
         let bounds = bounds();
         TABLE.with_borrow_mut(|table| {
-            let place = Self(table.bounds.len() as u32);
-            table.bounds.push(bounds);
+            let place = Self(table.numbers.len() as u32);
+            table.numbers.push((operation, bounds));
             table.places.insert(operation, place);
             place
         })

@@ -12,6 +12,7 @@ use cpu::internals::math::real::Real;
 
 use super::bounded::{Bounded, begin, compared};
 use super::bounds::Arithmetic;
+use super::direction::hardens;
 
 use super::polynomial::{LENGTH, Polynomial};
 use super::row::{
@@ -22,8 +23,8 @@ const FILE: &str = "exact/cylinder_parts.rs";
 
 /// The family of an accurate lambda.
 const LAMBDA: u8 = DERIVED;
-/// The families of the axis of the file, and of its length.
-const FILE_AXIS: u8 = DERIVED + 1;
+/// The family of the axis of the file.
+pub const FILE_AXIS: u8 = DERIVED + 1;
 
 /// The part of a distance that the error of lambda moves, as a multiple of `u lambda |d|_1`.
 const MOVED: f64 = 2.0 * LIMITS.lambda_error::<f64>() / U;
@@ -127,9 +128,11 @@ fn plane(of_slope: f64) -> ([f64; 2], f64) {
     let row = [added(distance, &extent, 16.0 * U, U), need(distance)];
     // Lambda is accepted if the distance exceeds `X / (4 k)`, and the slope `|d|_1 / (8 k)`.
     let k = LIMITS.condition_limit;
-    for limit in [4.0 * k, 8.0 * k] {
+    // The sign of the distance is not known.
+    for (limit, effect) in [(4.0 * k, None), (8.0 * k, Some(-1))] {
         run(limit);
-        assert_eq!(uses_of_margin(), 1, "the code compares with {limit}");
+        let effects = compared().into_iter().map(hardens).filter(|effect| *effect != Some(0));
+        assert!(effects.eq([effect]), "the code compares with {limit}");
     }
     let [x, y] = [(row[1] - 1.0) * 4.0 * k * U, of_slope * 8.0 * k * U];
     (row, (1.0 / ((1.0 - x) * (1.0 - y)) - 1.0) / U + 1.0)
@@ -160,6 +163,12 @@ fn margins(split: u8, run: impl Fn() -> (Vec<Bounded>, Polynomial)) -> [[f64; 2]
     [[pair[0].0, pair[1].0], [need(&pair[0].1, 2), need(&pair[1].1, 5)]]
 }
 
+/// States that the number is an accepted lambda, which is positive, with this relative error.
+fn accepted(lambda: Bounded, error: f64) {
+    lambda.assume_relative(length(LAMBDA), error);
+    _ = lambda.of_squares();
+}
+
 /// Returns the margins of the height of a hit on the side, and then what it needs: each due to lambda, and due to the
 /// extent.
 ///
@@ -172,7 +181,7 @@ fn height(of_side: f64) -> [[f64; 2]; 2] {
         let (a, h, discriminant) = record.quadratic(&view, ray.direction);
         let root = discriminant.sqrt();
         for numerator in [-h - root, -h + root] {
-            (numerator / a).assume_relative(length(LAMBDA), of_side);
+            accepted(numerator / a, of_side);
         }
         _ = SideLanes::new(&record, &view, &ray);
         // Five comparisons of the root come before those of the height, at the entry and at the exit.
@@ -191,7 +200,7 @@ fn disc(of_cap: f64) -> [[f64; 2]; 2] {
         let (ray, record) = (ray(), record());
         let to_plane = (record.top - ray.origin).dot(record.axis);
         let lambda = to_plane / ray.direction.dot(record.axis);
-        lambda.assume_relative(length(LAMBDA), of_cap);
+        accepted(lambda, of_cap);
         let point = (ray.at(lambda) - record.top).x.raw().error;
         let rounding = length(RADIUS).scaled(Bounded::vector(FILE_AXIS, 0.0).length().raw().relative);
         let plane = Plane::new(&record, &ray, record.top);

@@ -5,6 +5,7 @@ use cpu::{Ray, Vec3};
 
 use super::bounded::{Bounded, LOST_MARGIN, MARGIN, compared};
 use super::bounds::Arithmetic;
+use super::direction::hardens;
 use super::polynomial::{LENGTH, Polynomial};
 
 /// The families of the numbers. A vector and its length have the same family.
@@ -120,8 +121,14 @@ pub fn enlarged(bound: &Polynomial) -> Polynomial {
 
 /// Returns how much margin the code adds to `number`, as a multiple of `roundoff` times `size`. The constant has the
 /// value `margin` in the code. The result is 0 if the code forgets the margin in one of the monomials of `size`.
+///
+/// # Panics
+/// If the code compares the number in `f64`, and the margin is not known to make the comparison harder.
 #[must_use]
 pub fn added(number: Bounded, size: &Polynomial, margin: f64, roundoff: f64) -> f64 {
+    for pair in compared().into_iter().filter(|pair| roundoff == U && pair.contains(&number)) {
+        assert!(matches!(hardens(pair), Some(0 | 1)), "the margin is on the wrong side of a comparison");
+    }
     let bound = number.bounds().size.enlarged(&[(AXIS, None)]);
     let factor = size.0.iter().map(|(monomial, coefficient)| {
         bound.coefficient(&Polynomial::of([monomial.as_slice(), &[MARGIN]].concat())) / coefficient
@@ -131,11 +138,14 @@ pub fn added(number: Bounded, size: &Polynomial, margin: f64, roundoff: f64) -> 
 }
 
 /// Returns in how many comparisons the margin takes part.
+///
+/// # Panics
+/// If the margin is not known to make them harder.
 #[must_use]
 pub fn uses_of_margin() -> usize {
-    let has = |number: &Bounded, margin| number.bounds().size.0.keys().any(|monomial| monomial.contains(margin));
-    let has_margin = |number: &Bounded| has(number, &MARGIN) || has(number, &LOST_MARGIN);
-    compared().iter().filter(|pair| pair.iter().any(has_margin)).count()
+    let uses: Vec<_> = compared().into_iter().map(hardens).filter(|effect| *effect != Some(0)).collect();
+    assert!(uses.iter().all(|effect| *effect == Some(1)), "the margin is on the wrong side of a comparison");
+    uses.len()
 }
 
 impl Row {

@@ -1,7 +1,10 @@
-//! The tangent and the power against arithmetic of 256 bits of another library.
+//! The tangent and the power against arithmetic of 256 bits of another library, and dyadic numbers against 1,200 bits.
 //!
 //! `RENDER_FUNCTION_CASES` is the number of random arguments of each function; tests/extensive takes ten million.
 
+use std::cmp::Ordering;
+
+use cpu::internals::math::dyadic::{Dyadic, sign_with_root, sign_with_roots};
 use cpu::internals::math::{power::power, tangent::tangent};
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -18,7 +21,11 @@ fn cases() -> usize {
 
 /// Returns `value` with 256 bits.
 fn big(value: f64) -> Big {
-    Big::try_from(value).expect("the value is finite").with_precision(BITS).value()
+    with_bits(value, BITS)
+}
+
+fn with_bits(value: f64, bits: usize) -> Big {
+    Big::try_from(value).expect("the value is finite").with_precision(bits).value()
 }
 
 fn magnitude(value: Big) -> Big {
@@ -102,6 +109,40 @@ fn powers_near_midpoints_are_correctly_rounded() {
         }
     }
     assert!(checked > 10_000, "{checked} powers were checked");
+}
+
+/// Checks the sign of a number that is zero, or far above `2^-1000`.
+fn check_sign(sign: Ordering, exact: &Big, of: [f64; 5]) {
+    let is_zero = magnitude(exact.clone()) < Big::ONE >> 1000;
+    let expected = if is_zero { Ordering::Equal } else { exact.cmp(&Big::ZERO) };
+    assert_eq!(sign, expected, "{of:?}");
+}
+
+#[test]
+fn sums_products_and_signs_of_dyadic_numbers_are_right() {
+    let (mut random, mut zeros) = (Random::new(15), 0);
+    for round in 0..cases() {
+        // Half of the numbers are short, so that sums of square roots may vanish.
+        let mut number = || match round % 2 {
+            0 => random.decades(-9.0, 9.0) * random.uniform(-1.0, 1.0),
+            _ => random.below(17) as f64 - 8.0,
+        };
+        let [y, z, d, e] = [number(), number(), number(), number()];
+        let [d, e] = if round % 2 == 0 { [d.abs(), e.abs()] } else { [d * d, e * e] };
+        let one_root = -y * d.sqrt();
+        let (x, two_roots) = (-y * z, one_root - z * e.sqrt());
+        let exact = |value: f64| Dyadic::new(value).expect("the value is finite");
+        let big = |value: f64| with_bits(value, 1200);
+        let of = [x, y, z, d, e];
+        let sum = &(&exact(y) * &exact(z)) + &exact(x);
+        check_sign(sum.sign(), &(big(y) * big(z) + big(x)), of);
+        zeros += usize::from(sum.sign() == Ordering::Equal);
+        let [of_y, of_z] = [big(y) * big(d).sqrt(), big(z) * big(e).sqrt()];
+        check_sign(sign_with_root(&exact(one_root), &exact(y), &exact(d)), &(big(one_root) + &of_y), of);
+        let sign = sign_with_roots(&exact(two_roots), (&exact(y), &exact(d)), (&exact(z), &exact(e)));
+        check_sign(sign, &(big(two_roots) + of_y + of_z), of);
+    }
+    assert!(zeros > cases() / 3 && zeros < cases(), "{zeros}");
 }
 
 #[test]
