@@ -85,12 +85,6 @@ impl<B: Boxes> Bvh<B> {
         Ok(bvh)
     }
 
-    /// Returns the size of the tree's lists in bytes.
-    #[cfg(feature = "internals")]
-    pub fn list_bytes(&self) -> usize {
-        self.nodes.capacity() * size_of::<Node<B>>() + self.collapsed_root.list_bytes() + self.isolated.list_bytes()
-    }
-
     /// Returns the number of nodes with bounding spheres.
     #[cfg(any(test, feature = "internals"))]
     pub fn sphere_leaf_count(&self) -> usize {
@@ -197,46 +191,33 @@ pub struct Traversal<'a, B> {
 impl<B: Boxes> Accelerator for Traversal<'_, B> {
     #[inline(always)]
     fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, start: Start) -> ClosestHit {
-        self.bvh.closest_hit::<S, O>(objects, ray, start.object, self.stack)
-    }
-}
-
-impl<B: Boxes> Bvh<B> {
-    /// Returns the closest hit of a ray with this start object.
-    #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        start_object: ObjectId,
-        stack: &mut Stack,
-    ) -> ClosestHit {
+        let (bvh, start_object) = (self.bvh, start.object);
         let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if !is_in_scale(conservative.length_squared) {
             return intersect_every_object(objects, *ray);
         }
-        if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
+        if let Some(index) = bvh.dominant.may_be_hit(objects, &conservative) {
             closest.intersect_dominant_sphere(objects, index, ray);
         }
-        if self.nodes.is_empty() {
+        if bvh.nodes.is_empty() {
             return closest;
         }
-        if start_object != NO_OBJECT && !self.dominant.is(start_object) {
+        if start_object != NO_OBJECT && !bvh.dominant.is(start_object) {
             let mut again = ClosestHit::NOTHING;
-            if conservative.may_hit(objects, start_object, self.max_coordinate) {
+            if conservative.may_hit(objects, start_object, bvh.max_coordinate) {
                 again.intersect(objects, start_object, ray);
             }
             if again.is_hit() {
                 closest.update(objects, ray, again);
-                if self.isolated.is(start_object) {
+                if bvh.isolated.is(start_object) {
                     return closest;
                 }
             }
         }
-        let slab_ray = SlabRay::<S::F32>::new(ray, &self.margins);
-        let sphere_ray = if self.has_sphere_leaves {
-            SphereRay::new(ray, &self.margins, conservative.length_squared)
+        let slab_ray = SlabRay::<S::F32>::new(ray, &bvh.margins);
+        let sphere_ray = if bvh.has_sphere_leaves {
+            SphereRay::new(ray, &bvh.margins, conservative.length_squared)
         } else {
             SphereRay::UNUSED
         };
@@ -246,21 +227,21 @@ impl<B: Boxes> Bvh<B> {
         let query = Query { objects, ray, start_object, slab_ray, sphere_ray };
         // The traversal begins at the root if there is no collapsed root. The root's address needs no test of boxes, so
         // its boxes can be loaded at once. `boxes` are those of the collapsed root that are still to be visited.
-        let (mut node, mut boxes) = (&self.nodes[0], 0);
-        let backwards = self.collapsed_root.is_passed_backwards(ray.direction);
-        if S::F32::LANES >= collapsed_root::LEAST_LANES && !self.collapsed_root.is_empty() {
-            boxes = self.collapsed_root.intersect(&query.slab_ray, farthest(&closest));
+        let (mut node, mut boxes) = (&bvh.nodes[0], 0);
+        let backwards = bvh.collapsed_root.is_passed_backwards(ray.direction);
+        if S::F32::LANES >= collapsed_root::LEAST_LANES && !bvh.collapsed_root.is_empty() {
+            boxes = bvh.collapsed_root.intersect(&query.slab_ray, farthest(&closest));
             if boxes == 0 {
                 return closest;
             }
-            node = &self.nodes[self.collapsed_root.take_nearest(&mut boxes, backwards)];
+            node = &bvh.nodes[bvh.collapsed_root.take_nearest(&mut boxes, backwards)];
         }
         loop {
-            self.traverse::<S, O>(node, &query, &mut closest, stack);
+            bvh.traverse::<S, O>(node, &query, &mut closest, self.stack);
             if boxes == 0 {
                 return closest;
             }
-            node = &self.nodes[self.collapsed_root.take_nearest(&mut boxes, backwards)];
+            node = &bvh.nodes[bvh.collapsed_root.take_nearest(&mut boxes, backwards)];
         }
     }
 }

@@ -90,18 +90,6 @@ impl Accel {
         }
     }
 
-    /// Returns the size of the structure in bytes, without the objects.
-    #[cfg(feature = "internals")]
-    pub fn bytes(&self) -> usize {
-        size_of::<Self>()
-            + match self {
-                Self::EveryObject | Self::SmallScene(_) => 0,
-                Self::FlatFilter(filter) => filter.list_bytes(),
-                Self::Bvh(bvh) => bvh.list_bytes(),
-                Self::LargeBvh(bvh) => bvh.list_bytes(),
-            }
-    }
-
     /// Disables the shortcut for isolated objects, to measure what it gains.
     #[cfg(feature = "internals")]
     pub fn without_isolation(&mut self) {

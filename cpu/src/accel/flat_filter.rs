@@ -108,13 +108,6 @@ impl FlatFilter {
         }
         (self.sphere_lanes & !missed_spheres, self.cylinder_lanes & !missed_cylinders)
     }
-
-    /// Returns the size of the filter's lists in bytes.
-    #[cfg(feature = "internals")]
-    pub fn list_bytes(&self) -> usize {
-        let overlapping = self.overlapping.as_deref().unwrap_or_default();
-        size_of_val(overlapping) + size_of_val(&self.spheres[..]) + size_of_val(&self.cylinders[..])
-    }
 }
 
 /// Returns the closest hit among all objects, without the filter. This serves two kinds of rare rays: those with a

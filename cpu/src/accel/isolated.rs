@@ -40,12 +40,6 @@ impl Isolated {
         self.0[id as usize / 64] |= 1 << (id % 64);
     }
 
-    /// Returns the size of the set in bytes.
-    #[cfg(feature = "internals")]
-    pub fn list_bytes(&self) -> usize {
-        size_of_val(&self.0[..])
-    }
-
     /// Whether the object with the number `id` is isolated.
     #[inline(always)]
     pub fn is(&self, id: ObjectId) -> bool {

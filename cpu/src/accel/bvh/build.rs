@@ -71,7 +71,7 @@ pub fn build<B: Boxes>(
         let mut children = [range; WIDTH];
         let count = if range.count() <= WIDTH {
             for (child, at) in children.iter_mut().zip(range.from..range.to) {
-                *child = Range::of_item(&items, at);
+                *child = Range::new(&items, at, at + 1);
             }
             range.count()
         } else {

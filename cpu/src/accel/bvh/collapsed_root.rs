@@ -131,12 +131,6 @@ impl CollapsedRoot {
         *bits ^= 1 << place;
         self.nodes[place as usize] as usize
     }
-
-    /// Returns the size of the list of boxes in bytes.
-    #[cfg(feature = "internals")]
-    pub fn list_bytes(&self) -> usize {
-        size_of_val(&self.rows[..])
-    }
 }
 
 #[cfg(test)]
@@ -182,7 +176,7 @@ mod tests {
             actual.sort_unstable();
             let expected = if planned(count).is_some() { 0..count as u32 } else { 0..0 };
             assert!(actual.into_iter().eq(expected), "{count} objects");
-            let bytes = nodes.len() * size_of::<Node<ByteBoxes>>() + row.list_bytes();
+            let bytes = nodes.len() * size_of::<Node<ByteBoxes>>() + size_of_val(&row.rows[..]);
             assert!(count <= 256 || bytes < 20 * count, "{bytes} bytes for {count} objects");
             let middles = boxes_of(&row).map(|bounds| bounds.twice_middle(row.axis));
             assert!(middles.is_sorted());

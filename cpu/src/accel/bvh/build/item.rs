@@ -99,11 +99,6 @@ impl Range {
         Self { from, to, bounds, middles }
     }
 
-    /// Returns the range of one item.
-    pub fn of_item(items: &[Item], at: usize) -> Self {
-        Self { from: at, to: at + 1, bounds: items[at].bounds(), middles: items[at].middle() }
-    }
-
     /// Returns the number of items.
     pub const fn count(&self) -> usize {
         self.to - self.from

@@ -72,9 +72,9 @@ pub fn dissolve_small_children(items: &[Item], children: &mut [Range; WIDTH], mu
         if count - 1 + to - from > WIDTH {
             return count;
         }
-        children[smallest] = Range::of_item(items, from);
+        children[smallest] = Range::new(items, from, from + 1);
         for at in from + 1..to {
-            children[count] = Range::of_item(items, at);
+            children[count] = Range::new(items, at, at + 1);
             count += 1;
         }
     }
