@@ -76,18 +76,14 @@ impl Accel {
         if let Self::SmallScene(small_scene) = self { Some(small_scene) } else { None }
     }
 
-    /// Whether the scene has a tree of boxes, so that [`visit_boxes`](Self::visit_boxes) visits objects.
-    pub const fn has_boxes(&self) -> bool {
-        matches!(self, Self::Bvh(_) | Self::LargeBvh(_))
-    }
-
-    /// Calls `visit` with objects of the tree of boxes, if the scene has one; see [`Bvh::visit`].
-    pub fn visit_boxes(&self, may_reach: impl FnMut(&Bounds) -> bool, visit: impl FnMut(ObjectId)) {
+    /// Calls `visit` with objects of the tree of boxes; see [`Bvh::visit`]. Returns false if the scene has no tree.
+    pub fn visit_boxes(&self, may_reach: impl FnMut(&Bounds) -> bool, visit: impl FnMut(ObjectId)) -> bool {
         match self {
-            Self::EveryObject | Self::SmallScene(_) | Self::FlatFilter(_) => {}
+            Self::EveryObject | Self::SmallScene(_) | Self::FlatFilter(_) => return false,
             Self::Bvh(bvh) => bvh.visit(may_reach, visit),
             Self::LargeBvh(bvh) => bvh.visit(may_reach, visit),
         }
+        true
     }
 
     /// Disables the shortcut for isolated objects, to measure what it gains.

@@ -106,6 +106,11 @@ impl Dyadic {
     }
 }
 
+/// Returns a finite number without rounding.
+pub fn exact(value: f64) -> Dyadic {
+    Dyadic::new(value).expect("the value is finite")
+}
+
 /// Returns `(integer, exponent)` with `|value| = integer * 2^exponent`. `value` must be finite. The integer is below
 /// 2^53 and the exponent is at least -1074, because this is how an `f64` stores numbers (IEEE 754, binary64).
 pub const fn integer_and_exponent(value: f64) -> (u64, i64) {
@@ -200,10 +205,6 @@ impl Mul for &Dyadic {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn exact(value: f64) -> Dyadic {
-        Dyadic::new(value).expect("the value is finite")
-    }
 
     #[test]
     fn a_number_is_an_integer_times_a_power_of_two() {

@@ -4,7 +4,7 @@
 //! less than one unit `2^-bits`, and the errors of a series can be counted. The functions are slow: they decide the
 //! few roundings for which faster arithmetic is uncertain.
 
-use crate::math::dyadic::Dyadic;
+use crate::math::dyadic::{Dyadic, exact};
 use crate::math::limbs::{product, quotient, shifted, shifted_right, sum};
 
 /// A factor in the error bound of a series. A series that is summed with `bits` fraction bits has an error of at most
@@ -79,11 +79,6 @@ pub fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2]
     }
     let [cosine, sine, minus_cosine, minus_sine] = sums.map(|units| Dyadic::of_limbs(units, -(bits as i64)));
     ([&sine - &minus_sine, &cosine - &minus_cosine], exact(UNITS_PER_BIT * bits as f64).scaled(-(bits as i64)))
-}
-
-/// Returns a finite number without rounding.
-fn exact(value: f64) -> Dyadic {
-    Dyadic::new(value).expect("the value is finite")
 }
 
 #[cfg(test)]

@@ -65,6 +65,7 @@ pub fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::dyadic::exact;
 
     /// Rounds `number` from `candidate`.
     fn rounded(number: &Dyadic, candidate: f64) -> Option<f64> {
@@ -75,7 +76,6 @@ mod tests {
 
     #[test]
     fn sums_are_rounded_as_the_processor_rounds_them() {
-        let exact = |value: f64| Dyadic::new(value).expect("the value is finite");
         for a in [0.0, 5e-324, 1.0, 1.5, f64::MIN_POSITIVE, 4503599627370497.0, 1e300, f64::MAX, f64::MAX.next_down()] {
             for share in [0.0, 0.25, 0.5, 0.75, 1.0, 1.25] {
                 let unit = if a == f64::MAX { a - a.next_down() } else { a.next_up() - a };
@@ -92,7 +92,7 @@ mod tests {
     fn half_a_unit_beyond_the_largest_number_is_infinite() {
         let unit = f64::MAX - f64::MAX.next_down();
         let sum = |share: f64| {
-            let [a, b] = [f64::MAX, unit * share].map(|value| Dyadic::new(value).expect("the value is finite"));
+            let [a, b] = [f64::MAX, unit * share].map(exact);
             rounded(&(&a + &b), f64::INFINITY)
         };
         assert_eq!((sum(0.499), sum(0.5)), (Some(f64::MAX), Some(f64::INFINITY)));
@@ -105,7 +105,7 @@ mod tests {
 
     #[test]
     fn a_sign_is_certain_beyond_the_error_only() {
-        let [large, small] = [2.0, 1.0].map(|value| Dyadic::new(value).expect("the value is finite"));
+        let [large, small] = [2.0, 1.0].map(exact);
         assert_eq!(certain_sign(&large, &small), Some(Ordering::Greater));
         assert_eq!(certain_sign(&-&large, &small), Some(Ordering::Less));
         assert_eq!(certain_sign(&small, &large), None);

@@ -129,10 +129,8 @@ impl Candidates {
         let below = half_space(camera.delta_x, at(row + HALF_PIXEL));
         let (planes, margin) = ([above, below], TURNS * prepared.ray_error.turn);
         self.row.clear();
-        if prepared.accel.has_boxes() {
-            let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes, margin);
-            prepared.accel.visit_boxes(may_overlap, |id| self.row.push(Outline::new(prepared, id)));
-        } else {
+        let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes, margin);
+        if !prepared.accel.visit_boxes(may_overlap, |id| self.row.push(Outline::new(prepared, id))) {
             let all = (0..count(&prepared.objects) as ObjectId).map(|id| Outline::new(prepared, id));
             self.row.extend(all.filter(|outline| !self.are_culled || outline.may_overlap(&planes)));
         }

@@ -52,7 +52,7 @@ impl PathTracer {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory was short for the surfaces of a path.
-    pub fn ended(&self) -> Result<Option<Ended>, Error> {
+    pub fn ended(&mut self) -> Result<Option<Ended>, Error> {
         Ok(self.ends.check()?.or_else(|| self.limits.is_stopped().then_some(Ended::Stopped)))
     }
 

@@ -24,17 +24,9 @@ pub struct PathEnds {
     begin: usize,
     /// Largest number of attenuations.
     most: usize,
-    /// The reason why an attenuation could not be stored, if there is one. Colours are then wrong.
-    shortage: Option<Shortage>,
-}
-
-/// The reason why an attenuation could not be stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shortage {
-    /// Memory was short.
-    Memory,
-    /// There were as many attenuations as [`PathEnds::set_most`] allows.
-    Limit,
+    /// What [`PathEnds::check`] returns: the reason why an attenuation could not be stored, if there is one. Colours
+    /// are then wrong.
+    shortage: Result<Option<Ended>, Error>,
 }
 
 /// A hit of a path, by its index in the queue, on a surface of this material, which attenuates the path's colour.
@@ -48,7 +40,7 @@ impl PathEnds {
     /// Returns the state before the first path.
     pub(super) fn new() -> Self {
         let attenuations = Vec::with_capacity(8 * CAPACITY);
-        Self { direction: Columns::ZERO, attenuations, begin: 0, most: usize::MAX, shortage: None }
+        Self { direction: Columns::ZERO, attenuations, begin: 0, most: usize::MAX, shortage: Ok(None) }
     }
 
     /// Sets the largest number of surfaces that the paths of a span may hit together, after their first ones.
@@ -61,12 +53,8 @@ impl PathEnds {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory was short. A path between mirrors may hit up to `max_depth` surfaces.
-    pub fn check(&self) -> Result<Option<Ended>, Error> {
-        match self.shortage {
-            None => Ok(None),
-            Some(Shortage::Memory) => Err(Error::OutOfMemory { what: "the surfaces that a ray meets" }),
-            Some(Shortage::Limit) => Ok(Some(Ended::TooManySurfaces)),
-        }
+    pub const fn check(&mut self) -> Result<Option<Ended>, Error> {
+        std::mem::replace(&mut self.shortage, Ok(None))
     }
 
     /// Begins a path. All paths before it must have ended.
@@ -92,11 +80,11 @@ impl PathEnds {
         let count = self.attenuations.len();
         let more = count.min(self.most.saturating_sub(count));
         if more == 0 {
-            self.shortage = Some(Shortage::Limit);
+            self.shortage = Ok(Some(Ended::TooManySurfaces));
         } else if self.attenuations.try_reserve_exact(more).is_err() {
-            self.shortage = Some(Shortage::Memory);
+            self.shortage = Err(Error::OutOfMemory { what: "the surfaces that a ray meets" });
         }
-        self.shortage.is_none()
+        matches!(self.shortage, Ok(None))
     }
 
     /// Ends the present path, at index `at` of `queue`, at the maximum depth, so that it is black.

@@ -29,21 +29,10 @@ const SUMS: [i128; 92] = {
     sums
 };
 
-/// The entry at index `i` is `ln(128 / (FIRST + i))`, wrong by less than `2^-108`.
-const LOGARITHMS: [DoubleDouble; 92] = {
-    let mut table = [number(0); 92];
-    let mut i = 0;
-    while i < table.len() {
-        table[i] = number(SUMS[128 - FIRST] - SUMS[i]);
-        i += 1;
-    }
-    table
-};
-
 /// Returns `ln(128 / k)` for `k` from 90 to 181, wrong by less than `2^-108`. It is exactly 0 for 128.
 #[inline(always)]
 pub const fn logarithm(k: usize) -> DoubleDouble {
-    LOGARITHMS[k - FIRST]
+    number(SUMS[128 - FIRST] - SUMS[k - FIRST])
 }
 
 /// `ln 2`, wrong by less than `2^-106`.

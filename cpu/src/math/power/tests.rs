@@ -12,6 +12,9 @@ fn numbers(draws: &mut Uniform, round: usize) -> f64 {
 
 #[test]
 fn special_values_are_those_of_c() {
+    let infinity = f64::INFINITY;
+    let powers = [power(-2.0, 3.0), power(-2.0, 2.0), power(0.0, 0.5), power(-infinity, 3.0), power(0.5, infinity)];
+    assert_eq!(powers, [-8.0, 4.0, 0.0, -infinity, 0.0]);
     let values = [0.0, -0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -2.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
     for base in values {
         for exponent in [0.5, 1.0, 2.0, 3.0, 2.5, 9007199254740991.0, 9007199254740992.0, 1e300, f64::INFINITY] {
