@@ -1,15 +1,15 @@
 //! Intersections whose decisions are right and whose lambdas are accurate, at nearly the cost of the plain formulas.
 //!
 //! The plain formulas run first. A bound of their rounding errors, which costs a few multiplications, tells whether
-//! their result is certain. If it is uncertain, a compensated formula runs, in which less cancels: for a sphere the
-//! [smaller root](sphere_compensated), for a cylinder the [parts across the axis](cylinder_compensated). If this is
+//! their result is certain. If it is uncertain, compensated formulas run, in which less cancels: for a sphere by the
+//! parts [across the ray](sphere_compensated), for a cylinder [across the axis](cylinder_compensated). If these are
 //! uncertain too, the plain formulas and their bound run again in [double-double](crate::math::double_double)
 //! arithmetic. If even these are uncertain, every decision is made in [dyadic](crate::math::dyadic) arithmetic:
 //!
 //! | step | unit roundoff | taken by |
 //! |---|---|---|
 //! | plain, f64 | 2^-53 | nearly all rays |
-//! | compensated, f64 | 2^-53 | rays that start near a large sphere, or run along a cylinder |
+//! | compensated, f64 | 2^-53 | rays that start near a large sphere, pass a far one, or run along a cylinder |
 //! | double-double | 2^-102 | rays that graze, or hit a small or far object |
 //! | dyadic | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!

@@ -163,7 +163,8 @@ fn ground() -> Box<dyn Work> {
         Ray { origin: Vec3::new(x, 1.0, z), direction: Vec3::new(x, -y, z) }
     };
     let rays: Vec<_> = (0..COUNT).map(down).collect();
-    let compensated = |ray: &&Ray| exact::sphere_compensated::compensated(&ground, ray).certain;
+    let compensated =
+        |ray: &&Ray| exact::sphere_compensated::compensated(&ground, ray) != exact::error_bound::Decision::Uncertain;
     assert_eq!(rays.iter().filter(compensated).count(), COUNT);
     plain(COUNT, move || {
         let lambdas = black_box(&rays).iter().filter_map(|ray| exact::sphere::compensated_or_precise(&ground, ray));

@@ -12,7 +12,8 @@
 use crate::exact::cylinder_parts::{LIMITS, Plane, Side};
 use crate::exact::{error_bound::ErrorBound, error_bound::in_scale};
 use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
-use crate::math::{error_free::two_product, error_free::two_sum, rounding::MulAdd, vec3::Vec3};
+use crate::math::error_free::{cross, difference, two_product, two_sum};
+use crate::math::{rounding::MulAdd, vec3::Vec3};
 
 /// The share of `|O - C|^2` in the size of the squares, 2^-90. It covers the part of `O - C` that rounding loses, if
 /// the ray starts farther away along the axis than 2^40 radii.
@@ -68,31 +69,6 @@ pub(super) fn plane<T: MulAdd>(
     let to_plane = (sum + rest) / (record.half_height * (two + two));
     let size = to_plane.abs() + Plane::size(record, center - ray.origin) * T::of(SHARE_OF_SIZE);
     Plane::at(record, ray, center, (to_plane, size))
-}
-
-/// Returns `a - b`, rounded, and the rounding error.
-#[inline(always)]
-fn difference<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
-    let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
-    (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
-}
-
-/// Returns the cross product. The relative error of each component is at most 1.5 u.
-#[inline(always)]
-fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
-    Vec3::new(
-        difference_of_products(a.y, b.z, a.z, b.y),
-        difference_of_products(a.z, b.x, a.x, b.z),
-        difference_of_products(a.x, b.y, a.y, b.x),
-    )
-}
-
-/// Returns `a b - c d` by Kahan's algorithm.
-#[inline(always)]
-fn difference_of_products<T: MulAdd>(a: T, b: T, c: T, d: T) -> T {
-    let product = c * d;
-    let error = (-c).mul_add(d, product);
-    a.mul_add(b, -product) + error
 }
 
 #[cfg(test)]

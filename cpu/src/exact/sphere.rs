@@ -3,7 +3,7 @@
 //! and dyadic arithmetic. A step is needed only if the step before it is uncertain.
 
 use crate::counters::{Counter, add};
-pub use crate::exact::sphere_filter::{SphereHits, filtered, filtered_from};
+pub use crate::exact::sphere_filter::{filtered, filtered_from};
 use crate::exact::{error_bound::Decision, sphere_compensated, sphere_exact};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, real::Real};
@@ -42,12 +42,9 @@ pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Opt
     if decision != Decision::Uncertain {
         return decision;
     }
-    let lanes = sphere_compensated::compensated(record, ray);
-    if !lanes.certain {
-        return Decision::Uncertain;
-    }
-    add(Counter::Compensated, 1);
-    Decision::Certain(Some(lanes.lambda))
+    let decision = sphere_compensated::compensated(record, ray);
+    add(Counter::Compensated, u64::from(decision != Decision::Uncertain));
+    decision
 }
 
 /// Returns the lambda of a ray for which [`filtered`] is uncertain, or `None` for a miss. The compensated formula runs
@@ -55,14 +52,14 @@ pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Opt
 #[cold]
 #[inline(never)]
 pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-    let lanes = run_fused!(|record: &SphereRecord, ray: &Ray| -> SphereHits<f64> {
+    let decision = run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<f64>> {
         sphere_compensated::compensated(record, ray)
     });
-    if lanes.certain {
-        add(Counter::Compensated, 1);
-        return Some(lanes.lambda);
+    add(Counter::Compensated, u64::from(decision != Decision::Uncertain));
+    match decision {
+        Decision::Certain(hit) => hit,
+        Decision::Uncertain => precise(record, ray),
     }
-    precise(record, ray)
 }
 
 /// Returns the lambda, or `None` for a miss, by double-double arithmetic, which takes some hundred operations. If that

@@ -3,10 +3,10 @@
 use crate::render::{fallback::closer_of_near, fallback::precise, lane_numbers::ObjectNumber};
 use crate::{
     accel::closest_hit::is_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
-    exact::error_bound::in_scale, exact::order::is_certainly_closer, geometry::cylinder::CylinderPart,
-    geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView, geometry::ray::Ray,
-    geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects, math::vec3::Vec3, simd::LaneMask,
-    simd::SimdF64,
+    exact::error_bound::in_scale, exact::order::is_certainly_closer, exact::sphere_compensated::Terms,
+    geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
+    geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects,
+    math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
 };
 
 /// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`, for the ray `O + lambda d`
@@ -130,9 +130,15 @@ impl<V: SimdF64> HitLanes<V> {
         let mut hits = (lanes.lambda, V::of(0.0));
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
-            let compensated = exact::sphere_compensated::compensated(&record.lanes(), ray);
-            hits.0 = V::select(certain, hits.0, compensated.lambda);
-            certain = certain | compensated.certain;
+            let terms = Terms::new(&record.lanes(), ray);
+            let near = terms.hits(terms.near());
+            hits.0 = V::select(certain, hits.0, near.lambda);
+            certain = certain | near.certain;
+            if rays.uncertain(certain) != 0 {
+                let far = terms.hits(terms.far());
+                hits.0 = V::select(certain, hits.0, far.lambda);
+                certain = certain | far.certain;
+            }
             let still_uncertain = rays.uncertain(certain);
             add(Counter::Compensated, u64::from((uncertain & !still_uncertain).count_ones()));
             if still_uncertain != 0 {

@@ -37,10 +37,7 @@ pub fn sphere(case: &[f64], result: &mut [f64]) {
     let precise = SphereRecord::new(record.center.map(DoubleDouble::of), DoubleDouble::of(record.radius));
     let steps = Steps {
         plain: on_the_side(sphere::filtered(&record, &ray)),
-        compensated: on_the_side(match compensated.certain {
-            true => Decision::Certain(Some(compensated.lambda)),
-            false => Decision::Uncertain,
-        }),
+        compensated: on_the_side(compensated),
         doubled: on_the_side(sphere::filtered(&precise, &ray.lanes())),
     };
     let answer = || intersect::sphere(&record, &ray).map(|lambda| (lambda, CylinderPart::Side));

@@ -1,29 +1,10 @@
 // The side and the caps of a cylinder without cancellation; twin of cpu/src/exact/cylinder_compensated.rs.
 
-// difference_of_products: returns `a b - c d` by Kahan's algorithm.
-fn exact_difference_of_products(a: real, b: real, c: real, d: real) -> real {
-    let product = c * d;
-    let error = exact_mul_add(-c, d, product);
-    return exact_mul_add(a, b, -product) + error;
-}
-
-// cross: returns the cross product with a small relative error of each component.
-fn exact_cross(a: vec3<real>, b: vec3<real>) -> vec3<real> {
-    return vec3<real>(
-        exact_difference_of_products(a.y, b.z, a.z, b.y),
-        exact_difference_of_products(a.z, b.x, a.x, b.z),
-        exact_difference_of_products(a.x, b.y, a.y, b.x),
-    );
-}
-
 // side: returns the quadratic. `axis` is that of the scene file. The share is 2^-90.
 fn exact_side_compensated(cylinder: CylinderRecord, axis: vec3<real>, ray: Ray) -> ExactSide {
-    let x = exact_two_sum(ray.origin.x, -cylinder.center.x);
-    let y = exact_two_sum(ray.origin.y, -cylinder.center.y);
-    let z = exact_two_sum(ray.origin.z, -cylinder.center.z);
-    let from_center = vec3<real>(x.sum, y.sum, z.sum);
-    let error = vec3<real>(x.error, y.error, z.error);
-    let r_c = exact_cross(from_center, axis) + exact_cross(error, axis);
+    let difference = exact_difference(ray.origin, cylinder.center);
+    let from_center = difference.rounded;
+    let r_c = exact_cross(from_center, axis) + exact_cross(difference.error, axis);
     let direction = exact_cross(ray.direction, axis);
     let axis_squared = vec3_dot(axis, axis);
     let a = vec3_dot(direction, direction);
@@ -54,18 +35,12 @@ fn exact_plane_compensated(
     is_top: bool,
 ) -> ExactPlane {
     let to_cap = select(-axis, axis, is_top);
-    let twice_center = cylinder.center + cylinder.center;
-    let twice_origin = ray.origin + ray.origin;
-    let x = exact_two_sum(twice_center.x, -twice_origin.x);
-    let y = exact_two_sum(twice_center.y, -twice_origin.y);
-    let z = exact_two_sum(twice_center.z, -twice_origin.z);
-    let to_x = exact_two_sum(x.sum, to_cap.x);
-    let to_y = exact_two_sum(y.sum, to_cap.y);
-    let to_z = exact_two_sum(z.sum, to_cap.z);
-    let error = vec3<real>(x.error, y.error, z.error) + vec3<real>(to_x.error, to_y.error, to_z.error);
-    let along_x = exact_two_product(to_x.sum, axis.x);
-    let along_y = exact_two_product(to_y.sum, axis.y);
-    let along_z = exact_two_product(to_z.sum, axis.z);
+    let from_middle = exact_difference(cylinder.center + cylinder.center, ray.origin + ray.origin);
+    let twice = exact_difference(from_middle.rounded, -to_cap);
+    let error = from_middle.error + twice.error;
+    let along_x = exact_two_product(twice.rounded.x, axis.x);
+    let along_y = exact_two_product(twice.rounded.y, axis.y);
+    let along_z = exact_two_product(twice.rounded.z, axis.z);
     let first = exact_two_sum(along_x.sum, along_y.sum);
     let second = exact_two_sum(first.sum, along_z.sum);
     let products = along_x.error + along_y.error + along_z.error;

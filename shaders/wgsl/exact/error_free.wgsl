@@ -1,4 +1,4 @@
-// Products with their rounding errors, and a multiply-add that rounds once; twin of cpu/src/math/error_free.rs and of
+// Products and differences with their rounding errors, and a multiply-add that rounds once; twin of cpu/src/math/error_free.rs and of
 // `f64::mul_add`.
 //
 // WGSL's own `fma` may round twice, and does on lavapipe. So the product is split into four exact partial products
@@ -50,4 +50,34 @@ fn exact_mul_add(a: real, b: real, c: real) -> real {
     let zero = real(0.0);
     let same_side = (zero < sum.error && zero < middle.error) || (sum.error < zero && middle.error < zero);
     return select(sum.sum, neighbor, is_tie && same_side);
+}
+
+// difference: a rounded vector, and its rounding error.
+struct ExactDifference {
+    rounded: vec3<real>,
+    error: vec3<real>,
+}
+
+// difference: returns `a - b`.
+fn exact_difference(a: vec3<real>, b: vec3<real>) -> ExactDifference {
+    let x = exact_two_sum(a.x, -b.x);
+    let y = exact_two_sum(a.y, -b.y);
+    let z = exact_two_sum(a.z, -b.z);
+    return ExactDifference(vec3<real>(x.sum, y.sum, z.sum), vec3<real>(x.error, y.error, z.error));
+}
+
+// difference_of_products: returns `a b - c d` by Kahan's algorithm.
+fn exact_difference_of_products(a: real, b: real, c: real, d: real) -> real {
+    let product = c * d;
+    let error = exact_mul_add(-c, d, product);
+    return exact_mul_add(a, b, -product) + error;
+}
+
+// cross: returns the cross product with a small relative error of each component.
+fn exact_cross(a: vec3<real>, b: vec3<real>) -> vec3<real> {
+    return vec3<real>(
+        exact_difference_of_products(a.y, b.z, a.z, b.y),
+        exact_difference_of_products(a.z, b.x, a.x, b.z),
+        exact_difference_of_products(a.x, b.y, a.y, b.x),
+    );
 }

@@ -2,7 +2,7 @@
 
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_parts;
-use cpu::internals::exact::sphere_compensated::CONDITION_LIMIT;
+use cpu::internals::exact::sphere_compensated::{ACCURACY_OF_C, CONDITION_LIMIT};
 use cpu::internals::exact::{
     error_bound::Limits, error_bound::NUMERATOR_WEIGHT, error_bound::UNDERFLOW, sphere_filter,
 };
@@ -54,8 +54,8 @@ pub fn rows() -> Vec<Row> {
         let named = names.into_iter().zip(margins);
         rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
     }
-    // As docs/accuracy.md derives, with 2 u for `c`.
-    let compensated = sphere.discriminant / 2.0 * CONDITION_LIMIT + sphere.h * CONDITION_LIMIT.sqrt() + 5.0;
+    // As docs/accuracy.md derives, with an error of the discriminant of 10 u times its terms.
+    let compensated = (10.0 / 2.0 + sphere.h) * CONDITION_LIMIT + ACCURACY_OF_C + 6.0;
     let (what, file) = ("lambda of a compensated root", "exact/sphere_compensated.rs");
     let constant = sphere.limits.lambda_error::<f64>() / 3.0 / U;
     rows.push(Row { what, file, constant, need: compensated, unit: "u lambda" });

@@ -5,6 +5,8 @@ use super::mutants;
 
 mutants! {
     "exact/error_free":
+        "exact_mul_add(-c, d, product)" => "real(0.0)",
+        "exact_two_sum(a.x, -b.x)" => "exact_two_sum(a.x, b.x)",
         "large - (large - a)" => "large - large",
         "SPLIT_LIMIT < abs(a)" => "abs(a) < SPLIT_LIMIT",
         "(xs.high * ys.high - product)" => "(xs.high * ys.high + product)",
@@ -31,13 +33,18 @@ mutants! {
         "if far.fails" => "if near.fails",
     ;
     "exact/compensated":
-        "sphere.center.x, -origin.x" => "sphere.center.x, origin.x",
         "(zz.error - rr.error)" => "zz.error",
         "sums + products" => "products",
-        "abs(quadratic.h) + root" => "abs(quadratic.h) - root",
-        "real(4096.0)" => "real(8192.0)",
-        "real(7.105427357601002e-15)" => "real(7.105427357601002e-10)",
-        "quadratic.h * terms.difference" => "quadratic.h",
+        "terms.h * terms.h - terms.a" => "terms.h * terms.h + terms.a",
+        "+ exact_cross(terms.r_c.error, terms.direction)" => "",
+        "of_radius - of_distance" => "of_radius + of_distance",
+        "if near.certain" => "if false",
+        "abs(terms.h) + root" => "abs(terms.h) - root",
+        "terms.length < w * real(4096.0)" => "true",
+        "root * w * real(4096.0)" => "root * w * real(8192.0)",
+        "c + error_of_c < w * limits.least" => "false",
+        "zero < sign" => "zero < terms.h",
+        "terms.h < zero ||" => "zero < terms.h ||",
     ;
     "exact/double_double":
         "b - (high - a)" => "(high - a) - b",
@@ -88,8 +95,7 @@ mutants! {
         "!first.certain || first.some" => "first.some",
     ;
     "exact/compensated_cylinder":
-        "exact_mul_add(-c, d, product)" => "real(0.0)",
-        "+ exact_cross(error, axis)" => "",
+        "+ exact_cross(difference.error, axis)" => "",
         "- cylinder.radius_squared * axis_squared" => "- cylinder.radius_squared",
         "h * h - a * c" => "h * h + a * c",
         "select(-axis, axis, is_top)" => "axis",
