@@ -25,7 +25,7 @@
 //! direction hits nothing. A ray that is parallel to a cylinder's axis does not hit the side.
 
 pub mod cylinder;
-mod cylinder_compensated;
+pub mod cylinder_compensated;
 pub(crate) mod cylinder_exact;
 pub mod cylinder_parts;
 pub mod error_bound;

@@ -25,12 +25,15 @@ pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 6553
 pub const STEEPNESS: f64 = 64.0;
 
 /// The quadratic of one ray and an infinite cylinder, with its error bound.
-pub(super) struct Side<T: Real> {
+pub struct Side<T: Real> {
+    /// The bound of its rounding errors.
     pub bound: ErrorBound<T>,
-    pub length_squared: T,
+    pub(super) length_squared: T,
+    /// With `h`, the coefficients of `a lambda^2 + 2 h lambda + c`.
     pub a: T,
     /// Whether the relative error of `a` is smaller than that of an accepted lambda.
-    pub a_is_accurate: T::Mask,
+    pub(super) a_is_accurate: T::Mask,
+    /// See `a`.
     pub h: T,
     /// A quarter of the quadratic's discriminant. If it is negative, the ray's line misses the infinite cylinder, and
     /// so it misses the caps too.
@@ -45,8 +48,8 @@ pub(super) struct Side<T: Real> {
 /// What is certain about a point where the ray's line crosses the infinite cylinder. If no mask holds, nothing is
 /// certain.
 #[derive(Clone, Copy)]
-pub(super) struct Crossing<T: Real> {
-    pub lambda: T,
+pub struct Crossing<T: Real> {
+    pub(super) lambda: T,
     /// The point certainly is between the caps' planes, and lambda certainly is in range.
     pub hits: T::Mask,
     /// `hits` holds, and the ray's origin certainly is between the caps' planes too. So the ray crosses no cap's plane
@@ -77,7 +80,7 @@ impl<T: Real> Crossing<T> {
 
 impl<T: Rounding> Side<T> {
     #[inline(always)]
-    pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>) -> Self {
+    pub(super) fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>) -> Self {
         let length_squared = direction.dot(direction);
         let (a, h, discriminant) = record.quadratic(view, direction);
         let bound = ErrorBound::new(LIMITS, length_squared, view.squares);
@@ -166,7 +169,7 @@ pub struct Plane<T: Rounding> {
     center: Vec3<T>,
     /// The distance from the ray's origin to the plane, measured along the axis. It is positive if the plane lies in
     /// the direction of the axis.
-    to_plane: T,
+    pub to_plane: T,
     /// The dot product of the ray's direction and the axis.
     slope: T,
     /// The plane is certainly not hit. It is parallel to the ray, it is behind the ray's origin, or lambda is below

@@ -9,6 +9,7 @@ pub mod bounded;
 pub mod bounds;
 pub mod boxes;
 pub mod camera;
+mod compensated;
 pub mod direction;
 pub mod exact;
 pub mod filters;
@@ -16,7 +17,9 @@ pub mod lanes;
 mod operations;
 pub mod parts;
 pub mod polynomial;
+pub mod quadratic;
 pub mod row;
+pub mod signed;
 
 /// Returns the rows of all margins.
 #[must_use]

@@ -67,6 +67,16 @@ pub fn compared() -> Vec<[Bounded; 2]> {
     TABLE.with_borrow(|table| table.compared.clone())
 }
 
+/// Forgets all comparisons, and all numbers that were computed after this one. So a formula that runs again takes the
+/// lemmas about this number, and about those before it.
+pub fn forget_later(number: Bounded) {
+    TABLE.with_borrow_mut(|table| {
+        table.numbers.truncate(number.0 as usize + 1);
+        table.places.retain(|_, place| place.0 <= number.0);
+        table.compared.clear();
+    });
+}
+
 impl Bounded {
     /// Returns an input whose exact magnitude is the variable, and whose relative error is at most `error u`.
     #[must_use]
