@@ -29,9 +29,13 @@ pub trait Boxes: Clone + std::fmt::Debug {
     /// it, or 0 if the ray starts inside. If there are fewer boxes, the caller must ignore the other bits.
     fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32;
 
-    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps or touches `bounds`. For byte boxes it may also be 1 if the
-    /// box is near. If there are fewer boxes, the caller must ignore the other bits.
-    fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32;
+    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps or touches `bounds`. It may also be 1 if it does not, as here
+    /// for byte boxes: isolated objects are not sought in a tree so large that it has these. If there are fewer boxes,
+    /// the caller must ignore the other bits.
+    #[inline(always)]
+    fn overlaps<F: SimdF32>(&self, _: &Bounds) -> u32 {
+        u32::MAX
+    }
 
     /// Returns bounding spheres of spheres whose boxes are `boxes`, at most 16, in their order.
     fn of_spheres(boxes: &[Bounds]) -> Self;
@@ -70,7 +74,17 @@ impl Boxes for WideBoxes {
 
     #[inline(always)]
     fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
-        overlapping::<f32, F>(&self.0, &bounds.low, &bounds.high)
+        let [low, high] = &self.0;
+        let mut bits = 0;
+        for at in (0..WIDTH).step_by(F::LANES) {
+            let mut overlaps = u32::MAX;
+            for axis in 0..3 {
+                overlaps &= F::load(&low[axis][at..]).less_equal(F::splat(bounds.high[axis]));
+                overlaps &= F::splat(bounds.low[axis]).less_equal(F::load(&high[axis][at..]));
+            }
+            bits |= overlaps << at;
+        }
+        bits
     }
 
     fn of_spheres(boxes: &[Bounds]) -> Self {
@@ -91,19 +105,4 @@ impl Boxes for WideBoxes {
     fn bounding_spheres(&self) -> SphereLeaf<'_, f32> {
         SphereLeaf { rows: self.0.as_flattened(), frame: Frame::IDENTITY }
     }
-}
-
-/// Returns a bit for each box with these planes, which is 1 if it overlaps the box from `low` to `high`.
-#[inline(always)]
-pub fn overlapping<P: Plane, F: SimdF32>(planes: &Planes<P>, low: &[f32; 3], high: &[f32; 3]) -> u32 {
-    let mut bits = 0;
-    for at in (0..WIDTH).step_by(F::LANES) {
-        let mut overlaps = u32::MAX;
-        for axis in 0..3 {
-            overlaps &= P::load::<F>(&planes[0][axis][at..]).less_equal(F::splat(high[axis]));
-            overlaps &= F::splat(low[axis]).less_equal(P::load::<F>(&planes[1][axis][at..]));
-        }
-        bits |= overlaps << at;
-    }
-    bits
 }

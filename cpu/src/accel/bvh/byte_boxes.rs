@@ -1,8 +1,7 @@
 //! The boxes of a node's children in little memory: coordinates are stored as bytes.
 
-use crate::accel::bvh::boxes::{Boxes, overlapping};
 use crate::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
-use crate::accel::bvh::{planes::Planes, planes::WIDTH, slab_ray::SlabRay};
+use crate::accel::bvh::{boxes::Boxes, planes::Planes, planes::WIDTH, slab_ray::SlabRay};
 use crate::{accel::bounds::Bounds, simd::SimdF32};
 
 /// Up to 16 boxes in 112 bytes. The coordinate of a plane is stored as a byte. The byte `n` means `origin + n * step`.
@@ -80,18 +79,6 @@ impl Boxes for ByteBoxes {
     #[inline(always)]
     fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32 {
         slab_ray.in_frame(&self.origin, &self.steps()).intersect(&self.planes, farthest, distances)
-    }
-
-    #[inline(always)]
-    fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
-        let (mut low, mut high, steps) = ([0.0; 3], [0.0; 3], self.steps());
-        for axis in 0..3 {
-            let (origin, step) = (f64::from(self.origin[axis]), f64::from(steps[axis]));
-            // A hundredth of a step covers the rounding of up to 256 steps to single precision.
-            low[axis] = ((f64::from(bounds.low[axis]) - origin) / step - 0.01) as f32;
-            high[axis] = ((f64::from(bounds.high[axis]) - origin) / step + 0.01) as f32;
-        }
-        overlapping::<u8, F>(&self.planes, &low, &high)
     }
 
     fn of_spheres(boxes: &[Bounds]) -> Self {
@@ -205,7 +192,7 @@ mod tests {
     #[test]
     fn boxes_that_overlap_are_found_by_every_set() {
         let mut draws = Uniform::new(4);
-        let (mut overlaps, mut more) = (0, 0);
+        let mut overlaps = 0;
         for number in 0..2000 {
             let given = boxes(&mut draws, WIDTH, 1.0, (number % 3) as f64 * 1000.0);
             let mut other = boxes(&mut draws, 1, 1.0, (number % 3) as f64 * 1000.0)[0];
@@ -215,16 +202,12 @@ mod tests {
                 other.high[0] = other.low[0] + 1.0;
             }
             let expected = (0..WIDTH).fold(0, |bits, lane| bits | u32::from(given[lane].overlaps(&other)) << lane);
-            let (bytes, wide) = (ByteBoxes::new(&given), WideBoxes::new(&given));
-            let found = InstructionSet::Portable.run(Overlaps(&bytes, &other));
-            assert_eq!(expected & !found, 0, "{given:?}, {other:?}");
+            let wide = WideBoxes::new(&given);
             for set in InstructionSet::available() {
                 assert_eq!(set.run(Overlaps(&wide, &other)), expected, "{}", set.name());
-                assert_eq!(set.run(Overlaps(&bytes, &other)), found, "{}", set.name());
             }
             overlaps += expected.count_ones();
-            more += (found & !expected).count_ones();
         }
-        assert!(overlaps > 2000 && more < overlaps / 10, "{overlaps}, and {more} that are only near");
+        assert!(overlaps > 2000, "{overlaps}");
     }
 }
