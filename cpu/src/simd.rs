@@ -66,15 +66,12 @@ pub trait Kernel {
     fn call<S: Simd>(self, simd: S) -> Self::Output;
 }
 
-/// The result of a comparison in each lane.
-pub trait LaneMask: Copy {
-    /// Returns the lanes as bits. Lane 0 is the lowest bit, and bits beyond the last lane are 0.
-    fn bits(self) -> u32;
-}
+/// Largest number of `f64` lanes of any instruction set.
+pub const MOST_LANES: usize = 8;
 
 /// Lanes of `f64`.
-pub trait SimdF64: MulAdd<Mask: LaneMask> {
-    /// Number of lanes.
+pub trait SimdF64: MulAdd {
+    /// Number of lanes, at most [`MOST_LANES`].
     const LANES: usize;
 
     /// Returns the first [`LANES`](Self::LANES) numbers of `values`.
@@ -87,12 +84,25 @@ pub trait SimdF64: MulAdd<Mask: LaneMask> {
     /// # Panics
     /// If `place` has fewer numbers.
     fn store(self, place: &mut [f64]);
-    /// Moves the lanes that `bits` selects to the front, in their order. The lanes behind the moved ones have no
-    /// meaning.
-    fn compress(self, bits: u32) -> Self;
     /// Joins these lanes and the lanes of `next` to one list, and returns the numbers at its even places, then those at
     /// its odd places.
     fn unzip(self, next: Self) -> (Self, Self);
+    /// Returns the result of a comparison as bits. Lane 0 is the lowest bit, and bits beyond the last lane are 0.
+    fn bits(mask: Self::Mask) -> u32;
+    /// Stores the lanes that `bits` selects, in their order, in the first numbers of `place`. The numbers behind these
+    /// have no meaning, up to [`LANES`](Self::LANES) numbers in all.
+    ///
+    /// # Panics
+    /// If `place` has fewer numbers.
+    #[inline(always)]
+    fn store_selected(self, bits: u32, place: &mut [f64]) {
+        let (place, mut lanes, mut count) = (&mut place[..Self::LANES], [0.0; MOST_LANES], 0);
+        self.store(&mut lanes);
+        for (lane, value) in lanes.into_iter().enumerate().take(Self::LANES) {
+            place[count] = value;
+            count += (bits >> lane & 1) as usize;
+        }
+    }
 }
 
 /// Returns a bit for each lane, lane 0 lowest, which is 1 for the first `count` lanes and 0 for the others. If there

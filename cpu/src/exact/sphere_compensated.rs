@@ -214,7 +214,7 @@ mod tests {
     use crate::math::{double_double::DoubleDouble, real::Real};
     use crate::sampling::uniform::Uniform;
     use crate::simd::instruction_set::InstructionSet;
-    use crate::simd::{Kernel, LaneMask, Simd};
+    use crate::simd::{Kernel, Simd};
 
     /// Returns rays of four kinds: they start above or below the surface of a sphere by `10^-18` to 10 times its radius,
     /// and some of them along it, or they start on the surface, or pass a far sphere near its rim.
@@ -354,7 +354,7 @@ mod tests {
                     let mut lambdas = [0.0; 8];
                     lanes.lambda.store(&mut lambdas);
                     let lambda = (lambdas[lane] < f64::INFINITY).then_some(lambdas[lane]);
-                    let is_certain = lanes.certain.bits() >> lane & 1 == 1;
+                    let is_certain = S::F64::bits(lanes.certain) >> lane & 1 == 1;
                     let hit = if is_certain { Decision::Certain(lambda) } else { Decision::Uncertain };
                     assert_eq!(hit, one, "{record:?}, {ray:?}");
                 }

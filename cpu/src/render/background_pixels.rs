@@ -29,9 +29,9 @@ use crate::math::real::Real;
 use crate::render::background::interval;
 use crate::render::background_slope::{DerivativeBound, PixelReach};
 use crate::render::span::{Span, WIDEST};
-use crate::render::{fallback::MOST_LANES, prepared::Prepared, samples::Batch};
+use crate::render::{prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
-use crate::simd::{SimdF64, columns::Columns};
+use crate::simd::{MOST_LANES, SimdF64, columns::Columns};
 
 /// Finds the bytes of pixels that no object reaches, without tracing rays, for the pixels of one [span](Span). The
 /// [derivative bound](DerivativeBound) of the background gives an interval that holds a channel's mean. If all numbers

@@ -6,11 +6,8 @@
 use crate::render::lane_numbers::ObjectNumber;
 use crate::{
     accel::closest_hit::ClosestHit, accel::object::NO_OBJECT, geometry::cylinder::CylinderPart, geometry::ray::Ray,
-    simd::SimdF64, simd::columns::Columns,
+    simd::MOST_LANES, simd::SimdF64, simd::columns::Columns,
 };
-
-/// Largest number of `f64` lanes of any instruction set.
-pub const MOST_LANES: usize = 8;
 
 /// A function that intersects one ray precisely with an object. It returns lambda and the part of a cylinder, or `None`
 /// for a miss.

@@ -6,7 +6,7 @@ use crate::{
     exact::error_bound::in_scale, exact::order::is_certainly_closer, exact::sphere_compensated::Terms,
     geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
     geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects,
-    math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
+    math::vec3::Vec3, simd::SimdF64,
 };
 
 /// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`, for the ray `O + lambda d`
@@ -57,13 +57,13 @@ impl<'a, V: SimdF64, O: Objects> Rays<'a, V, O> {
     /// objects all rays miss, and this test is shorter than the filter.
     #[inline(always)]
     fn may_hit(&self, discriminant: V, squares: V) -> bool {
-        (!discriminant.less(-(self.discriminant_error * squares))).bits() & self.valid != 0
+        V::bits(!discriminant.less(-(self.discriminant_error * squares))) & self.valid != 0
     }
 
     /// Returns a bit for each lane, which is 1 if the lane holds a ray and its result is uncertain.
     #[inline(always)]
     fn uncertain(&self, certain: V::Mask) -> u32 {
-        (!certain).bits() & self.valid
+        V::bits(!certain) & self.valid
     }
 }
 
@@ -87,10 +87,11 @@ impl<V: SimdF64> HitLanes<V> {
         self.lambda = V::select(closer, lambda, self.lambda);
         self.object.0 = V::select(closer, object, self.object.0);
         self.part = V::select(closer, part, self.part);
-        self.bits |= closer.bits() & rays.valid;
-        if near.bits() & rays.valid != 0 {
+        self.bits |= V::bits(closer) & rays.valid;
+        let near = V::bits(near) & rays.valid;
+        if near != 0 {
             let (hit, closest) = ([lambda, object, part], [self.lambda, self.object.0, self.part]);
-            let (closest, closer) = closer_of_near(rays.ray, (hit, closest), near.bits() & rays.valid, &|ray, pair| {
+            let (closest, closer) = closer_of_near(rays.ray, (hit, closest), near, &|ray, pair| {
                 is_closer(rays.objects, *ray, pair[0], pair[1])
             });
             [self.lambda, self.object.0, self.part] = closest;
@@ -180,7 +181,7 @@ impl<V: SimdF64> HitLanes<V> {
         let lanes_record = record.lanes::<V>();
         let side = exact::cylinder::SideLanes::new(&lanes_record, view, ray);
         // For most groups of rays the side alone decides, so the caps need no test.
-        let needs_caps = side.open.bits() & valid != 0;
+        let needs_caps = V::bits(side.open) & valid != 0;
         let lanes = if needs_caps { side.with_caps(&lanes_record, ray) } else { side.without_caps() };
         let over = V::select(lanes.top, CylinderPart::Top.number(), CylinderPart::Side.number());
         let mut hits = (lanes.lambda, V::select(lanes.bottom, CylinderPart::Bottom.number(), over));

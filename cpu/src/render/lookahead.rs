@@ -18,7 +18,7 @@ use crate::render::{path::PathTracer, path_vertex::PathVertex, prepared::Prepare
 use crate::{
     accel::may_hit::conservative::is_too_short, accel::may_hit::object_lanes::MayHitLanes,
     accel::small_scene::SmallScene, accel::small_scene::closest_hit_among, counters::Counter, counters::add,
-    geometry::ray::Ray, layout::Layout, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
+    geometry::ray::Ray, layout::Layout, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64,
 };
 
 /// A path with this many hits after its first one is probably between mirrors or inside an object, and will not escape
@@ -53,7 +53,7 @@ impl<V: SimdF64> Lookahead<V> {
         let mut direction = unperturbed + scatter_params.vector(scatter_samples.peek::<V>());
         // If all components of a direction are negligible, the direction is too short. So only then the components need
         // to be checked.
-        let short = is_too_short(direction.dot(direction)).bits();
+        let short = V::bits(is_too_short(direction.dot(direction)));
         if short != 0 {
             let limit = scatter_params.negligible;
             let Vec3 { x, y, z } = direction;

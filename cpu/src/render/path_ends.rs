@@ -6,9 +6,9 @@ use crate::input::{error::Error, scene::MaterialId};
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::arrays::{CAPACITY, ROOM};
-use crate::render::{fallback::MOST_LANES, path_vertex::PathVertex, prepared::Prepared};
 use crate::render::{lane_numbers::SampleIndex, limits::Ended, queue::PathQueue, samples::Batch};
-use crate::simd::{SimdF64, columns::Columns};
+use crate::render::{path_vertex::PathVertex, prepared::Prepared};
+use crate::simd::{MOST_LANES, SimdF64, columns::Columns};
 
 /// For each path of the queue, by its index in the queue: the direction of its last ray and the materials that
 /// attenuate its colour. [`PathEnds::color`] computes the colours of all paths from these. The paths are traced one

@@ -37,7 +37,7 @@ impl<const N: usize> Queue<N> {
             self.entries.store(at, numbers);
         } else {
             for (column, lanes) in self.entries.0.iter_mut().zip(numbers) {
-                lanes.compress(bits).store(&mut column[at..]);
+                lanes.store_selected(bits, &mut column[at..]);
             }
         }
         self.count += bits.count_ones() as usize;

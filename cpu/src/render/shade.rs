@@ -1,11 +1,9 @@
 //! Shades several rays that have hit a surface: computes the vertices at their hits.
 
-use crate::render::{
-    fallback::MOST_LANES, hit_lanes::HitLanes, lane_numbers::ObjectNumber, path_vertex::PathVertex, prepared::Prepared,
-};
+use crate::render::{hit_lanes::HitLanes, lane_numbers::ObjectNumber, path_vertex::PathVertex, prepared::Prepared};
 use crate::{
     accel::object::ObjectRef, counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, layout::Objects,
-    materials::prepared::PreparedMaterial, simd::LaneMask, simd::SimdF64,
+    materials::prepared::PreparedMaterial, simd::MOST_LANES, simd::SimdF64,
 };
 
 /// Returns the vertex at the hit of each lane, and a bit for each lane, which is 1 if the lane has a hit on a
@@ -26,7 +24,7 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
         // together.
         let number = objects_hit[left.trailing_zeros() as usize % MOST_LANES];
         let same = V::of(number).less_equal(object) & object.less_equal(V::of(number));
-        let same_bits = same.bits() & left;
+        let same_bits = V::bits(same) & left;
         left &= !same_bits;
         let (outward, material) = match ObjectRef::of(objects, ObjectNumber(number).id()) {
             ObjectRef::Sphere(index) => {

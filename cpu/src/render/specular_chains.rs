@@ -2,7 +2,7 @@
 //! up to the first matte or metal surface.
 
 use crate::render::{
-    fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, lane_numbers::ObjectNumber,
+    fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, lane_numbers::ObjectNumber,
     lane_numbers::SampleIndex, limits::Limits, max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prepared,
     samples::Batch, shade::shade, span_state::SpanState, surface_hit::SurfaceHit,
 };
@@ -10,7 +10,7 @@ use crate::{
     accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short, accel::object::ObjectId,
     accel::object::ObjectRef, accel::object::count, accel::small_scene::SmallScene, accel::stack::Stack,
     counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3,
-    simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
+    simd::Kernel, simd::MOST_LANES, simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
 };
 
 /// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
@@ -86,9 +86,9 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ra
     let mut hits = HitLanes::none();
     let rays = Rays::new(objects, ray, valid);
     let conservative = ConservativeRay::new(*ray);
-    let too_short = is_too_short(conservative.length_squared).bits() & valid;
+    let too_short = V::bits(is_too_short(conservative.length_squared)) & valid;
     for id in 0..count(objects) as ObjectId {
-        if (small_scene.object_lanes.may_hit(id as usize, &conservative).bits() & valid) | too_short == 0 {
+        if (V::bits(small_scene.object_lanes.may_hit(id as usize, &conservative)) & valid) | too_short == 0 {
             continue;
         }
         match ObjectRef::of(objects, id) {

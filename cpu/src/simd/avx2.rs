@@ -1,14 +1,9 @@
 //! Vectors of 256 bits: AVX2 with fused multiply-add. Each line of a table is one operation with its intrinsics.
 
-mod permutations;
-
 use std::arch::x86_64::*;
 
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
-use crate::simd::{
-    Kernel, LaneMask, Simd, SimdF32, SimdF64, avx2::permutations::COMPRESSING, tables::features, tables::intrinsics,
-    tables::operators,
-};
+use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::features, tables::intrinsics, tables::operators};
 
 features!(is_x86_feature_detected: "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 
@@ -69,12 +64,6 @@ operators! { Mask:
     Not not(self) { _mm256_xor_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi32(-1))) }
 }
 
-impl LaneMask for Mask {
-    intrinsics! {
-        fn bits(self) -> u32 { _mm256_movemask_pd(self.0) as u32 }
-    }
-}
-
 impl Real for F64 {
     type Mask = Mask;
 
@@ -103,10 +92,11 @@ impl SimdF64 for F64 {
     intrinsics! {
         fn load(values: &[f64]) -> Self { Self(_mm256_loadu_pd(values[..Self::LANES].as_ptr())) }
         fn store(self, place: &mut [f64]) { _mm256_storeu_pd(place[..Self::LANES].as_mut_ptr(), self.0) }
-        fn compress(self, bits: u32) -> Self {
+        fn bits(mask: Mask) -> u32 { _mm256_movemask_pd(mask.0) as u32 }
+        fn store_selected(self, bits: u32, place: &mut [f64]) {
             // A permutation has 32 bytes and is aligned to 32 bytes.
             let order = _mm256_load_si256(COMPRESSING[bits as usize % 16].0.as_ptr().cast());
-            Self(_mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order)))
+            Self(_mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order))).store(place);
         }
         fn unzip(self, next: Self) -> (Self, Self) {
             // The first two instructions work in each half of the lanes. Then the two middle lanes are swapped.
@@ -115,6 +105,30 @@ impl SimdF64 for F64 {
         }
     }
 }
+
+/// A permutation of the eight 32-bit halves of four lanes: the index of the half that moves to each place. AVX2 has no
+/// instruction that permutes 64-bit lanes by a variable.
+#[repr(align(32))]
+struct Halves([u32; 8]);
+
+/// The permutation for each selection of lanes. The index has a bit for each lane, which is 1 if the lane is selected.
+/// The halves of the selected lanes come first, in order.
+static COMPRESSING: [Halves; 16] = {
+    let mut table = [const { Halves([0; 8]) }; 16];
+    let mut bits = 0;
+    while bits < 16 {
+        let (mut half, mut place) = (0, 0);
+        while half < 8 {
+            if bits >> (half / 2) & 1 == 1 {
+                table[bits].0[place] = half as u32;
+                place += 1;
+            }
+            half += 1;
+        }
+        bits += 1;
+    }
+    table
+};
 
 impl SimdF32 for F32 {
     const LANES: usize = 8;

@@ -4,7 +4,7 @@ use std::arch::x86_64::*;
 
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
 use crate::simd::{
-    Kernel, LaneMask, Simd, SimdF32, SimdF64, avx2::Avx2, tables::features, tables::intrinsics, tables::operators,
+    Kernel, Simd, SimdF32, SimdF64, avx2::Avx2, tables::features, tables::intrinsics, tables::operators,
 };
 
 features!(is_x86_feature_detected: "avx512f", "avx512dq", "avx512bw", "avx512vl", "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
@@ -81,12 +81,6 @@ operators! { Mask:
     Not not(self) { _knot_mask8(self.0) }
 }
 
-impl LaneMask for Mask {
-    intrinsics! {
-        fn bits(self) -> u32 { _cvtmask8_u32(self.0) }
-    }
-}
-
 impl Real for F64 {
     type Mask = Mask;
 
@@ -115,7 +109,10 @@ impl SimdF64 for F64 {
     intrinsics! {
         fn load(values: &[f64]) -> Self { Self(_mm512_loadu_pd(values[..Self::LANES].as_ptr())) }
         fn store(self, place: &mut [f64]) { _mm512_storeu_pd(place[..Self::LANES].as_mut_ptr(), self.0) }
-        fn compress(self, bits: u32) -> Self { Self(_mm512_maskz_compress_pd(bits as __mmask8, self.0)) }
+        fn bits(mask: Mask) -> u32 { _cvtmask8_u32(mask.0) }
+        fn store_selected(self, bits: u32, place: &mut [f64]) {
+            _mm512_storeu_pd(place[..Self::LANES].as_mut_ptr(), _mm512_maskz_compress_pd(bits as __mmask8, self.0))
+        }
         fn unzip(self, next: Self) -> (Self, Self) {
             let even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
             let odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);

@@ -6,7 +6,7 @@
 use std::arch::aarch64::*;
 
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64, tables::features, tables::intrinsics, tables::operators};
+use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::features, tables::intrinsics, tables::operators};
 
 features!(is_aarch64_feature_detected: "neon");
 
@@ -75,12 +75,6 @@ operators! { Mask:
     Not not(self) { self.0.map(|half| vreinterpretq_u64_u32(vmvnq_u32(vreinterpretq_u32_u64(half)))) }
 }
 
-impl LaneMask for Mask {
-    intrinsics! {
-        fn bits(self) -> u32 { bits(vcombine_u32(vmovn_u64(self.0[0]), vmovn_u64(self.0[1]))) }
-    }
-}
-
 impl Real for F64 {
     type Mask = Mask;
 
@@ -116,16 +110,7 @@ impl SimdF64 for F64 {
             vst1q_f64(place.as_mut_ptr(), self.0[0]);
             vst1q_f64(place[2..].as_mut_ptr(), self.0[1]);
         }
-        fn compress(self, bits: u32) -> Self {
-            let mut lanes = [0.0; 4];
-            self.store(&mut lanes);
-            let (mut packed, mut count) = (lanes, 0);
-            for (lane, value) in lanes.into_iter().enumerate() {
-                packed[count] = value;
-                count += (bits >> lane & 1) as usize;
-            }
-            Self::load(&packed)
-        }
+        fn bits(mask: Mask) -> u32 { bits(vcombine_u32(vmovn_u64(mask.0[0]), vmovn_u64(mask.0[1]))) }
         fn unzip(self, next: Self) -> (Self, Self) {
             let ([a, b], [c, d]) = (self.0, next.0);
             (Self([vuzp1q_f64(a, b), vuzp1q_f64(c, d)]), Self([vuzp2q_f64(a, b), vuzp2q_f64(c, d)]))

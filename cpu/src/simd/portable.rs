@@ -4,7 +4,7 @@ use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64, tables::functions};
+use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::functions};
 
 /// The portable instruction set: lanes are arrays of four numbers, for `f64` and for `f32`. It needs nothing special of
 /// the machine, so every machine has it.
@@ -64,12 +64,6 @@ impl<T: Copy> Array<T> {
     }
 }
 
-impl LaneMask for Array<bool> {
-    functions! {
-        fn bits(self) -> u32 { (0..4).map(|lane| u32::from(self.0[lane]) << lane).sum() }
-    }
-}
-
 impl Real for Array<f64> {
     type Mask = Array<bool>;
 
@@ -100,14 +94,7 @@ impl SimdF64 for Array<f64> {
     functions! {
         fn load(values: &[f64]) -> Self { Self::first(values) }
         fn store(self, place: &mut [f64]) { place[..4].copy_from_slice(&self.0) }
-        fn compress(self, bits: u32) -> Self {
-            let (mut packed, mut count) = (self.0, 0);
-            for lane in 0..4 {
-                packed[count] = self.0[lane];
-                count += (bits >> lane & 1) as usize;
-            }
-            Self(packed)
-        }
+        fn bits(mask: Array<bool>) -> u32 { (0..4).map(|lane| u32::from(mask.0[lane]) << lane).sum() }
         fn unzip(self, next: Self) -> (Self, Self) {
             let ([a, b, c, d], [e, f, g, h]) = (self.0, next.0);
             (Self([a, c, e, g]), Self([b, d, f, h]))
@@ -127,6 +114,6 @@ impl SimdF32 for Array<f32> {
         fn negative_mul_add(self, factor: Self, term: Self) -> Self { term - self * factor }
         fn min(self, other: Self) -> Self { Self::choose(self.compare(other, f32::lt), self, other) }
         fn max(self, other: Self) -> Self { Self::choose(self.compare(other, f32::gt), self, other) }
-        fn less_equal(self, other: Self) -> u32 { self.compare(other, f32::le).bits() }
+        fn less_equal(self, other: Self) -> u32 { Array::<f64>::bits(self.compare(other, f32::le)) }
     }
 }

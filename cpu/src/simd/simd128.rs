@@ -8,7 +8,7 @@
 use std::arch::wasm32::*;
 
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64, tables::functions, tables::intrinsics, tables::operators};
+use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::functions, tables::intrinsics, tables::operators};
 
 /// The proof that the machine has the 128-bit vectors of WebAssembly. Without them the WebAssembly module would not
 /// have loaded.
@@ -57,12 +57,6 @@ operators! { Mask:
     Not not(self) { v128_not(self.0) }
 }
 
-impl LaneMask for Mask {
-    intrinsics! {
-        fn bits(self) -> u32 { u32::from(i64x2_bitmask(self.0)) }
-    }
-}
-
 impl Real for F64 {
     type Mask = Mask;
 
@@ -97,9 +91,7 @@ impl SimdF64 for F64 {
     intrinsics! {
         fn load(values: &[f64]) -> Self { Self(v128_load(values[..Self::LANES].as_ptr().cast())) }
         fn store(self, place: &mut [f64]) { v128_store(place[..Self::LANES].as_mut_ptr().cast(), self.0) }
-        fn compress(self, bits: u32) -> Self {
-            if bits == 2 { Self(i64x2_shuffle::<1, 0>(self.0, self.0)) } else { self }
-        }
+        fn bits(mask: Mask) -> u32 { u32::from(i64x2_bitmask(mask.0)) }
         fn unzip(self, next: Self) -> (Self, Self) {
             (Self(i64x2_shuffle::<0, 2>(self.0, next.0)), Self(i64x2_shuffle::<1, 3>(self.0, next.0)))
         }

@@ -62,11 +62,10 @@ impl Kernel for Doubles {
                 let expected = |test: fn(&f64, &f64) -> bool| -> u32 {
                     (0..S::F64::LANES).map(|lane| u32::from(test(&left[lane], &right[lane])) << lane).sum()
                 };
-                assert_eq!((less.bits(), less_equal.bits()), (expected(f64::lt), expected(f64::le)));
-                let outside = (!(less | less_equal)).bits();
-                assert_eq!(outside, !less_equal.bits() & ((1 << S::F64::LANES) - 1));
-                assert_eq!((less & less_equal).bits(), less.bits());
-                let picked = less.bits();
+                let [picked, not_above] = [less, less_equal].map(S::F64::bits);
+                assert_eq!([picked, not_above], [expected(f64::lt), expected(f64::le)]);
+                assert_eq!(S::F64::bits(!(less | less_equal)), !not_above & ((1 << S::F64::LANES) - 1));
+                assert_eq!(S::F64::bits(less & less_equal), picked);
                 same(S::F64::select(less, x, y), |lane| if picked >> lane & 1 == 1 { left[lane] } else { right[lane] });
                 same(x.flipped_by(y), |lane| if right[lane] < 0.0 { -left[lane] } else { left[lane] });
             }
@@ -75,7 +74,7 @@ impl Kernel for Doubles {
             let these = some(&AWKWARD[..9], 0);
             let selected: Vec<usize> = (0..S::F64::LANES).filter(|lane| bits >> lane & 1 == 1).collect();
             let mut place = [7.0; 16];
-            S::F64::load(&these).compress(bits).store(&mut place);
+            S::F64::load(&these).store_selected(bits, &mut place);
             for (at, &lane) in selected.iter().enumerate() {
                 assert_eq!(place[at].to_bits(), these[lane].to_bits(), "{bits:b}");
             }

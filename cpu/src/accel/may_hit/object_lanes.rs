@@ -5,7 +5,7 @@ use crate::accel::{
     may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::target::Target,
     object::ObjectId, object::count,
 };
-use crate::{geometry::ray::Ray, layout::Objects, simd::LaneMask, simd::SimdF64, simd::columns::Columns};
+use crate::{geometry::ray::Ray, layout::Objects, simd::SimdF64, simd::columns::Columns};
 
 /// Maximum number of objects in [`ObjectLanes`]. It is a multiple of every instruction set's number of lanes of `f64`.
 pub const CAPACITY: usize = 8;
@@ -35,17 +35,17 @@ impl ObjectLanes {
     pub fn objects_may_hit<V: SimdF64>(&self, ray: &Ray) -> u32 {
         let conservative = ConservativeRay::new(ray.lanes::<V>());
         let all = (1 << self.count) - 1;
-        if is_too_short(conservative.length_squared).bits() != 0 {
+        if V::bits(is_too_short(conservative.length_squared)) != 0 {
             return all;
         }
         let mut may_hit = 0;
         // The groups of lanes that hold only spheres are tested first, then the other groups.
         let spheres = if self.sphere_count == self.count { self.count } else { self.sphere_count & !(V::LANES - 1) };
         for at in (0..spheres).step_by(V::LANES) {
-            may_hit |= conservative.sphere(&Target::of_numbers(self.targets.load(at))).bits() << at;
+            may_hit |= V::bits(conservative.sphere(&Target::of_numbers(self.targets.load(at)))) << at;
         }
         for at in (spheres..self.count).step_by(V::LANES) {
-            may_hit |= conservative.cylinder(&Target::of_numbers(self.targets.load(at))).bits() << at;
+            may_hit |= V::bits(conservative.cylinder(&Target::of_numbers(self.targets.load(at)))) << at;
         }
         may_hit & all
     }
@@ -67,10 +67,10 @@ impl ObjectLanes {
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         let conservative = ConservativeRay::new(*ray);
-        debug_assert!(is_too_short(conservative.length_squared).bits() & !too_short == 0);
+        debug_assert!(V::bits(is_too_short(conservative.length_squared)) & !too_short == 0);
         let mut may_hit = MayHitLanes::NOTHING;
         for at in 0..self.count.min(CAPACITY) {
-            may_hit.add(at, self.may_hit(at, &conservative).bits() | too_short);
+            may_hit.add(at, V::bits(self.may_hit(at, &conservative)) | too_short);
         }
         may_hit
     }

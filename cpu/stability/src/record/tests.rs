@@ -2,7 +2,7 @@
 //! formulas.
 
 use cpu::internals::simd::portable::Portable;
-use cpu::internals::simd::{LaneMask, Simd, SimdF64};
+use cpu::internals::simd::{Simd, SimdF64};
 
 use super::*;
 use crate::regimes::{CYLINDERS, Regime, SPHERES};
@@ -46,7 +46,7 @@ fn filtered_in_lanes(cases: [Case; LANES]) -> [Decision<Found>; LANES] {
     };
     let mut lambdas = [0.0; LANES];
     lambda.store(&mut lambdas);
-    let [certain, bottom, top] = [certain, bottom, top].map(LaneMask::bits);
+    let [certain, bottom, top] = [certain, bottom, top].map(Lanes::bits);
     std::array::from_fn(|lane| {
         let has = |mask: u32| mask >> lane & 1 == 1;
         let part = match (has(bottom), has(top)) {
