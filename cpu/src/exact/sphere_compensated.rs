@@ -19,16 +19,16 @@ use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, ray::least_lambda, sphere::Sphe
 use crate::math::error_free::{cross, difference, two_product, two_sum};
 use crate::math::{rounding::MulAdd, vec3::Vec3};
 
-/// Limits the relative error of lambda to 4.6e-12. A root is accepted only if the [terms](Discriminant::size) of `D` are
-/// below `CONDITION_LIMIT w sqrt(D)`, and those of `h` below `CONDITION_LIMIT w`.
+/// Limits the relative error of lambda to 4.6e-12. A root is accepted only if the [terms](Discriminant::size) of `D`
+/// are below `CONDITION_LIMIT w sqrt(D)`, and those of `h` below `CONDITION_LIMIT w`.
 pub const CONDITION_LIMIT: f64 = 4096.0;
 /// The bound of the error of `c`, in units of `u^2 (|C - O|^2 + r^2)`, beside one rounding of `c`. `u` is the unit
 /// roundoff.
 pub const ERROR_OF_C: f64 = 64.0;
 /// The largest relative error of `c` with which its root is accepted, in units of `u`.
 pub const ACCURACY_OF_C: f64 = 4096.0;
-/// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers the part of `C - O` that rounding loses, if the sphere is
-/// farther away than 2^40 radii.
+/// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers the part of `C - O`
+/// that rounding loses, if the sphere is farther away than 2^40 radii.
 pub const SHARE_OF_DISTANCE: f64 = f64::from_bits((1023 - 90) << 52);
 
 /// The terms of a ray and a sphere from which both discriminants are computed.
@@ -216,8 +216,8 @@ mod tests {
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
 
-    /// Returns rays of four kinds: they start above or below the surface of a sphere by `10^-18` to 10 times its radius,
-    /// and some of them along it, or they start on the surface, or pass a far sphere near its rim.
+    /// Returns rays of four kinds. They start above or below the surface of a sphere by `10^-18` to 10 times its
+    /// radius, some of them along the surface. Or they start on the surface, or pass a far sphere near its rim.
     fn cases(count: usize) -> Vec<(SphereRecord, Ray)> {
         let mut draws = Uniform::new(11);
         let mut cases = Vec::with_capacity(count);

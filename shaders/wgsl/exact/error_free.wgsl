@@ -1,5 +1,5 @@
-// Products and differences with their rounding errors, and a multiply-add that rounds once; twin of cpu/src/math/error_free.rs and of
-// `f64::mul_add`.
+// Products and differences with their rounding errors, and a multiply-add that rounds once; twin of
+// cpu/src/math/error_free.rs and of `f64::mul_add`.
 //
 // WGSL's own `fma` may round twice, and does on lavapipe. So the product is split into four exact partial products
 // (Dekker 1971), and the result is rounded once by comparisons (the idea of Boldo and Melquiond 2008, with a test for
