@@ -1,6 +1,7 @@
 //! The kernels of the benchmarks: named pieces of work, each with fixed data.
 
 mod arithmetic;
+mod cliffs;
 mod files;
 mod spans;
 
@@ -26,7 +27,7 @@ pub struct Kernel {
 /// Returns all kernels.
 #[must_use]
 pub fn all() -> Vec<Kernel> {
-    [spans::KERNELS, arithmetic::KERNELS, files::KERNELS].concat()
+    [spans::KERNELS, arithmetic::KERNELS, files::KERNELS, cliffs::KERNELS].concat()
 }
 
 /// Work that needs no preparation: the number of units of a turn, and the function that does one turn.
