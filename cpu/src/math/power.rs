@@ -33,14 +33,28 @@ pub fn power(base: f64, exponent: f64) -> f64 {
 #[cold]
 #[inline(never)]
 fn special(base: f64, exponent: f64) -> f64 {
-    if base.is_nan() || exponent.is_nan() || exponent <= 0.0 {
+    // From 2^53 on every number is an even integer.
+    let is_large = exponent >= 2.0_f64.powi(53);
+    let integer = exponent as i64;
+    let is_integer = is_large || integer as f64 == exponent;
+    let sign = if !is_large && is_integer && integer % 2 == 1 { base.signum() } else { 1.0 };
+    let magnitude = base.abs();
+    if exponent.is_nan() || exponent <= 0.0 || base.is_nan() {
         f64::NAN
-    } else if base < 0.0 && base.is_finite() && exponent.is_finite() {
-        // The power of -1 is 1 or -1, or NaN if the exponent is no integer.
-        (-1.0_f64).powf(exponent) * power(-base, exponent)
+    } else if magnitude == 0.0 || magnitude == f64::INFINITY {
+        sign * magnitude
+    } else if exponent == f64::INFINITY {
+        if magnitude == 1.0 {
+            1.0
+        } else if magnitude < 1.0 {
+            0.0
+        } else {
+            f64::INFINITY
+        }
+    } else if is_integer {
+        sign * power(magnitude, exponent)
     } else {
-        // The result is 0, 1 or infinite, so every system has the same bits.
-        base.powf(exponent)
+        f64::NAN
     }
 }
 
