@@ -68,7 +68,8 @@ fn a_lambda_that_a_climb_found_is_within_its_bound() {
     let case = Case::sphere(center, hex(0x3fdb_090f_15dc_cb69), origin, direction);
     let error = lambda_error(&oracle::judge(&case), exact_answer(&case), f64::EPSILON / 2.0);
     let error = error.expect("the decision is right");
-    assert!((2.7e-12..PROVEN_ERRORS[0]).contains(&error), "{error:e}");
+    // The compensated formula of before 26 November 2026 had an error of 2.7e-12.
+    assert!(error < PROVEN_ERRORS[0], "{error:e}");
 }
 
 #[test]
