@@ -65,8 +65,8 @@ fn camera(position: [f64; 3], target: [f64; 3], field_of_view: f64) -> String {
     format!("camera_position: {position}\ncamera_target: {target}\nfield_of_view: {field_of_view:e}\nmax_depth: 8\n")
 }
 
-/// Returns the lines of `count` spheres and cylinders of all materials above the ground. Lengths are multiplied by
-/// `scale`.
+/// Returns the lines of `count` spheres and cylinders of all materials, a little above `y = 0`. Lengths are multiplied
+/// by `scale`.
 fn small_objects(count: usize, scale: f64) -> String {
     let mut draws = Uniform::new(3);
     let side = 4.0 * (count as f64 / 20.0).sqrt().max(1.0);
@@ -143,7 +143,7 @@ fn tube([view, length, tilt, rough]: Point) -> FamilyScene {
     let axis = [tilt, 2.0 * tilt, 1.0].map(|part| part * length);
     let camera = camera(axis.map(|part| -0.4 * part), MIDDLE, view);
     FamilyScene::new(
-        format!("length {length:e}, view {view:e} degrees, tilt {tilt:.2}, {}", kind(material)),
+        format!("length {length:e}, view {view:e} degrees, tilt {tilt:.2}, {}", roughness(material)),
         camera,
         &cylinder(MIDDLE, 1.0, axis, material),
     )
@@ -154,7 +154,13 @@ fn mirror(rough: f64) -> &'static str {
     if rough < 0.5 { "a" } else { "s" }
 }
 
-fn kind(material: &str) -> &str {
+/// Returns the kind of the object on a line of a scene.
+fn kind_of(line: &str) -> &str {
+    line.split(':').next().unwrap_or_default()
+}
+
+/// Returns how a mirror of this material reflects, in words.
+fn roughness(material: &str) -> &str {
     if material == "a" { "smooth" } else { "rough" }
 }
 
@@ -165,13 +171,13 @@ fn wedge([gap, view, length, rough]: Point) -> FamilyScene {
     let floor = cylinder([0.0, -1.0 - gap / 2.0, 0.0], 1.0, [0.0, gap / 10.0, length], material);
     let roof = cylinder([0.0, 1.0 + gap / 2.0, 0.0], 1.0, [0.0, -gap / 10.0, length], material);
     FamilyScene::new(
-        format!("gap {gap:e}, view {view:e} degrees, length {length:e}, {}", kind(material)),
+        format!("gap {gap:e}, view {view:e} degrees, length {length:e}, {}", roughness(material)),
         camera([0.0, 0.0, -0.6 * length], [0.0, gap / 10.0, 0.0], view),
         &(floor + &roof),
     )
 }
 
-/// Returns a room of mirrors around the camera: a sphere or a cylinder, with a few objects.
+/// Returns a room of mirrors around the camera: a sphere or a cylinder, with up to nine objects.
 fn mirror_room([size, depth, number, shape]: Point) -> FamilyScene {
     let (size, depth, number) = (log(size, 1.0, 1e6), count(depth, 5.0, 200.0), count(number, 1.0, 10.0) - 1);
     let material = mirror((2.0 * shape).fract());
@@ -183,7 +189,7 @@ fn mirror_room([size, depth, number, shape]: Point) -> FamilyScene {
     let config =
         camera([0.0, 0.5, -2.0], [0.0, 0.4, 0.0], 60.0).replace("max_depth: 8", &format!("max_depth: {depth}"));
     FamilyScene::new(
-        format!("size {size:e}, depth {depth}, {number} objects, {} {}", kind(material), &room[..6]),
+        format!("size {size:e}, depth {depth}, {number} objects, {} {}", roughness(material), kind_of(&room)),
         config,
         &(room + &small_objects(number, 0.3)),
     )
@@ -264,7 +270,7 @@ fn grazing_light([radius, height, number, shape]: Point) -> FamilyScene {
         cylinder([0.0, -0.5, 0.0], radius, [0.0, 1.0, 0.0], "m")
     };
     FamilyScene::new(
-        format!("radius {radius:e}, height {height:e}, {number} objects, {}", &floor[..6]),
+        format!("radius {radius:e}, height {height:e}, {number} objects, {}", kind_of(&floor)),
         camera([0.0, height, -9.0], [0.0, height / 2.0, 0.0], 20.0),
         &(floor + &small_objects(number, 0.2)),
     )
@@ -291,7 +297,7 @@ fn crowd([number, size, floor, _]: Point) -> FamilyScene {
     )
 }
 
-/// Returns small objects, and one sphere or disc that is far larger.
+/// Returns small objects, and a far larger sphere around them or a thick cylinder beside them.
 fn one_giant([radius, number, shape, _]: Point) -> FamilyScene {
     let (radius, number) = (log(radius, 1e3, 1e12), count(number, 1.0, 1000.0));
     let giant = if shape < 0.5 {
@@ -300,7 +306,7 @@ fn one_giant([radius, number, shape, _]: Point) -> FamilyScene {
         cylinder([0.0, 0.0, 1.2 * radius], radius, [radius, 0.0, 0.0], "m")
     };
     FamilyScene::new(
-        format!("{number} objects and a giant {} of radius {radius:e}", &giant[..6]),
+        format!("{number} objects and a giant {} of radius {radius:e}", kind_of(&giant)),
         camera(ABOVE, MIDDLE, 45.0),
         &(giant + &small_objects(number, 1.0)),
     )

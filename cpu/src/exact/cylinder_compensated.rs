@@ -5,7 +5,7 @@
 //! The plain formula subtracts the parts along the axis from the direction and from the vector to the ray's origin, and
 //! its errors are relative to the whole vectors. The cross product with the axis `V` of the scene file has the part
 //! across the axis at once. Its components are differences of two products, which Kahan's algorithm computes with a
-//! relative error of 1.5 u (Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate
+//! relative error of 2 u (Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate
 //! computation of 2 x 2 determinants", Math. Comp. 82, 2013). So the errors are relative to the parts across the axis.
 //! The equation is multiplied by `V.V`, as in `exact/cylinder_exact.rs`. The bounds are in `docs/accuracy.md`.
 

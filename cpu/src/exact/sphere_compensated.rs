@@ -3,8 +3,8 @@
 //! rays that pass a small and far sphere.
 //!
 //! In the plain formula, `D = h^2 - a c` is the small difference of two large numbers if the sphere is far away. By
-//! Lagrange's identity it equals `a r^2 - |(C - O) x d|^2`, whose terms are no larger than those of a ray that touches
-//! the sphere. Kahan's algorithm computes the [cross product](cross).
+//! Lagrange's identity it equals `a r^2 - |(C - O) x d|^2`. If the ray passes near the sphere, both terms are about
+//! `a r^2`. Kahan's algorithm computes the [cross product](cross).
 //!
 //! If the ray starts near the surface, one of the roots `(h -+ sqrt(D)) / a` cancels. With `w = |h| + sqrt(D)`, which
 //! does not, the roots are `w / a` and `c / w`, both with the sign of `h`. Only `c = |C - O|^2 - r^2` still cancels. So
@@ -27,8 +27,8 @@ pub const CONDITION_LIMIT: f64 = 4096.0;
 pub const ERROR_OF_C: f64 = 64.0;
 /// The largest relative error of `c` with which its root is accepted, in units of `u`.
 pub const ACCURACY_OF_C: f64 = 4096.0;
-/// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers the part of `C - O`
-/// that rounding loses, if the sphere is farther away than 2^40 radii.
+/// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers errors of second
+/// order in the cross product, if the sphere is farther away than 2^40 radii.
 pub const SHARE_OF_DISTANCE: f64 = f64::from_bits((1023 - 90) << 52);
 
 /// The terms of a ray and a sphere from which both discriminants are computed.
@@ -74,8 +74,9 @@ impl<T: MulAdd> Terms<T> {
     #[inline(always)]
     pub fn near(&self) -> Discriminant<T> {
         let &Self { a, h, c, .. } = self;
-        let error_of_c = self.squares * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF);
-        Discriminant { value: h * h - a * c, size: h.abs() * self.length + a * (c.abs() + error_of_c) }
+        // The size is multiplied by `u` later, so this is the error of `c` divided by `u`.
+        let lost = self.squares * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF);
+        Discriminant { value: h * h - a * c, size: h.abs() * self.length + a * (c.abs() + lost) }
     }
 
     /// Returns `a r^2 - |(C - O) x d|^2`, which is accurate if the ray starts far away.
@@ -156,8 +157,8 @@ impl Terms<f64> {
     }
 }
 
-/// What is certain about the two roots. The large one has the magnitude `w / a` and the sign of `h`, and the small one
-/// has the magnitude `|c| / w` and the sign of `h c`.
+/// What is certain about the two roots. One is `w / a` with the sign of `h`, and is called the large one. The other is
+/// `|c| / w` with the sign of `h c`, and is called the small one.
 struct Roots<T: MulAdd> {
     w: T,
     /// The ray's line misses the sphere.
@@ -188,8 +189,8 @@ pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     }
 }
 
-/// Returns `|C - O|^2 - r^2`, nearly as accurate as if it were rounded once, and `|C - O|^2 + r^2` with the usual
-/// accuracy. `C - O` is given rounded, with its error.
+/// Returns `|C - O|^2 - r^2`, as accurate as if it were computed with twice the digits and then rounded, and
+/// `|C - O|^2 + r^2` with the usual accuracy. `C - O` is given rounded, with its error.
 #[inline(always)]
 pub fn difference_of_squares<T: MulAdd>(Vec3 { x, y, z }: Vec3<T>, error: Vec3<T>, radius: T) -> (T, T) {
     let (xx, xx_error) = two_product(x, x);

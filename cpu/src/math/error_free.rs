@@ -26,7 +26,7 @@ pub fn difference<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
 }
 
-/// Returns the cross product. The relative error of each component is at most 1.5 u.
+/// Returns the cross product. The relative error of each component is at most 2 u.
 #[inline(always)]
 pub fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     Vec3::new(

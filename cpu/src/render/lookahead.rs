@@ -21,8 +21,8 @@ use crate::{
     geometry::ray::Ray, layout::Layout, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64,
 };
 
-/// A path with this many hits after its first one is probably between mirrors or inside an object, and will not escape
-/// with its next ray. So that ray is intersected with every object at once, and no other path is tested ahead.
+/// A path whose rays have hit a surface this many times is probably between mirrors or inside an object, and will not
+/// escape with its next ray. So that ray is intersected with every object, and no other path is tested ahead.
 const MANY_HITS: usize = 4;
 
 /// The first scattered rays of consecutive paths of the queue, one in each lane, with the objects that they may hit.

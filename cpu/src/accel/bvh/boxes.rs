@@ -29,9 +29,9 @@ pub trait Boxes: Clone + std::fmt::Debug {
     /// it, or 0 if the ray starts inside. If there are fewer boxes, the caller must ignore the other bits.
     fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32;
 
-    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps or touches `bounds`. It may also be 1 if it does not, as here
-    /// for byte boxes: isolated objects are not sought in a tree so large that it has these. If there are fewer boxes,
-    /// the caller must ignore the other bits.
+    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps or touches `bounds`. If there are fewer boxes, the caller must
+    /// ignore the other bits. All bits of byte boxes are 1, which is allowed and slow: their trees are too large for
+    /// the search of isolated objects, which alone needs this.
     #[inline(always)]
     fn overlaps<F: SimdF32>(&self, _: &Bounds) -> u32 {
         u32::MAX

@@ -198,7 +198,7 @@ pub fn side() -> Quadratic {
     let inputs = origin(|axis| component(CENTER, axis).plus(&component(TO_CENTER, axis)));
     assume_cross(from_center, rounded_off, axis, FILE_AXIS, &inputs);
     for (axis, number) in (0..).zip(cross(ray.direction, axis).to_array()) {
-        number.assume_relative(component(DIRECTION_CROSS, axis), 1.5);
+        number.assume_relative(component(DIRECTION_CROSS, axis), 2.0);
     }
     let side = cylinder_compensated::side(&record, axis, &ray);
     let from = compared().len();

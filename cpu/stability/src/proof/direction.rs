@@ -1,5 +1,5 @@
-//! The side on which a margin acts. A margin must make every comparison harder that makes a result certain, or that
-//! discards an object.
+//! The side on which a margin acts. Some comparisons make a result certain, or discard an object. A larger margin must
+//! make it harder for such a comparison to hold.
 
 use super::bounded::{Bounded, MARGIN, Operation};
 

@@ -48,9 +48,11 @@ pub fn rows() -> Vec<Row> {
         rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
     }
     let of_sphere = compensated::sphere_rows();
-    // As docs/accuracy.md derives.
-    let of_discriminant = of_sphere[1].need.max(of_sphere[2].need);
-    let compensated = (of_discriminant / 2.0 + sphere.h) * CONDITION_LIMIT + ACCURACY_OF_C + 6.0;
+    // As docs/accuracy.md derives. The discriminant exceeds the error that the code takes, so its root is far above 0.
+    let [c, near, far] = of_sphere.each_ref().map(|row| row.need / row.constant);
+    let error_constant = sphere_filter::LIMITS.error_constant;
+    let of_root = near.max(far) * error_constant / (1.0 + (1.0 - near.max(far)).sqrt());
+    let compensated = (of_root + sphere.h) * CONDITION_LIMIT + c * ACCURACY_OF_C + 6.0;
     let (what, file) = ("lambda of a compensated root", "exact/sphere_compensated.rs");
     let constant = sphere.limits.lambda_error::<f64>() / 3.0 / U;
     rows.push(Row { what, file, constant, need: compensated, unit: "u lambda" });
