@@ -10,7 +10,9 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder_parts::{Crossing, Plane, Side, filtered_cap};
-use crate::exact::{cylinder_compensated, cylinder_exact, error_bound::Decision, error_bound::in_scale};
+use crate::exact::{
+    cylinder_compensated, cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite,
+};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
 use crate::math::{double_double::DoubleDouble, real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
@@ -178,9 +180,8 @@ pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, 
     add(Counter::Fallbacks, 1);
     match in_double_double(record, axis, ray) {
         Decision::Certain(hit) => hit.map(|(lambda, part)| (lambda.high, part)),
-        Decision::Uncertain => {
-            cylinder_exact::intersect(record.center, record.radius, *axis, ray).unwrap_or_else(|| record.intersect(ray))
-        }
+        Decision::Uncertain => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
+            .unwrap_or_else(|NotFinite| record.intersect(ray)),
     }
 }
 

@@ -11,10 +11,11 @@
 use std::cmp::Ordering;
 
 use crate::exact::{
-    exact_lambda::ExactLambda, exact_lambda::Quadratic, sphere_exact::Exact3, sphere_exact::least_lambda,
+    exact_lambda::ExactLambda, exact_lambda::Quadratic, sphere_exact::Exact3, sphere_exact::NotFinite,
+    sphere_exact::exact, sphere_exact::least_lambda,
 };
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, ray::Ray};
-use crate::math::{dyadic::Dyadic, dyadic::exact, vec3::Vec3};
+use crate::math::{dyadic::Dyadic, vec3::Vec3};
 
 /// The inputs of the formulas of side and caps as exact numbers: a ray, a cylinder, and the products that both formulas
 /// use.
@@ -36,32 +37,38 @@ struct Inputs {
     least: Dyadic,
 }
 
-/// Returns the rounded lambda and the part of the ray's hit with the cylinder, or `Some(None)` if it misses. `axis` is
-/// the axis of the scene file, and its length is the cylinder's height. The result is `None` if an input is not finite.
-pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Option<Option<(f64, CylinderPart)>> {
+/// Returns the rounded lambda and the part of the ray's hit with the cylinder, or `None` if it misses. `axis` is the
+/// axis of the scene file, and its length is the cylinder's height. The error says that an input is not finite.
+pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Option<(f64, CylinderPart)>, NotFinite> {
     let inputs = Inputs::new(center, radius, axis, ray)?;
-    let parts = [inputs.side(), inputs.cap(false), inputs.cap(true)];
-    Some(closest_part(parts).map(|(lambda, part)| (lambda.rounded(), part)))
+    let parts = [inputs.side(), inputs.cap(false)?, inputs.cap(true)?];
+    Ok(closest_part(parts).map(|(lambda, part)| (lambda.rounded(), part)))
 }
 
-/// Returns the exact lambda of the ray's hit with a part of the cylinder, which it must hit. The other parameters are
-/// those of [`intersect`], and so is the result for an input that is not finite.
-pub fn lambda(center: Vec3, radius: f64, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<Option<ExactLambda>> {
+/// Returns the exact lambda of the ray's hit with a part of the cylinder, which it must hit. The other parameters and
+/// the error are those of [`intersect`].
+pub fn lambda(
+    center: Vec3,
+    radius: f64,
+    axis: Vec3,
+    ray: &Ray,
+    part: CylinderPart,
+) -> Result<Option<ExactLambda>, NotFinite> {
     let inputs = Inputs::new(center, radius, axis, ray)?;
     if part == CylinderPart::Side {
-        return Some(inputs.side());
+        return Ok(inputs.side());
     }
     let (numerator, denominator) = inputs.plane(part == CylinderPart::Bottom);
-    Some(Some(ExactLambda::fraction(numerator, denominator)))
+    Ok(Some(ExactLambda::fraction(numerator, denominator)))
 }
 
 impl Inputs {
-    fn new(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Option<Self> {
+    fn new(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Self, NotFinite> {
         let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
         let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
         let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
-        let (radius_squared, least) = (Dyadic::new(radius)?.squared(), least_lambda());
-        Some(Self { direction, r_c, axis, radius_squared, half, slope, height, least })
+        let (radius_squared, least) = (exact(radius)?.squared(), least_lambda()?);
+        Ok(Self { direction, r_c, axis, radius_squared, half, slope, height, least })
     }
 
     /// Returns the side's lambda, or `None` if the ray misses the side.
@@ -94,21 +101,21 @@ impl Inputs {
     }
 
     /// Returns a cap's lambda, or `None` if the ray misses the cap. The rule is that of [`crate::geometry::cap`].
-    fn cap(&self, is_bottom: bool) -> Option<ExactLambda> {
+    fn cap(&self, is_bottom: bool) -> Result<Option<ExactLambda>, NotFinite> {
         let Self { direction, r_c, axis, radius_squared, half, slope, least, .. } = self;
-        let parallel = &exact(PARALLEL).squared() * &half.scaled(1);
+        let parallel = &exact(PARALLEL)?.squared() * &half.scaled(1);
         if (&slope.squared() - &parallel).sign() == Ordering::Less {
-            return None;
+            return Ok(None);
         }
         let (numerator, denominator) = self.plane(is_bottom);
         if (&numerator - &(least * &denominator)).sign() == Ordering::Less {
-            return None;
+            return Ok(None);
         }
         // `point` is the vector from the cap's centre to the ray's point, times the denominator.
-        let to_cap = axis.times(&exact(if is_bottom { -0.5 } else { 0.5 }));
+        let to_cap = axis.times(&exact(if is_bottom { -0.5 } else { 0.5 })?);
         let point = r_c.minus(&to_cap).times(&denominator).plus(&direction.times(&numerator));
         let outside = &point.dot(&point) - &(radius_squared * &denominator.squared());
-        (outside.sign() != Ordering::Greater).then(|| ExactLambda::fraction(numerator, denominator))
+        Ok((outside.sign() != Ordering::Greater).then(|| ExactLambda::fraction(numerator, denominator)))
     }
 }
 

@@ -15,7 +15,7 @@ use std::cmp::Ordering;
 use crate::counters::{Counter, add};
 use crate::exact::{
     cylinder, cylinder_exact, cylinder_parts::LIMITS, error_bound::Decision, exact_lambda::ExactLambda, sphere,
-    sphere_exact,
+    sphere_exact, sphere_exact::NotFinite,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, error_free::two_sum, rounding::Rounding, vec3::Vec3};
@@ -67,7 +67,7 @@ pub fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
 
 /// Compares in dyadic arithmetic only, with the result of [`compare`].
 pub fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
-    let [left, right] = surfaces.map(|surface| surface.exact_lambda(ray).flatten());
+    let [left, right] = surfaces.map(|surface| surface.exact_lambda(ray).ok().flatten());
     Some(left?.compare(&right?))
 }
 
@@ -103,7 +103,7 @@ impl Surface {
         }
     }
 
-    fn exact_lambda(&self, ray: &Ray) -> Option<Option<ExactLambda>> {
+    fn exact_lambda(&self, ray: &Ray) -> Result<Option<ExactLambda>, NotFinite> {
         match self {
             Self::Sphere(record) => sphere_exact::lambda(record, ray),
             &Self::Cylinder(CylinderRecord { center, radius, .. }, axis, part) => {

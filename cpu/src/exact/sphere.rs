@@ -70,7 +70,7 @@ pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     add(Counter::Fallbacks, 1);
     match in_double_double(record, ray) {
         Decision::Certain(hit) => hit.map(|lambda| lambda.high),
-        Decision::Uncertain => sphere_exact::intersect(record, ray).unwrap_or_else(|| record.intersect(ray)),
+        Decision::Uncertain => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
     }
 }
 

@@ -5,16 +5,19 @@
 
 use crate::exact::exact_lambda::{ExactLambda, Quadratic};
 use crate::geometry::{ray::HALF_STEP, ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
-use crate::math::{dyadic::Dyadic, dyadic::exact, vec3::Vec3};
+use crate::math::{dyadic::Dyadic, vec3::Vec3};
+
+/// The error of a conversion: a number of the ray or of the object is infinite or NaN, so it has no exact value.
+#[derive(Debug)]
+pub struct NotFinite;
 
 /// A vector of three exact numbers.
 pub struct Exact3([Dyadic; 3]);
 
 impl Exact3 {
-    /// Returns the vector without rounding, or `None` if a component is infinite or NaN.
-    pub fn new(vector: Vec3) -> Option<Self> {
-        let [x, y, z] = vector.to_array().map(Dyadic::new);
-        Some(Self([x?, y?, z?]))
+    pub fn new(vector: Vec3) -> Result<Self, NotFinite> {
+        let [x, y, z] = vector.to_array().map(exact);
+        Ok(Self([x?, y?, z?]))
     }
 
     pub fn dot(&self, other: &Self) -> Dyadic {
@@ -35,23 +38,29 @@ impl Exact3 {
     }
 }
 
-/// Returns the smallest lambda of a hit that counts, without rounding. See [`HALF_STEP`].
-pub fn least_lambda() -> Dyadic {
-    &exact(LAMBDA_MIN) - &exact(HALF_STEP)
+/// Returns `value` as a dyadic number, without rounding.
+pub fn exact(value: f64) -> Result<Dyadic, NotFinite> {
+    Dyadic::new(value).ok_or(NotFinite)
 }
 
-/// Returns the exact lambda at which the ray hits the sphere, or `Some(None)` if it misses. The result is `None` if an
-/// input is not finite.
-pub fn lambda(record: &SphereRecord, ray: &Ray) -> Option<Option<ExactLambda>> {
+/// Returns the smallest lambda of a hit that counts, without rounding. See [`HALF_STEP`].
+pub fn least_lambda() -> Result<Dyadic, NotFinite> {
+    Ok(&exact(LAMBDA_MIN)? - &exact(HALF_STEP)?)
+}
+
+/// Returns the exact lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
+/// not finite.
+pub fn lambda(record: &SphereRecord, ray: &Ray) -> Result<Option<ExactLambda>, NotFinite> {
     let direction = Exact3::new(ray.direction)?;
     let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
-    let c = &r_c.dot(&r_c) - &Dyadic::new(record.radius)?.squared();
+    let c = &r_c.dot(&r_c) - &exact(record.radius)?.squared();
+    let least = least_lambda()?;
     let quadratic = Quadratic::with_roots(direction.dot(&direction), direction.dot(&r_c), c);
-    let least = least_lambda();
-    Some(quadratic.and_then(|quadratic| quadratic.smallest_root(|root| root.is_at_least(&least))))
+    Ok(quadratic.and_then(|quadratic| quadratic.smallest_root(|root| root.is_at_least(&least))))
 }
 
-/// Returns [`lambda`], rounded.
-pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<Option<f64>> {
-    Some(lambda(record, ray)?.map(|lambda| lambda.rounded()))
+/// Returns the rounded lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
+/// not finite.
+pub fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFinite> {
+    Ok(lambda(record, ray)?.map(|lambda| lambda.rounded()))
 }
