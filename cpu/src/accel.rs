@@ -17,7 +17,7 @@ pub(crate) mod dominant_sphere;
 pub mod every_object;
 pub mod extent;
 pub mod flat_filter;
-mod inside;
+pub mod inside;
 pub mod isolated;
 pub mod may_hit;
 pub mod object;

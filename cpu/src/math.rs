@@ -10,7 +10,7 @@
 pub mod double_double;
 pub mod dyadic;
 pub mod error_free;
-pub(crate) mod fixed_point;
+pub mod fixed_point;
 pub(crate) mod limbs;
 pub(crate) mod nearest;
 pub mod power;

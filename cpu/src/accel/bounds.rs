@@ -1,18 +1,19 @@
 //! Axis-aligned boxes around objects. They are large enough to hold every hit point in spite of rounding.
 
 use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
-use crate::{layout::Objects, math::vec3::Vec3};
+use crate::{layout::Objects, math::real::Real, math::vec3::Vec3};
 
 /// Returns at least the extent along a direction of a disc of radius 1. `along` is the dot product of the direction and
 /// the disc's axis, both of length one.
 #[inline(always)]
-pub fn extent_of_disc(along: f64) -> f64 {
-    /// If `along` is close to 1, the difference cancels, with an error of at most `16 u`. Its root has an error of at
-    /// most 4.3e-8.
-    const MARGIN: f64 = 1e-7;
-
-    (1.0 - along * along).max(0.0).sqrt() + MARGIN
+pub fn extent_of_disc<T: Real>(along: T) -> T {
+    let across = T::of(1.0) - along * along;
+    T::select(T::of(0.0).less(across), across, T::of(0.0)).sqrt() + T::of(MARGIN)
 }
+
+/// If a component of the axis is close to 1, the difference in [`extent_of_disc`] cancels. The error of its root is at
+/// most the root of its error, which this covers.
+pub const MARGIN: f64 = 1e-7;
 
 /// An axis-aligned box, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]

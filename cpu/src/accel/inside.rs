@@ -18,16 +18,22 @@ use crate::accel::{
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
 use crate::layout::Objects;
-use crate::math::rounding::MulAdd;
+use crate::math::{real::Real, rounding::MulAdd};
 
 /// If the dot product `p` of a ray's direction `d` and a cylinder's axis exceeds this in magnitude, and `p^2` exceeds
 /// `STEEP_SHARE |d|^2`, the ray is certainly not parallel to the caps: `|p|` is not below [`PARALLEL`], whatever its
 /// rounding errors are. By the specification a parallel ray hits no cap, so it may hit nothing although it starts
 /// inside.
 const STEEP: f64 = 2.0 * PARALLEL;
-/// The second threshold, 2^-40; see [`STEEP`]. If `p^2` exceeds it, the rounding error of `p`, at most `7 u |d|` with
-/// `u = 2^-53`, is less than `2^-30 |p|`. So rounding cannot move `|p|` from `STEEP` to `PARALLEL`.
-const STEEP_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
+/// The second threshold, 2^-40; see [`STEEP`]. If `p^2` exceeds it, `p` is far above its rounding error
+/// (docs/margins.md). So rounding cannot move `|p|` from `STEEP` to `PARALLEL`.
+pub const STEEP_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// Whether a ray certainly is not parallel to the caps. `slope` is the dot product of its direction and the axis.
+#[inline(always)]
+pub fn is_steep<T: Real>(slope: T, length_squared: T) -> T::Mask {
+    T::of(STEEP).less(slope.abs()) & (length_squared * T::of(STEEP_SHARE)).less(slope * slope)
+}
 
 impl SmallScene {
     /// Whether the ray is certainly inside one of the objects at the smallest lambda in range, so that it hits. The ray
@@ -55,8 +61,7 @@ impl ConservativeRay<f64> {
         let (across, slope, along) = self.cylinder_quadratic(target);
         let least_half_height = target.half_height - max_coordinate * (2.0 * SLACK);
         let is_between_caps = (slope * LAMBDA_MIN - along).abs() < least_half_height;
-        let is_steep = slope.abs() > STEEP && slope * slope > self.length_squared * STEEP_SHARE;
-        self.starts_within(&across) & is_between_caps & is_steep
+        self.starts_within(&across) & is_between_caps & is_steep(slope, self.length_squared)
     }
 }
 

@@ -4,8 +4,8 @@
 //! The bound leaves the rounding uncertain for about one power in 2^30. Then the power is compared with the midpoints
 //! of neighbouring `f64` by logarithms of as many bits as are needed.
 
-mod quick;
-mod tables;
+pub mod quick;
+pub mod tables;
 
 use std::cmp::Ordering;
 

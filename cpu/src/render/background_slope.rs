@@ -6,8 +6,7 @@
 //!
 //! `s(d) = s(d0) + x g.dx + y g.dy + R`, `g = (j - s(d0) d0 / |d0|) / |d0|`, `|R| <= 0.6 |e|^2 / (|d0| - |e|)^2`
 //!
-//! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` follows because the second derivative of `s`
-//! is at most `2 / sqrt(3) |d|^2` (docs/margins.md), half of which is 0.578. The rest covers the rounding of `R`.
+//! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` covers its rounding (docs/margins.md).
 //!
 //! The renderer computes `s` of rounded directions `d^` and `d0^`. Let `r` bound the error of a direction
 //! ([`RayError::length`]). The formula holds for `d^` and `d0^` too, but `e = d^ - d0^` differs from `x dx + y dy` by

@@ -13,16 +13,26 @@ mod compensated;
 pub mod direction;
 pub mod exact;
 pub mod filters;
+pub mod interval;
 pub mod lanes;
 mod operations;
 pub mod parts;
 pub mod polynomial;
+mod power;
 pub mod quadratic;
 pub mod row;
+pub mod series;
 pub mod signed;
 
 /// Returns the rows of all margins.
 #[must_use]
 pub fn rows() -> Vec<row::Row> {
-    [exact::rows(), filters::rows(), boxes::rows(), background::rows().to_vec(), vec![camera::row()]].concat()
+    [
+        exact::rows(),
+        filters::rows(),
+        boxes::rows(),
+        background::rows().to_vec(),
+        vec![camera::row(), series::row(), power::row()],
+    ]
+    .concat()
 }

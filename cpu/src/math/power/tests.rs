@@ -61,14 +61,3 @@ fn the_quick_power_is_that_of_integers() {
     }
     assert!(certain > 2_900, "{certain} certain");
 }
-
-#[test]
-fn the_system_s_power_differs_by_at_most_a_unit_in_the_last_place() {
-    let mut draws = Uniform::new(4);
-    for round in 0..200_000 {
-        let (base, exponent) =
-            (numbers(&mut draws, round), draws.draw(0.0, 1.0) * 2.0_f64.powi((round % 9) as i32 - 4));
-        let (ours, system) = (power(base, exponent), base.powf(exponent));
-        assert!(ours.to_bits().abs_diff(system.to_bits()) <= 1, "{base:e}^{exponent:e}: {ours:e}, {system:e}");
-    }
-}

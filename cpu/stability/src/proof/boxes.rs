@@ -1,9 +1,10 @@
-//! The margins of the BVH: planes of boxes, and bounding spheres.
+//! The margins of the BVH: boxes of objects, planes of boxes, and bounding spheres.
 //!
 //! Steps are powers of two, so a product with a step is exact short of underflow. Here every step is 1, and a number of
 //! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
 //! The modules say why underflow is negligible.
 
+use cpu::internals::accel::bounds::{self, extent_of_disc};
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
 use cpu::internals::accel::bvh::slab_ray::{MARGIN, SlabRay, margin, moved};
 use cpu::internals::accel::bvh::sphere_leaf::{Frame, SphereLeaf};
@@ -12,11 +13,13 @@ use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{Bounded, compared};
+use super::bounded::{Bounded, begin, compared};
 use super::bounds::Arithmetic;
+use super::direction::growth;
 use super::lanes::{self, Lane, name};
+use super::parts::axis_and_half_height;
 use super::polynomial::Polynomial;
-use super::row::{Row, added, components, family::*, length, relative_to_sizes, squared, sum};
+use super::row::{Row, U, added, components, family::*, length, relative_to_sizes, squared, sum};
 
 const WITHOUT_UNDERFLOW: Arithmetic = Arithmetic { underflow: 0.0, ..Arithmetic::F32 };
 const V: f64 = Arithmetic::F32.roundoff;
@@ -36,9 +39,30 @@ const MOST_STEPS: f64 = 2.0 * (1.0 + 1.0 / 127.0);
 /// Returns the rows of the BVH.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    let mut rows = vec![slabs()];
+    let mut rows = vec![disc(), slabs()];
     rows.extend(bounding_spheres());
     rows
+}
+
+/// Returns the row of the extent of a disc.
+///
+/// With an error `e` of the difference `x`, `sqrt(x)` is at most `sqrt(x - e) + sqrt(e)`. The root and the sum are
+/// rounded once each, which adds at most `3 u`.
+fn disc() -> Row {
+    begin(Arithmetic::F64, bounds::MARGIN);
+    let extent = extent_of_disc(axis_and_half_height().0.x);
+    let [[_, across]] = compared()[..] else { unreachable!("a disc compares one number") };
+    let one = Polynomial::constant(1.0);
+    let error = relative_to_sizes(&across.bounds().error, 0.0, std::slice::from_ref(&one), 1.0);
+    let constant = added(extent, &one, bounds::MARGIN, 1e-9);
+    let need = ((error * U).sqrt() + 3.0 * U) / 1e-9;
+    acts(extent, 1);
+    Row { what: "boxes of the BVH", file: "accel/bounds.rs", constant, need, unit: "10^-9 R" }
+}
+
+/// Checks that a number grows with the margin, or shrinks, as it must so that objects are kept.
+fn acts(number: Bounded, growing: i8) {
+    assert_eq!(growth(number), Some(growing), "the margin acts on the wrong side");
 }
 
 /// Returns the row of the distance of a plane.
@@ -61,6 +85,8 @@ fn slabs() -> Row {
     let planes: Planes<f32> = [[[plane; WIDTH]; 3]; 2];
     _ = ray.in_frame(&[frame; 3], &[1.0; 3]).intersect(&planes, f32::INFINITY, &mut [0.0; WIDTH]);
     let [[near, _], [far, _]] = compared()[..2] else { unreachable!("a test takes a maximum and a minimum") };
+    acts(near, -1);
+    acts(far, 1);
     let size = length(RECIPROCAL).times(&sum(&[FARTHEST, ORIGIN].map(length)));
     let of = |number: Bounded| {
         let margin = f64::from(MARGIN);
@@ -138,7 +164,10 @@ fn bounding_spheres() -> [Row; 3] {
         let sizes = [sum(&[FARTHEST, ORIGIN].map(length)), length(RADIUS), size.clone()].map(|size| size.times(unit));
         relative_to_sizes(error, f64::from(MARGIN), &sizes, 1.0)
     };
-    let SphereNumbers { cross, radius, pairs: [[_, leaves], [enters, _], _] } = sphere_numbers(false);
+    let SphereNumbers { cross, radius, pairs: [[_, leaves], [enters, _], [_, rest]] } = sphere_numbers(false);
+    for (number, growing) in [(radius.0, 1), (rest, 1), (leaves, 1), (enters, -1)] {
+        acts(number, growing);
+    }
     let constant = added(radius.0, &size, f64::from(MARGIN), V);
     let of_cross = sum(&cross.map(|lane| lane.0.raw().error)).plus(&radius.0.bounds().error).in_lengths();
     let (one, reciprocal) = (Polynomial::constant(1.0), length(RECIPROCAL));

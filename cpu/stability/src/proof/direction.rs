@@ -19,7 +19,8 @@ fn both(a: Option<i8>, b: Option<i8>) -> Option<i8> {
 }
 
 /// Returns 1 if the number grows with the margin, -1 if it shrinks, 0 if the margin takes no part, or `None`.
-fn growth(number: Bounded) -> Option<i8> {
+#[must_use]
+pub fn growth(number: Bounded) -> Option<i8> {
     match number.operation() {
         Operation::Input(_) => Some(0),
         Operation::Constant(_) => Some(if number.raw().size.0.contains_key(&vec![MARGIN]) { sign(number)? } else { 0 }),

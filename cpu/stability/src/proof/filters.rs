@@ -2,6 +2,7 @@
 
 use std::slice;
 
+use cpu::internals::accel::inside::{STEEP_SHARE, is_steep};
 use cpu::internals::accel::may_hit::conservative::{ConservativeRay, MARGIN};
 use cpu::internals::accel::may_hit::filter_ray::{
     BoundingSpheres, CYLINDER_MARGIN, FilterRay, InfiniteCylinders, SPHERE_MARGIN,
@@ -12,6 +13,7 @@ use cpu::{Ray, Vec3};
 
 use super::bounded::{Bounded, begin, compared};
 use super::bounds::Arithmetic;
+use super::direction::growth;
 use super::lanes::{self, Lane, name};
 use super::parts::axis_and_half_height;
 use super::polynomial::Polynomial;
@@ -29,7 +31,7 @@ const FLAT_MARGIN: f64 = (4.0 * CYLINDER_MARGIN) as f32 as f64;
 /// Returns the rows of all tests.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    let mut rows = Vec::new();
+    let mut rows = vec![steep()];
     for is_sphere in [true, false] {
         rows.extend(conservative(is_sphere));
     }
@@ -52,6 +54,23 @@ fn target(is_sphere: bool) -> Target<Bounded> {
     let half_height = half_height + Bounded::number(EXTENT, 0.0) * Bounded::constant(SLACK, 0.0);
     let center = Bounded::vector(CENTER, 0.0);
     Target { center, axis, radius_squared: radius * radius, bounding_radius_squared, half_height }
+}
+
+/// Returns the row of rays that certainly are not parallel to the caps.
+///
+/// The code requires that the slope is at least twice the limit. So it is enough that its error is at most half of it.
+fn steep() -> Row {
+    begin(Arithmetic::F64, STEEP_SHARE);
+    let (ray, target) = (ray(), target(false));
+    is(target.center - ray.origin, TO_CENTER);
+    let test = ConservativeRay::new(ray);
+    let (_, slope, _) = test.cylinder_quadratic(&target);
+    _ = is_steep(slope, test.length_squared);
+    let [least, _] = compared()[compared().len() - 1];
+    let constant = added(least, &squared(DIRECTION), STEEP_SHARE, U) * U;
+    let need = 2.0 * relative_to_sizes(&slope.bounds().error, 0.0, &[length(DIRECTION)], MODERATE.direction);
+    let (what, file) = ("steep rays inside a cylinder", "accel/inside.rs");
+    Row { what, file, constant: constant.sqrt() / U, need, unit: "u abs(d)" }
 }
 
 /// Returns the row of rays that start beyond a cap.
@@ -142,8 +161,12 @@ fn flat_filter() -> [Row; 3] {
     // values that must be known.
     let lowered = f64::from((1.0 - SPHERE_MARGIN) as f32);
     let of_origin = squared(DIRECTION).times(&squared(ORIGIN)).scaled(4.0);
-    let used = added(flat_numbers(lowered).sphere, &of_origin, lowered, 1.0);
+    let FlatNumbers { sphere, at_first, .. } = flat_numbers(lowered);
+    let used = added(sphere, &of_origin, lowered, 1.0);
+    // A number that is positive makes the filter discard an object. `lowered` is smaller if the margin is larger.
+    assert_eq!([sphere, at_first].map(growth), [Some(1); 2], "the margin acts on the wrong side");
     let FlatNumbers { sphere, at_first, cylinder } = flat_numbers(FLAT_MARGIN);
+    assert_eq!(growth(cylinder), Some(-1), "the margin acts on the wrong side");
     // A ray that has a point of the bounding sphere at t or later has `t |d| <= |C| + |O| + R`.
     let products = [CENTER, ORIGIN].map(|family| length(DIRECTION).times(&length(family)).scaled(0.5));
     let [center, origin] = products;

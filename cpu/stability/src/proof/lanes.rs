@@ -75,7 +75,7 @@ impl SimdF32 for Lane {
         Self(self.0.mul_add(factor.0, term.0))
     }
     fn negative_mul_add(self, factor: Self, term: Self) -> Self {
-        self.mul_add(factor, term)
+        Self(-self.0).mul_add(factor, term)
     }
     fn min(self, other: Self) -> Self {
         _ = self.0.less(other.0);

@@ -71,6 +71,17 @@ fn tangents_are_correctly_rounded() {
 }
 
 #[test]
+fn the_tangent_of_every_small_angle_is_the_angle() {
+    // Between powers of two, `tan x - x` grows with `x` and half a unit in the last place is constant, so the largest
+    // number decides. Subnormal numbers have the unit of the first normal ones.
+    for exponent in (1..=1023 - 26).rev() {
+        let largest = f64::from_bits(exponent << 52).next_down();
+        let (exact, is_small) = (big(largest).tan(), exponent <= 1023 - 27);
+        assert!(is_small == is_nearest(largest, &exact) && is_nearest(tangent(largest), &exact), "{largest:e}");
+    }
+}
+
+#[test]
 fn powers_are_correctly_rounded() {
     let mut random = Random::new(12);
     for _ in 0..cases() {

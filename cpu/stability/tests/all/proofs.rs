@@ -88,3 +88,11 @@ fn no_discriminant_in_f64_is_more_wrong_than_proved() {
         assert!(largest <= proved && largest > 1.0, "{largest} of {proved}");
     }
 }
+
+#[test]
+fn a_smaller_remainder_is_refused_where_the_second_derivative_is_largest() {
+    // The largest half of a second derivative is 1 / sqrt(3), for `d = (sqrt(2), 1)`.
+    let place = proof::background::remainder_is_at_most(0.577).expect_err("it is too small");
+    let x = f64::midpoint(place[0].low, place[0].high).abs();
+    assert!((x - 0.5_f64.sqrt()).abs() < 0.02, "{place:?}");
+}
