@@ -7,20 +7,10 @@
 //! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes: others have
 //! no boxes, and [`Candidates::are_culled`] is not set.
 //!
-//! The margin of the comparisons is [`TURNS`] times [`RayError::turn`] `t`, relative to a bound `l` of the distance
-//! from the camera to the farthest point of the object or box. `t` is at least `8 u` with `u = 2^-53`. These errors are
-//! in the margin, each relative to `l`:
-//!
-//! - A computed camera ray leaves the exact half-space by an angle of up to `t`. So its hit point may lie beyond the
-//!   plane by `t`.
-//! - With the terms of `render/ray_error.rs`, the vector to a point of the window has an error of at most `3 u s`. The
-//!   cross product of this vector and a side of the pixel adds `3 u s` times that side. The exact cross product is at
-//!   least `D` times that side. Normalising at most doubles the relative error, and adds `4 u`. So the error of the
-//!   unit normal is at most `12 u s / D + 4 u <= 2 t`.
-//! - The other roundings are: 1 of the vector to the centre; 3 of its dot product; 4 of the unit axis; 4 of the product
-//!   with the axis; 2 of the extent across the plane; 2 of the sums. They are at most `16 u`, which is `2 t`.
-//!
-//! The sum is `5 t`.
+//! The margin of the comparisons is [`TURNS`] times [`RayError::turn`], relative to a bound of the distance from the
+//! camera to the farthest point of the object or box. It covers the turn itself, by which a hit point may lie beyond
+//! the plane, the error of the plane's normal, and the rounding of both sides of the comparison
+//! (`cpu/stability/src/proof/frustum.rs`).
 //!
 //! [`RayError::turn`]: crate::render::ray_error::RayError::turn
 
@@ -28,10 +18,10 @@ use crate::render::{prepared::Prepared, span::Span};
 
 use crate::{
     accel::bounds::Bounds, accel::bounds::extent_of_disc, accel::object::ObjectId, accel::object::ObjectRef,
-    accel::object::count, counters::Counter, counters::add, geometry::camera::HALF_PIXEL,
+    accel::object::count, counters::Counter, counters::add, geometry::camera::Camera, geometry::camera::HALF_PIXEL,
     geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView, geometry::sphere::SphereRecord,
     geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS, layout::Objects,
-    layout::with_room, math::vec3::Vec3,
+    layout::with_room, math::real::Real, math::vec3::Vec3,
 };
 
 /// An object that a span's rays may hit, with the terms of its formula that are constant for all camera rays.
@@ -43,9 +33,8 @@ pub enum Candidate {
     Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
-/// The margin of the culling tests, in units of the turn of a camera ray. The documentation of [this module](self)
-/// derives that 5 suffice.
-const TURNS: f64 = 8.0;
+/// The margin of the culling tests, in units of the turn of a camera ray (docs/margins.md).
+pub const TURNS: f64 = 8.0;
 
 /// A half-space, as the normal of its plane, which goes through the camera. It contains the points `v`, relative to the
 /// camera, with `normal.v >= 0`. The normal has length one.
@@ -79,7 +68,7 @@ impl Outline {
             }
         };
         let center = center - prepared.camera.position;
-        let margin = TURNS * prepared.ray_error.turn * (center.length() + radius + half_height);
+        let margin = margin(prepared.ray_error.turn, center.length(), radius, half_height);
         Self { id, center, axis, half_height, radius, margin }
     }
 
@@ -87,13 +76,11 @@ impl Outline {
     /// nothing.
     fn may_overlap(&self, planes: &[HalfSpace; 2]) -> bool {
         let outside = |normal: &HalfSpace| {
-            let beyond = |extent: f64| normal.dot(self.center) < -extent - self.margin;
+            let beyond = |extent: f64| is_beyond(*normal, self.center, extent, self.margin);
             // A sphere around the centre decides for most cylinders, and for all spheres.
             beyond(self.radius + self.half_height)
-                || self.half_height > 0.0 && {
-                    let along = normal.dot(self.axis);
-                    beyond(self.half_height * along.abs() + self.radius * extent_of_disc(along))
-                }
+                || self.half_height > 0.0
+                    && beyond(extent_of_cylinder(*normal, self.axis, self.half_height, self.radius))
         };
         !planes.iter().any(outside)
     }
@@ -123,7 +110,7 @@ impl Candidates {
     /// Finds the objects that the camera rays of `row` may hit.
     pub fn begin_row<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize) {
         let camera = &prepared.camera;
-        let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
+        let at = |row: f64| to_window(camera, row);
         let row = row as f64;
         let above = half_space(at(row - HALF_PIXEL), camera.delta_x);
         let below = half_space(camera.delta_x, at(row + HALF_PIXEL));
@@ -139,7 +126,7 @@ impl Candidates {
     /// Finds those objects of the row that the camera rays of `span` may hit.
     pub fn begin_span<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
         let (camera, objects) = (&prepared.camera, &prepared.objects);
-        let center = camera.origin - camera.position + camera.delta_y * row as f64;
+        let center = to_window(camera, row as f64);
         let at = |column: f64| center + camera.delta_x * column;
         let left = half_space(camera.delta_y, at(span.first as f64 - HALF_PIXEL));
         let right = half_space(at(span.last as f64 + HALF_PIXEL), camera.delta_y);
@@ -168,8 +155,33 @@ impl Candidates {
 ///
 /// The side follows from the order of the two vectors. Seen from the camera, `delta_y` is a quarter of a turn clockwise
 /// from `delta_x`. So for a point `at` of the window, `delta_y x at` points to the right, and `delta_x x at` points up.
-fn half_space(first: Vec3, second: Vec3) -> HalfSpace {
+pub fn half_space<T: Real>(first: Vec3<T>, second: Vec3<T>) -> Vec3<T> {
     first.cross(second).unit()
+}
+
+/// Returns the vector from the camera to the middle of the window's first pixel in a row.
+pub fn to_window<T: Real>(camera: &Camera<T>, row: T) -> Vec3<T> {
+    camera.origin - camera.position + camera.delta_y * row
+}
+
+/// Whether an object certainly lies outside of a half-space. `center` is relative to the camera, and `extent` is how
+/// far the object reaches from there along the normal.
+#[inline(always)]
+pub fn is_beyond<T: Real>(normal: Vec3<T>, center: Vec3<T>, extent: T, margin: T) -> T::Mask {
+    normal.dot(center).less(-extent - margin)
+}
+
+/// Returns how far a cylinder reaches from its centre along the normal.
+#[inline(always)]
+pub fn extent_of_cylinder<T: Real>(normal: Vec3<T>, axis: Vec3<T>, half_height: T, radius: T) -> T {
+    let along = normal.dot(axis);
+    half_height * along.abs() + radius * extent_of_disc(along)
+}
+
+/// Returns the margin of an object at this distance from the camera, for a turn of its rays.
+#[inline(always)]
+pub fn margin<T: Real>(turn: T, distance: T, radius: T, half_height: T) -> T {
+    T::of(TURNS) * turn * (distance + radius + half_height)
 }
 
 /// Returns false only if the box certainly lies outside of one of the half-spaces. `from` is the camera's position, and

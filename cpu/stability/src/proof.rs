@@ -13,6 +13,7 @@ mod compensated;
 pub mod direction;
 pub mod exact;
 pub mod filters;
+mod frustum;
 pub mod interval;
 pub mod lanes;
 mod operations;
@@ -32,7 +33,7 @@ pub fn rows() -> Vec<row::Row> {
         filters::rows(),
         boxes::rows(),
         background::rows().to_vec(),
-        vec![camera::row(), series::row(), power::row()],
+        vec![camera::row(), frustum::row(), series::row(), power::row()],
     ]
     .concat()
 }

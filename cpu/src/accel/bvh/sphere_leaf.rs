@@ -7,11 +7,10 @@
 //!
 //! A bounding sphere is computed from the sphere's box. Let `u = 2^-24`, and let `P` be the largest magnitude of the
 //! box's coordinates. Without rounding, the box would be a cube around the sphere. Rounding moves each plane outward by
-//! at most 1.5 units in the last place, which is `3 u P` ([`Bounds::of_object`]). So the middle of the box is at most
-//! `1.5 u P` from the sphere's centre along each axis, and `3 u P` in space. A radius of half of the longest side plus
-//! `3 u P` would be enough. The code adds `16 u P`. The other `13 u P` cover the rounding in [`SphereLeaf::overlaps`]:
-//! at most `u P` for a centre, and `2 u P` for the centre plus or minus the radius. This is true for coordinates. Trees
-//! with bytes are so large that isolated objects, for which boxes are tested for overlaps, are not sought.
+//! at most 1.5 units in the last place, which is `3 u P` ([`Bounds::of_object`]). So the middle of the box is not the
+//! sphere's centre. The radius has room for that, and for the rounding in [`SphereLeaf::overlaps`]
+//! (`cpu/stability/src/proof/boxes.rs`). This is true for coordinates. Trees with bytes are so large that isolated
+//! objects, for which boxes are tested for overlaps, are not sought.
 
 use crate::accel::bounds::Bounds;
 use crate::accel::bvh::{planes::Plane, planes::WIDTH};
@@ -169,8 +168,8 @@ mod tests {
         (objects, bounds, side)
     }
 
-    /// Checks that each bounding sphere contains its sphere and the room for rounding that the head of the module
-    /// derives, and that its radius is at most `excess` larger.
+    /// Checks that each bounding sphere contains its sphere with room for rounding, and that its radius is at most
+    /// `excess` larger.
     fn contain(leaf: &SphereLeaf<'_, impl Plane>, objects: &AosObjects, boxes: &[Bounds], excess: f64) {
         let Frame { origin, steps, radius_step } = leaf.frame;
         for (lane, bounds) in boxes.iter().enumerate() {

@@ -76,22 +76,3 @@ const fn number(integer: i128) -> DoubleDouble {
     let high = integer as f64;
     DoubleDouble { high: high * UNIT, low: (integer - high as i128) as f64 * UNIT }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math::fixed_point;
-    use crate::math::real::Real;
-
-    #[test]
-    fn logarithms_are_those_of_the_fixed_point_series() {
-        let of = |integer| fixed_point::logarithm(integer, 0, 192).0;
-        for k in 90..=181 {
-            let exact = (&of(128) - &of(k as u64)).to_double_double();
-            let error = (logarithm(k) - exact).abs().high;
-            assert!(error < 2.0_f64.powi(-106), "{k}: {error:e}");
-        }
-        assert_eq!(logarithm(128), DoubleDouble::of(0.0));
-        assert!((LN_2 - of(2).to_double_double()).abs().high < 2.0_f64.powi(-106));
-    }
-}

@@ -4,10 +4,10 @@
 //! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
 //! The modules say why underflow is negligible.
 
-use cpu::internals::accel::bounds::{self, extent_of_disc};
+use cpu::internals::accel::bounds::{self, Bounds, extent_of_disc};
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
 use cpu::internals::accel::bvh::slab_ray::{MARGIN, SlabRay, margin, moved};
-use cpu::internals::accel::bvh::sphere_leaf::{Frame, SphereLeaf};
+use cpu::internals::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
 use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit};
 use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
@@ -39,7 +39,7 @@ const MOST_STEPS: f64 = 2.0 * (1.0 + 1.0 / 127.0);
 /// Returns the rows of the BVH.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    let mut rows = vec![disc(), slabs()];
+    let mut rows = vec![disc(), slabs(), leaves()];
     rows.extend(bounding_spheres());
     rows
 }
@@ -97,6 +97,31 @@ fn slabs() -> Row {
     let (constant, need) = (near[0].min(far[0]), near[1].max(far[1]));
     let (what, unit) = ("distance of a box's plane", "v (P + abs(O)) / abs(d)");
     Row { what, file: "accel/bvh/slab_ray.rs", constant, need, unit }
+}
+
+/// Returns the row of the bounding spheres of leaves.
+///
+/// Rounding moves each plane of a box outward by at most 1.5 units in the last place, `3 v P`. So the box's middle is
+/// at most `1.5 v P` from the sphere's centre along each axis, and `sqrt(3)` times that in space. The numbers that are
+/// compared with a plane have errors too.
+fn leaves() -> Row {
+    lanes::begin(WITHOUT_UNDERFLOW, f64::NAN);
+    let (center, radius, plane) = (3.0, 5.0, 7.0);
+    name(center, Bounded::of_size(STEPS, length(FARTHEST), 0.0));
+    name(radius, Bounded::of_size(CROSS, length(FARTHEST), 0.0));
+    name(plane, Bounded::of_size(FRAME, length(FARTHEST), 0.0));
+    let rows = [[center; WIDTH], [center; WIDTH], [center; WIDTH], [radius; WIDTH]];
+    let bounds = Bounds { low: [plane; 3], high: [plane; 3] };
+    _ = SphereLeaf { rows: &rows, frame: Frame::IDENTITY }.overlaps::<Lane>(&bounds);
+    let needs = compared()
+        .into_iter()
+        .flatten()
+        .map(|number| relative_to_sizes(&number.bounds().error, 0.0, &[length(FARTHEST)], 1.0));
+    let need = 1.5 * 3.0_f64.sqrt() + needs.fold(0.0, f64::max);
+    // By how much the radius around this cube exceeds 1, for a largest coordinate of 1.
+    let cube = BoundingSphere::of(&Bounds { low: [-1.0; 3], high: [1.0; 3] });
+    let constant = (cube.radius_around([0.0; 3]) - 1.0) / V;
+    Row { what: "bounding spheres of leaves", file: "accel/bvh/sphere_leaf.rs", constant, need, unit: "v P" }
 }
 
 /// The numbers of the test of one bounding sphere.
