@@ -299,7 +299,7 @@ fn crowd([number, size, floor, _]: Point) -> FamilyScene {
 
 /// Returns small objects, and a far larger sphere around them or a thick cylinder beside them.
 fn one_giant([radius, number, shape, _]: Point) -> FamilyScene {
-    let (radius, number) = (log(radius, 1e3, 1e12), count(number, 1.0, 1000.0));
+    let (radius, number) = (log(radius, 1e3, 1e12), count(number, 1.0, 10_000.0));
     let giant = if shape < 0.5 {
         format!("sphere: {:e} 0 {radius:e} {:e} m\n", 5.0 + radius * 0.1, radius * 0.9)
     } else {

@@ -17,6 +17,7 @@ pub(crate) mod dominant_sphere;
 pub mod every_object;
 pub mod extent;
 pub mod flat_filter;
+mod giants;
 pub mod inside;
 pub mod isolated;
 pub mod may_hit;

@@ -4,6 +4,7 @@
 //! number. A failure shows the smallest failing case that was found, with its seeds.
 
 mod cameras;
+mod giants;
 mod limits;
 mod near_surfaces;
 mod odd_scenes;

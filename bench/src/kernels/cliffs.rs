@@ -17,6 +17,7 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "disc-floor-1e7", new: || picture("disc-floor", [decade(7.0), 0.0, 0.0, 0.0]) },
     Kernel { name: "sphere-floor-1e12", new: || picture("sphere-floor", [decade(12.0), 0.3, 0.3, 0.0]) },
     Kernel { name: "tube-along-its-axis", new: || picture("tube", [0.1, 0.5, 0.3, 0.0]) },
+    Kernel { name: "one-giant-at-1e11", new: || picture("one-giant", [0.9, 0.75, 0.0, 0.0]) },
     Kernel { name: "telescope-at-1e7", new: || picture("telescope", [0.86, 0.5, 0.5, 0.0]) },
 ];
 

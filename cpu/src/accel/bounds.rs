@@ -1,6 +1,6 @@
-//! Axis-aligned boxes around objects. They are large enough to hold every hit point in spite of rounding.
+//! Axis-aligned boxes around objects. They contain their objects in spite of rounding.
 
-use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
+use crate::accel::{object::ObjectId, object::ObjectRef};
 use crate::{layout::Objects, math::real::Real, math::vec3::Vec3};
 
 /// Returns at least the extent along a direction of a disc of radius 1. `along` is the dot product of the direction and
@@ -79,26 +79,19 @@ impl Bounds {
         self.low[axis] + self.high[axis]
     }
 
-    /// Returns a box around the object with the number `id`.
-    ///
-    /// The box contains every hit point that the intersection may return. Such a point may lie a little outside of the
-    /// surface, because rounding changes the discriminant. The change is at most some units in the last place of the
-    /// squared distance from the ray's origin to the centre. It has the effect of a larger radius. The box has room for
-    /// a change of 64 `EPSILON` times the largest such distance squared, `12 max_coordinate^2`.
-    pub fn of_object<O: Objects>(objects: &O, id: ObjectId, extent: &Extent) -> Self {
-        let distance_squared = 12.0 * extent.max_coordinate * extent.max_coordinate;
-        let slack = |radius: f64| (radius * radius + 64.0 * f64::EPSILON * distance_squared).sqrt() - radius;
+    /// Returns a box that contains the object with the number `id`.
+    pub fn of_object<O: Objects>(objects: &O, id: ObjectId) -> Self {
         match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => {
                 let sphere = objects.sphere(index).record;
-                Self::around(sphere.center, Vec3::splat(sphere.radius + slack(sphere.radius)))
+                Self::around(sphere.center, Vec3::splat(sphere.radius))
             }
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index).record;
                 let half_size = cylinder
                     .axis
                     .map(|along| cylinder.half_height * along.abs() + cylinder.radius * extent_of_disc(along));
-                Self::around(cylinder.center, half_size.map(|half| half + slack(cylinder.radius)))
+                Self::around(cylinder.center, half_size)
             }
         }
     }
@@ -123,7 +116,7 @@ mod tests {
     fn bounds(line: &str) -> Bounds {
         let scene = Scene::parse(format!("matte: m 1 1 1\n{line} m\n").as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("one object fits");
-        Bounds::of_object(&objects, 0, &Extent { max_coordinate: 10.0, moderate: true })
+        Bounds::of_object(&objects, 0)
     }
 
     fn assert_tight(actual: Bounds, low: [f32; 3], high: [f32; 3]) {

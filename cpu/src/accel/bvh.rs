@@ -15,16 +15,18 @@ mod visit;
 use crate::accel::{
     accelerator::Accelerator, accelerator::Start, bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree,
     bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::find_isolated::FindIsolated, bvh::node::Kind,
-    bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale,
-    bvh::sphere_ray::SphereRay, closest_hit::ClosestHit, dominant_sphere::DominantSphere,
-    every_object::intersect_every_object, extent::Extent, isolated::Isolated, may_hit::conservative::ConservativeRay,
-    object::NO_OBJECT, object::ObjectId, object::ObjectRef, object::count, object::cylinder_index, stack::Stack,
+    bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_reach,
+    bvh::slab_ray::is_in_scale, bvh::sphere_ray::SphereRay, closest_hit::ClosestHit, dominant_sphere::DominantSphere,
+    every_object::intersect_every_object, every_object::intersect_objects, extent::Extent, extent::reach,
+    giants::giants_beyond, isolated::Isolated, may_hit::conservative::ConservativeRay, object::NO_OBJECT,
+    object::ObjectId, object::ObjectRef, object::count, object::cylinder_index, stack::Stack,
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
     counters::Counter, counters::add, exact::cylinder_parts::LIMITS, geometry::ray::Ray, input::error::Error,
     layout::Objects, layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
 };
+use std::ops::Range;
 
 /// Maximum number of objects of a scene in which the isolated objects are sought. In a larger scene no object counts as
 /// isolated, because the search would take as long as building the tree.
@@ -45,6 +47,8 @@ pub struct Bvh<B> {
     margins: [f32; 3],
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
+    /// The numbers of the giants, which are not in the tree: spheres, and cylinders. `None` if there are none.
+    pub(super) giants: Option<[Range<ObjectId>; 2]>,
     pub(super) isolated: Isolated,
     /// Whether there are sphere leaves: nodes with only spheres have bounding spheres instead of boxes.
     has_sphere_leaves: bool,
@@ -62,23 +66,34 @@ impl<B: Boxes> Bvh<B> {
         let count = count(objects);
         let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
-        let boxes = others.map(|id| (Bounds::of_object(objects, id, extent), id));
+        let limit = giants_beyond(objects, dominant, extent);
+        let (is_giant, giants) =
+            (|id: &ObjectId| limit.is_some_and(|limit| reach(objects, *id) > limit), others.clone());
+        let boxes = others.filter(|id| !is_giant(id)).map(|id| (Bounds::of_object(objects, id), id));
         let tree = build(count, sphere_count, boxes, sphere_leaves)?;
         let Tree { mut nodes, mut spheres, mut cylinders, has_sphere_leaves } = tree;
         // The builder planned it for the objects of the tree, without the dominant sphere, which is added below.
         let collapsed_root = CollapsedRoot::new(&mut nodes, spheres.len() + cylinders.len())?;
-        // The dominant sphere is behind all spheres of the tree.
+        // The dominant sphere is behind all spheres of the tree, and the giants are behind all other objects of a kind.
         let dominant = DominantSphere(dominant.0.map(|id| {
             spheres.push(id);
-            sphere_count as ObjectId - 1
+            spheres.len() as ObjectId - 1
         }));
+        let giants = limit.map(|_| {
+            let first = [spheres.len(), sphere_count + cylinders.len()].map(|number| number as ObjectId);
+            for id in giants.filter(is_giant) {
+                if (id as usize) < sphere_count { spheres.push(id) } else { cylinders.push(id) }
+            }
+            [first[0]..sphere_count as ObjectId, first[1]..count as ObjectId]
+        });
         cylinders.iter_mut().for_each(|id| *id = cylinder_index(objects, *id) as u32);
         objects.reorder(&mut spheres, &mut cylinders);
         let root = nodes.first().into_iter().flat_map(Node::children);
         let margins = slab_ray::margins(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
-        let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate);
-        let mut bvh = Self { nodes, collapsed_root, margins, dominant, isolated, has_sphere_leaves, max_coordinate };
-        if count <= MOST_FOR_ISOLATION {
+        let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate.min(Extent::LARGEST));
+        let mut bvh =
+            Self { nodes, collapsed_root, margins, dominant, giants, isolated, has_sphere_leaves, max_coordinate };
+        if count <= MOST_FOR_ISOLATION && limit.is_none() {
             let find = FindIsolated { nodes: &bvh.nodes, objects, extent, dominant };
             bvh.isolated = InstructionSet::fused().run(find)?;
         }
@@ -191,17 +206,23 @@ pub struct Traversal<'a, B> {
 impl<B: Boxes> Accelerator for Traversal<'_, B> {
     #[inline(always)]
     fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, start: Start) -> ClosestHit {
-        let (bvh, start_object) = (self.bvh, start.object);
-        let mut closest = ClosestHit::NOTHING;
+        let bvh = self.bvh;
+        let (mut closest, mut start_object) = (ClosestHit::NOTHING, start.object);
         let conservative = ConservativeRay::new(*ray);
         if !is_in_scale(conservative.length_squared) {
             return intersect_every_object(objects, *ray);
         }
+        if let Some(giants) = &bvh.giants {
+            if !is_in_reach(ray.origin, conservative.length_squared) {
+                return intersect_every_object(objects, *ray);
+            }
+            closest = intersect_objects(objects, giants.clone(), *ray);
+            if giants.iter().any(|giants| giants.contains(&start_object)) {
+                start_object = NO_OBJECT;
+            }
+        }
         if let Some(index) = bvh.dominant.may_be_hit(objects, &conservative) {
             closest.intersect_dominant_sphere(objects, index, ray);
-        }
-        if bvh.nodes.is_empty() {
-            return closest;
         }
         if start_object != NO_OBJECT && !bvh.dominant.is(start_object) {
             let mut again = ClosestHit::NOTHING;

@@ -48,12 +48,8 @@ impl DominantSphere {
     /// points. Such a ray can hit only the dominant sphere and the objects that overlap it.
     pub fn overlapping(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
         let (center, radius) = bounding_sphere(objects, self.0?);
-        // Let q be the squared distance from the ray's origin to the centre. Rounding in the plain formula moves a
-        // point away from the surface by some 26 units in the last place of (q + r^2) / r.
-        let squares = 12.0 * extent.max_coordinate * extent.max_coordinate;
-        let slack = SEPARATION * extent.max_coordinate + 64.0 * f64::EPSILON * squares / radius;
-        let overlaps =
-            |&id: &ObjectId| !self.is(id) && Bounds::of_object(objects, id, extent).distance(center) <= radius + slack;
+        let reach = radius + SEPARATION * extent.max_coordinate;
+        let overlaps = |&id: &ObjectId| !self.is(id) && Bounds::of_object(objects, id).distance(center) <= reach;
         let ids = (0..count(objects) as ObjectId).filter(overlaps);
         let overlapping: Vec<_> = ids.take(MOST_OVERLAPPING + 1).collect();
         (overlapping.len() <= MOST_OVERLAPPING).then_some(overlapping)

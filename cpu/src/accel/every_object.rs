@@ -1,6 +1,11 @@
 //! The simplest acceleration structure, which intersects every object.
 
-use crate::accel::{accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, object::count};
+use std::ops::Range;
+
+use crate::accel::{
+    accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, object::ObjectId, object::count,
+    object::cylinder_index,
+};
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Objects, simd::Simd};
 
 /// An acceleration structure without data, whose closest hit is found by intersecting every object of the scene.
@@ -22,13 +27,20 @@ impl Accelerator for EveryObject {
 /// call this function, and a reference would force them to keep every ray in memory instead of registers.
 #[inline(never)]
 pub fn intersect_every_object<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
-    add(Counter::UnfilteredTests, count(objects) as u64);
+    let spheres = objects.sphere_count() as ObjectId;
+    intersect_objects(objects, [0..spheres, spheres..count(objects) as ObjectId], ray)
+}
+
+/// Returns the closest hit among the objects with these numbers, spheres and cylinders.
+#[inline(never)]
+pub fn intersect_objects<O: Objects>(objects: &O, [spheres, cylinders]: [Range<ObjectId>; 2], ray: Ray) -> ClosestHit {
+    add(Counter::UnfilteredTests, (spheres.len() + cylinders.len()) as u64);
     let mut closest = ClosestHit::NOTHING;
-    for index in 0..objects.sphere_count() {
-        closest.intersect_sphere(objects, index, &ray);
+    for id in spheres {
+        closest.intersect_sphere(objects, id as usize, &ray);
     }
-    for index in 0..objects.cylinder_count() {
-        closest.intersect_cylinder(objects, index, &ray);
+    for id in cylinders {
+        closest.intersect_cylinder(objects, cylinder_index(objects, id), &ray);
     }
     closest
 }

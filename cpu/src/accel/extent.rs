@@ -9,27 +9,26 @@ use crate::{geometry::camera::Camera, input::material::Material, layout::Objects
 pub struct Extent {
     /// The largest magnitude of a coordinate of the objects and of the camera, in scene units.
     pub max_coordinate: f64,
-    /// Whether the scene is moderate: all magnitudes are within the limits [`Extent::LARGEST`] and
-    /// [`Extent::SMALLEST`]. In any other scene, intermediate values of the conservative tests could overflow or
-    /// underflow. So there the exact formulas intersect every object.
+    /// Whether the scene is moderate: all magnitudes but the coordinates of objects are within the limits
+    /// [`Extent::LARGEST`] and [`Extent::SMALLEST`]. In any other scene, intermediate values of the conservative tests
+    /// could overflow or underflow. So there the exact formulas intersect every object.
     pub moderate: bool,
 }
 
 impl Extent {
-    /// The largest coordinate, window distance or diffusion of a moderate scene.
+    /// The largest coordinate, window distance or diffusion of a moderate scene. Farther objects are giants.
     pub const LARGEST: f64 = 1e9;
     /// The smallest radius or half height of a moderate scene. The smallest size of a pixel is the square of this.
     pub const SMALLEST: f64 = 1e-6;
 
     /// Returns the extent of a scene with its camera.
     pub fn new(objects: &impl Objects, camera: &Camera, materials: &[Material]) -> Self {
-        let magnitude = |vector: Vec3| vector.x.abs().max(vector.y.abs()).max(vector.z.abs());
-        let (mut max_coordinate, mut smallest) = (magnitude(camera.position), f64::INFINITY);
+        let place = magnitude(camera.position);
+        let (mut max_coordinate, mut smallest) = (place, f64::INFINITY);
         for id in 0..count(objects) as ObjectId {
-            let (center, radius) = bounding_sphere(objects, id);
-            max_coordinate = max_coordinate.max(magnitude(center) + radius);
+            max_coordinate = max_coordinate.max(reach(objects, id));
             smallest = smallest.min(match ObjectRef::of(objects, id) {
-                ObjectRef::Sphere(_) => radius,
+                ObjectRef::Sphere(index) => objects.sphere(index).record.radius,
                 ObjectRef::Cylinder(index) => {
                     let record = objects.cylinder(index).record;
                     record.radius.min(record.half_height)
@@ -42,15 +41,26 @@ impl Extent {
         });
         let pixel = camera.delta_x.length().min(camera.delta_y.length());
         let window = (camera.origin - camera.position).length();
-        let moderate = [max_coordinate, diffusion, window].iter().all(|&size| size <= Self::LARGEST)
+        let moderate = [place, diffusion, window].iter().all(|&size| size <= Self::LARGEST)
             && smallest >= Self::SMALLEST
             && pixel >= Self::SMALLEST * Self::SMALLEST;
         Self { max_coordinate, moderate }
     }
 }
 
+/// Returns a bound of the magnitudes of an object's coordinates, in scene units.
+pub fn reach(objects: &impl Objects, id: ObjectId) -> f64 {
+    let (center, radius) = bounding_sphere(objects, id);
+    magnitude(center) + radius
+}
+
+fn magnitude(vector: Vec3) -> f64 {
+    vector.x.abs().max(vector.y.abs()).max(vector.z.abs())
+}
+
 /// Whether no coordinate of the point exceeds `max_coordinate`, apart from the rounding of a hit point. NaN does not
-/// exceed it. Debug builds check with this that a ray starts inside the scene's extent.
+/// exceed it. Debug builds check with this that a ray starts inside the scene's extent, and trees
+/// that a ray does not start too far away.
 pub fn is_within(point: Vec3, max_coordinate: f64) -> bool {
     let limit = max_coordinate * (1.0 + 1e-6);
     point.to_array().iter().all(|coordinate| coordinate.is_nan() || coordinate.abs() <= limit)
@@ -80,10 +90,13 @@ mod tests {
 
     #[test]
     fn extreme_scenes_are_not_moderate() {
-        for line in
-            ["sphere: 1e10 0 0 1 m", "sphere: 0 0 0 1e-7 m", "cylinder: 0 0 0 1 1e-9 0 0 m", "metal: n 1 1 1 1e10"]
-        {
-            assert!(!extent(&format!("matte: m 1 1 1\n{line}\n")).moderate, "{line}");
+        for (line, moderate) in [
+            ("sphere: 1e10 0 0 1 m", true),
+            ("sphere: 0 0 0 1e-7 m", false),
+            ("cylinder: 0 0 0 1 1e-9 0 0 m", false),
+            ("metal: n 1 1 1 1e10", false),
+        ] {
+            assert_eq!(extent(&format!("matte: m 1 1 1\n{line}\n")).moderate, moderate, "{line}");
         }
     }
 }

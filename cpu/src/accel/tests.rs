@@ -74,6 +74,12 @@ impl Kernel for Intersect<'_> {
 /// Compares a structure with the one that intersects every object, for random rays and for rays that start at their
 /// hits. Many of the rays graze a sphere.
 fn agrees_with_plain(accel: &Accel, objects: &AosObjects, rays: usize) {
+    agrees_for_far_rays(accel, objects, rays, 1.0);
+}
+
+/// Compares as [`agrees_with_plain`], but with a quarter of the rays starting `far` times as far away. Half of these
+/// rays are parallel to an axis and go back towards the objects.
+fn agrees_for_far_rays(accel: &Accel, objects: &AosObjects, rays: usize, far: f64) {
     let mut draws = Uniform::new(99);
     let mut stack = Stack::EMPTY;
     let (mut hits, mut misses) = (0, 0);
@@ -91,6 +97,12 @@ fn agrees_with_plain(accel: &Accel, objects: &AosObjects, rays: usize) {
                 let aside = ray.direction.perpendicular_to(to_center.unit()).unit() * target.radius;
                 let share = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-15.0, -3.0));
                 ray.direction = to_center + aside * share;
+            }
+            if far > 1.0 && number % 4 == 1 {
+                ray.origin.x *= far;
+                if number % 8 == 5 {
+                    ray.direction = Vec3::new(-ray.origin.x.signum(), 0.0, 0.0);
+                }
             }
             let mut start_object = NO_OBJECT;
             for _ in 0..3 {
@@ -235,9 +247,41 @@ fn rays_inside_an_object_hit_what_overlaps_it() {
 
 #[test]
 fn a_scene_of_extreme_magnitudes_intersects_every_object() {
-    let extent = Extent { max_coordinate: 1e12, moderate: false };
-    let plain = Accel::new(&mut objects(7, 3.0, 1), &extent).expect("it fits");
-    assert!(matches!(plain, Accel::EveryObject));
+    for (count, moderate) in [(7, true), (90, false)] {
+        let extent = Extent { max_coordinate: 1e12, moderate };
+        let plain = Accel::new(&mut objects(count, 3.0, 1), &extent).expect("it fits");
+        assert!(matches!(plain, Accel::EveryObject));
+    }
+}
+
+#[test]
+fn giants_are_not_in_the_tree_and_give_the_closest_hits() {
+    let few = |count: usize| move |line: &str| format!("{line} m\n").repeat(count);
+    let (one, eight, nine) = (few(1), few(8), few(9));
+    // The giants, the numbers of spheres and cylinders among them, and the largest coordinate of the rays' origins.
+    let cases = [
+        (one("sphere: 0 -4e11 0 4e11"), Some([0, 0]), 1e15),
+        (one("sphere: 0 -4e8 0 4e8"), None, 1e9),
+        (one("cylinder: 0 -1 0 4e11 0 1 0"), Some([0, 1]), 1e15),
+        (one("cylinder: 0 -1 0 4e7 0 1 0"), Some([0, 1]), 1e8),
+        (one("sphere: 0 0 0 4e11") + &one("cylinder: 9 9 9 3e11 2e11 1e11 0"), Some([1, 1]), 1e12),
+        (one("sphere: 0 3e40 0 1e40") + &one("sphere: 0 3e180 0 1e180"), Some([1, 0]), 1e200),
+        (one("sphere: 2e10 0 0 1") + &one("sphere: 0 0 0 1e7"), Some([1, 0]), 1e11),
+        (eight("sphere: 0 -4e7 0 4e7"), Some([8, 0]), 1e8),
+        (nine("sphere: 0 -4e7 0 4e7"), None, 1e8),
+        (nine("sphere: 0 -4e9 0 4e9"), Some([9, 0]), 1e10),
+    ];
+    for (giants, expected, far) in cases {
+        let mut objects = parsed(&(objects_text(90, 2.0, 6) + &giants));
+        let max_coordinate = if far >= 1e9 { far } else { 2.0 * far };
+        let (extent, mut again) = (Extent { max_coordinate, moderate: true }, objects.clone());
+        let wide = Bvh::new(&mut objects, &extent, None).expect("it fits");
+        let bytes = Bvh::new(&mut again, &extent, None).expect("it fits");
+        assert_eq!(wide.giants.clone().map(|giants| giants.map(|giants| giants.len())), expected, "{giants}");
+        for (accel, objects) in [(Accel::Bvh(wide), objects), (Accel::LargeBvh(bytes), again)] {
+            agrees_for_far_rays(&accel, &objects, 300, far / 15.0);
+        }
+    }
 }
 
 /// Compares a structure with the one that intersects every object, for directions of any length. The lengths are from

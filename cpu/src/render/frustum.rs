@@ -3,9 +3,10 @@
 //! The rays of a row lie between two planes through the camera, above and below the row. The rays of a span also lie
 //! between two planes to its left and right. An object that lies outside of one of these planes is culled.
 //!
-//! An object is culled only if a comparison is true. A comparison with NaN is false, so NaN never culls. No value
-//! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes: others have
-//! no boxes, and [`Candidates::are_culled`] is not set.
+//! An object is culled only if a comparison is true. A comparison with NaN is false, so NaN never culls. Objects are
+//! culled only in [moderate](crate::accel::extent::Extent::moderate) scenes: others have no boxes, and
+//! [`Candidates::are_culled`] is not set. There only the distance of a giant can overflow. Its margin is then infinite,
+//! so it is not culled.
 //!
 //! The margin of the comparisons is [`TURNS`] times [`RayError::turn`], relative to a bound of the distance from the
 //! camera to the farthest point of the object or box. It covers the turn itself, by which a hit point may lie beyond

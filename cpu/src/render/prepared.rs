@@ -25,7 +25,7 @@ pub struct Prepared<L: Layout> {
     pub objects: L::Objects,
     /// The scene's materials, with constants that are computed once.
     pub materials: Vec<PreparedMaterial>,
-    /// Whether all magnitudes are [moderate](Extent::moderate), so that culling and background pixels are allowed.
+    /// Whether the scene is [moderate](Extent::moderate), so that culling and background pixels are allowed.
     pub moderate: bool,
     /// The acceleration structure over the objects.
     pub accel: Accel,

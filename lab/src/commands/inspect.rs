@@ -103,7 +103,7 @@ impl Inspection {
         let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
         let extent = Extent::new(&prepared.objects, &prepared.camera, &scene.materials_in_use()?);
         let bounds = (0..scene.objects.len())
-            .map(|id| Bounds::of_object(&prepared.objects, id as u32, &extent))
+            .map(|id| Bounds::of_object(&prepared.objects, id as u32))
             .reduce(|all, one| all.union(&one));
         let mut used = vec![false; scene.materials.len()];
         let mut objects_by_material = BTreeMap::new();

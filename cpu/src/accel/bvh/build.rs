@@ -15,7 +15,7 @@ use crate::{input::error::Error, input::error::push, layout::with_room};
 /// The tree over the objects of a scene.
 #[derive(Debug)]
 pub struct Tree<B> {
-    /// The nodes, the root first. The list is empty if there are no objects.
+    /// The nodes, the root first.
     pub nodes: Vec<Node<B>>,
     /// The old number of each sphere of the tree. The sphere's new number is its index in this list.
     pub spheres: Vec<ObjectId>,
@@ -49,6 +49,7 @@ pub fn build<B: Boxes>(
     let has_sphere_leaves = sphere_leaves
         .unwrap_or_else(|| sphere_leaf::save_time(items.len(), half_areas.sum(), all.bounds.unpacked().half_area()));
     let mut tree = Tree { nodes, spheres, cylinders, has_sphere_leaves };
+    push(&mut tree.nodes, Node::EMPTY, HIERARCHY)?;
     if items.is_empty() {
         return Ok(tree);
     }
@@ -58,7 +59,6 @@ pub fn build<B: Boxes>(
     // The nodes that are not filled yet: index, range of items and depth.
     let mut pending = Vec::new();
     push(&mut pending, (0, all, 0), HIERARCHY)?;
-    push(&mut tree.nodes, Node::EMPTY, HIERARCHY)?;
     while let Some((index, range, depth)) = pending.pop() {
         let most = match planned {
             Some(planned) if depth == 1 => {

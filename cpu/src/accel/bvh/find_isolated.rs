@@ -43,7 +43,7 @@ impl<B: Boxes, O: Objects> Kernel for FindIsolated<'_, B, O> {
 
 impl<B: Boxes, O: Objects> FindIsolated<'_, B, O> {
     fn bounds_of(&self, id: ObjectId) -> Bounds {
-        Bounds::of_object(self.objects, id, self.extent)
+        Bounds::of_object(self.objects, id)
     }
 
     /// Whether the box of an object other than `id` overlaps the box `bounds`. If [`MOST_VISITS`] visits of nodes do

@@ -18,13 +18,14 @@
 //! hit before it, for being entered behind it.
 //!
 //! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
-//! product with a coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their
-//! other operand, which keeps the box. The product `s r` may be subnormal, which changes a distance by at most `255 *
-//! 2^-150`. Each plane is moved by at least [`LEAST_MARGIN`] times `r`, which is more than 10 times as much.
+//! product with a coordinate exceeds 10^38, unless the ray starts on a giant ([`is_in_reach`]). If a distance is NaN
+//! all the same, the maximum and the minimum return their other operand, which keeps the box. The product `s r` may be
+//! subnormal, which changes a distance by at most `255 * 2^-150`. Each plane is moved by at least [`LEAST_MARGIN`]
+//! times `r`, which is more than 10 times as much.
 
 use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
-use crate::accel::{bounds::Bounds, may_hit::conservative::is_too_short};
-use crate::{geometry::ray::Ray, math::real::Real, simd::SimdF32};
+use crate::accel::{bounds::Bounds, extent::is_within, may_hit::conservative::is_too_short};
+use crate::{geometry::ray::Ray, math::real::Real, math::vec3::Vec3, simd::SimdF32};
 
 /// A slab test moves each plane of a box outward to cover rounding. Along the x axis it moves a plane by at least
 /// `MARGIN (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all boxes. The
@@ -50,6 +51,20 @@ const LONGEST_SQUARED: f64 = 1e60;
 #[inline(always)]
 pub fn is_in_scale(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST_SQUARED
+}
+
+/// The largest coordinate of an origin for a direction of length 1.
+const FARTHEST: f64 = 1e17;
+
+/// Whether a ray that is [in scale](is_in_scale) starts near enough for slab tests, and for those of sphere leaves:
+/// `|o| <= 10^17 min(|d|, 1)`. A ray that starts on a [giant](crate::accel::giants) may start farther away.
+///
+/// Such a ray is at all planes across its direction's largest component before lambda 10^18; see [`LEAST_MARGIN`]. If
+/// `o r` overflows along an axis, `|o|` exceeds all planes, and `|d|` along the axis is below `10^-20`. So the ray does
+/// not reach the planes before lambda 10^30, and there it is far from all planes across the largest component. It hits
+/// no box, and infinite distances exclude all boxes, or they are NaN and keep them.
+pub fn is_in_reach(origin: Vec3, length_squared: f64) -> bool {
+    is_within(origin, FARTHEST * length_squared.sqrt().min(1.0))
 }
 
 /// Returns, for each axis, the part of a plane's move that does not depend on the ray: `MARGIN |p| + LEAST_MARGIN`,
@@ -148,7 +163,6 @@ impl<F: SimdF32> SlabRay<F> {
 mod tests {
     use super::*;
     use crate::accel::bvh::{boxes::Boxes, boxes::WideBoxes, byte_boxes::ByteBoxes};
-    use crate::math::vec3::Vec3;
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
 

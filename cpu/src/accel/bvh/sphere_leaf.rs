@@ -134,7 +134,7 @@ impl<P: Plane> SphereLeaf<'_, P> {
 mod tests {
     use super::*;
     use crate::accel::bvh::{boxes::Boxes, boxes::WideBoxes, byte_boxes::ByteBoxes};
-    use crate::accel::{extent::Extent, object::count};
+    use crate::accel::object::count;
     use crate::input::scene::Scene;
     use crate::layout::{Objects, aos::AosObjects};
     use crate::sampling::uniform::Uniform;
@@ -163,8 +163,7 @@ mod tests {
             text += &format!("sphere: {x} {y} {z} {} m\n", side * 10.0_f64.powf(draws.draw(-2.0, 0.0)));
         }
         let objects = AosObjects::build(&Scene::parse(text.as_bytes()).expect("it is valid")).expect("it fits");
-        let extent = Extent { max_coordinate: offset.abs() + 2.0 * side, moderate: true };
-        let bounds = (0..count(&objects) as u32).map(|id| Bounds::of_object(&objects, id, &extent)).collect();
+        let bounds = (0..count(&objects) as u32).map(|id| Bounds::of_object(&objects, id)).collect();
         (objects, bounds, side)
     }
 

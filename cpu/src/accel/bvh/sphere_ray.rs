@@ -13,9 +13,10 @@
 //! less than `31 u M`, `22 u M` and `15 u M`, with the steps of bytes. The code enlarges each radius by `32 u M`. So
 //! the test never discards a bounding sphere that the ray hits before the closest hit so far.
 //!
-//! What happens at extreme magnitudes? Coordinates are at most 10^9, so no square overflows. The squared length of a
-//! direction may overflow to infinity. Then `e` and the reciprocal are 0, and every bounding sphere counts as hit. This
-//! is slow but right. The margin is at least 6 10^-10, so no square of a radius underflows.
+//! What happens at extreme magnitudes? Coordinates are at most 10^9, or 10^17 if the ray starts on a giant, so no
+//! square overflows. The squared length of a direction may overflow to infinity. Then `e` and the reciprocal are 0, and
+//! every bounding sphere counts as hit. This is slow but right. The margin is at least 6 10^-10, so no square of a
+//! radius underflows.
 
 use crate::accel::bvh::slab_ray::margin;
 use crate::accel::bvh::{planes::Plane, planes::WIDTH, sphere_leaf::SphereLeaf};

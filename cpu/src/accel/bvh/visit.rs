@@ -5,16 +5,15 @@ use crate::accel::bvh::{Bvh, boxes::Boxes, node::Kind};
 use crate::accel::{bounds::Bounds, object::ObjectId, stack};
 
 impl<B: Boxes> Bvh<B> {
-    /// Calls `visit` with the dominant sphere, and with every object for which `may_reach` accepts the object's box and
-    /// the boxes of all nodes above it.
+    /// Calls `visit` with the dominant sphere, the giants, and every object for which `may_reach` accepts the object's
+    /// box and the boxes of all nodes above it.
     pub fn visit(&self, mut may_reach: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
         let mut pending = Vec::with_capacity(stack::CAPACITY);
-        if !self.nodes.is_empty() {
-            pending.push(0);
-        }
+        pending.push(0);
         if let Some(id) = self.dominant.0 {
             visit(id);
         }
+        self.giants.iter().flatten().cloned().flatten().for_each(&mut visit);
         while let Some(index) = pending.pop() {
             for (bounds, child) in self.nodes[index as usize].children() {
                 if may_reach(&bounds) {

@@ -35,6 +35,9 @@ pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
 /// any length that is not [too short](is_too_short). With a direction longer than 10^144 a product may overflow, and a
 /// test may discard the object. This is right, because such a ray has passed all objects before the smallest lambda in
 /// range, 10^-3. NaN discards no object, because every comparison with NaN is false.
+///
+/// A sphere may have any centre and radius if the direction is at most 10^30 long. If the square of the distance or of
+/// the radius overflows, `size` is infinite, so `c` less the margin is NaN or `-inf`, and the sphere is kept.
 #[derive(Clone, Copy, Debug)]
 pub struct ConservativeRay<T> {
     /// The ray.
