@@ -34,7 +34,7 @@ pub const MARGIN: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a
 /// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
-const LARGEST_RECIPROCAL: f32 = 1e28;
+pub const LARGEST_RECIPROCAL: f32 = 1e28;
 
 /// The smallest distance by which a plane is moved, in scene units. If a component of the direction is so small that
 /// its reciprocal is limited to [`LARGEST_RECIPROCAL`], this move is a lambda of 10^18. For a direction that is not

@@ -4,16 +4,17 @@
 //! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
 //! The modules say why underflow is negligible.
 
-use cpu::internals::accel::bounds::{self, Bounds, extent_of_disc};
+use cpu::internals::accel::bounds::{Bounds, MARGIN as DISC_MARGIN, extent_of_disc};
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
-use cpu::internals::accel::bvh::slab_ray::{MARGIN, SlabRay, margin, moved};
+use cpu::internals::accel::bvh::slab_ray::{LARGEST_RECIPROCAL, MARGIN, SlabRay, margin, moved};
 use cpu::internals::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
 use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit};
+use cpu::internals::accel::extent::Extent;
 use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{Bounded, begin, compared};
+use super::bounded::{self, Bounded, begin, compared};
 use super::bounds::Arithmetic;
 use super::direction::growth;
 use super::lanes::{self, Lane, name};
@@ -39,7 +40,8 @@ const MOST_STEPS: f64 = 2.0 * (1.0 + 1.0 / 127.0);
 /// Returns the rows of the BVH.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    let mut rows = vec![disc(), slabs(), leaves()];
+    let mut rows = vec![disc(), leaves()];
+    rows.extend(slabs());
     rows.extend(bounding_spheres());
     rows
 }
@@ -49,12 +51,12 @@ pub fn rows() -> Vec<Row> {
 /// With an error `e` of the difference `x`, `sqrt(x)` is at most `sqrt(x - e) + sqrt(e)`. The root and the sum are
 /// rounded once each, which adds at most `3 u`.
 fn disc() -> Row {
-    begin(Arithmetic::F64, bounds::MARGIN);
+    begin(Arithmetic::F64, DISC_MARGIN);
     let extent = extent_of_disc(axis_and_half_height().0.x);
     let [[_, across]] = compared()[..] else { unreachable!("a disc compares one number") };
     let one = Polynomial::constant(1.0);
     let error = relative_to_sizes(&across.bounds().error, 0.0, std::slice::from_ref(&one), 1.0);
-    let constant = added(extent, &one, bounds::MARGIN, 1e-9);
+    let constant = added(extent, &one, DISC_MARGIN, 1e-9);
     let need = ((error * U).sqrt() + 3.0 * U) / 1e-9;
     acts(extent, 1);
     Row { what: "boxes of the BVH", file: "accel/bounds.rs", constant, need, unit: "10^-9 R" }
@@ -65,8 +67,8 @@ fn acts(number: Bounded, growing: i8) {
     assert_eq!(growth(number), Some(growing), "the margin acts on the wrong side");
 }
 
-/// Returns the row of the distance of a plane.
-fn slabs() -> Row {
+/// Returns the rows of the distance of a plane, and of its largest magnitude, which bounds all products and sums.
+fn slabs() -> [Row; 2] {
     lanes::begin(WITHOUT_UNDERFLOW, f64::from(MARGIN));
     // The values stand for the numbers of ray and plane.
     let (origin, direction, plane, frame) = (3.0, 5.0, 7.0, 11.0);
@@ -93,10 +95,25 @@ fn slabs() -> Row {
         let need = relative_to_sizes(&number.bounds().error, margin, std::slice::from_ref(&size), 1.0);
         [added(number, &size, margin, V), need]
     };
+    let far_number = far;
     let [near, far] = [of(near), of(far)];
     let (constant, need) = (near[0].min(far[0]), near[1].max(far[1]));
-    let (what, unit) = ("distance of a box's plane", "v (P + abs(O)) / abs(d)");
-    Row { what, file: "accel/bvh/slab_ray.rs", constant, need, unit }
+    // Planes and origins are hardly beyond the objects. `is_in_reach` argues about origins on giants.
+    let limits = [(FARTHEST, 1.01 * Extent::LARGEST), (ORIGIN, 1.01 * Extent::LARGEST)];
+    let limits =
+        limits.into_iter().chain([(RECIPROCAL, LARGEST_RECIPROCAL.into()), (bounded::MARGIN.0, f64::from(MARGIN))]);
+    let largest = limits.fold(far_number.bounds().size, |size, (family, most)| size.scaled_by(family, most)).sum();
+    let (file, unit) = ("accel/bvh/slab_ray.rs", "v (P + abs(O)) / abs(d)");
+    [
+        Row { what: "distance of a box's plane", file, constant, need, unit },
+        Row {
+            what: "largest number of a slab test, without giants",
+            file,
+            constant: f64::from(f32::MAX) / 1e37,
+            need: largest / 1e37,
+            unit: "10^37",
+        },
+    ]
 }
 
 /// Returns the row of the bounding spheres of leaves.
