@@ -51,13 +51,11 @@ counters! {
     Hits,
     /// Uncertain intersections that the compensated formulas decided.
     Compensated,
-    /// Uncertain intersections that were computed in double-double arithmetic.
+    /// Uncertain intersections that dyadic arithmetic decided.
     Fallbacks,
     /// Comparisons of two hits whose lambdas differ by less than their errors.
     NearHits,
-    /// Those of `NearHits` that were compared in double-double arithmetic.
-    NearHitsPrecisely,
-    /// Those of `NearHits` that double-double arithmetic did not decide either. Dyadic arithmetic compared them.
+    /// Those of `NearHits` that were compared in dyadic arithmetic.
     NearHitsExactly,
     /// Random numbers drawn for the pixel jitter, two for each sample.
     RayDraws,

@@ -3,14 +3,12 @@
 //! The plain formulas run first. A bound of their rounding errors, which costs a few multiplications, tells whether
 //! their result is certain. If it is uncertain, compensated formulas run, in which less cancels: for a sphere by the
 //! parts [across the ray](sphere_compensated), for a cylinder [across the axis](cylinder_compensated). If these are
-//! uncertain too, the plain formulas and their bound run again in [double-double](crate::math::double_double)
-//! arithmetic. If even these are uncertain, every decision is made in [dyadic](crate::math::dyadic) arithmetic:
+//! uncertain too, every decision is made in [dyadic](crate::math::dyadic) arithmetic:
 //!
 //! | step | unit roundoff | taken by |
 //! |---|---|---|
 //! | plain, f64 | 2^-53 | nearly all rays |
-//! | compensated, f64 | 2^-53 | rays that start near a large sphere, pass a far one, or run along a cylinder |
-//! | double-double | 2^-102 | rays that graze, or hit a small or far object |
+//! | compensated, f64 | 2^-53 | rays that start near a large surface, pass a far object, or run along a cylinder |
 //! | dyadic | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!
 //! Uses [`geometry`](crate::geometry), [`math`](crate::math) and [`simd`](crate::simd). Begin with [`sphere`], then
@@ -24,6 +22,7 @@
 //! If a number of the ray or of the object is not finite, the plain formula gives the result. A ray with a null
 //! direction hits nothing. A ray that is parallel to a cylinder's axis does not hit the side.
 
+pub mod compensated_roots;
 pub mod cylinder;
 pub mod cylinder_compensated;
 pub(crate) mod cylinder_exact;

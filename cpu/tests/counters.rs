@@ -219,7 +219,7 @@ fn means_become_bytes_without_a_power() {
 }
 
 #[test]
-fn rays_of_a_far_marble_are_uncertain_and_seldom_need_double_double() {
+fn rays_of_a_far_marble_are_uncertain_and_seldom_need_dyadic_arithmetic() {
     let ordinary = count("", &format!("{MATTE}sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n"));
     assert!(ordinary(Counter::Hits) > 100);
     assert!(ordinary(Counter::Fallbacks) * 50 < ordinary(Counter::Hits));
@@ -232,7 +232,7 @@ fn rays_of_a_far_marble_are_uncertain_and_seldom_need_double_double() {
 }
 
 #[test]
-fn rays_along_a_tube_and_on_a_wide_floor_seldom_need_double_double() {
+fn rays_along_a_tube_and_on_a_wide_floor_seldom_need_dyadic_arithmetic() {
     let spheres = "sphere: 0 1 0 1 m\nsphere: 2 .5 0 .5 m\nsphere: -2 .5 1 .5 m\n";
     for scene in ["cylinder: 0 0 0 1 1 2 30 m\n", "cylinder: 0 0 0 1 0 0 30 m\n"] {
         let tube = count("max_depth: 9\nfield_of_view: 1\n", &format!("{MIRROR}{scene}"));
@@ -263,9 +263,9 @@ fn near_hits_are_few_in_ordinary_pictures() {
         config.samples_per_pixel = config.samples_per_pixel.min(10);
         let counted = counted(&config, &text);
         let counts = [Counter::Hits, Counter::Compensated, Counter::Fallbacks, Counter::NearHits].map(&counted);
-        let near = [Counter::NearHitsPrecisely, Counter::NearHitsExactly].map(&counted);
-        println!("{}: [hits, compensated, precise, near hits] {counts:?}, [precise, exact] {near:?}", scene.display());
-        assert!(1000 * near[0] <= counts[0], "{counts:?}, {near:?}");
+        let exactly = counted(Counter::NearHitsExactly);
+        println!("{}: [hits, compensated, dyadic, near hits] {counts:?}, exactly {exactly}", scene.display());
+        assert!(1000 * exactly <= counts[0], "{counts:?}, {exactly}");
     }
 }
 
@@ -274,25 +274,25 @@ fn near_hits_are_compared_by_the_first_step_that_decides() {
     let steps = |config: &str, scene: &str| {
         let counted = count(config, &format!("{MATTE}{GLASS}{scene}"));
         assert!(counted(Counter::Hits) > 100);
-        [Counter::NearHits, Counter::NearHitsPrecisely, Counter::NearHitsExactly].map(counted)
+        [Counter::NearHits, Counter::NearHitsExactly].map(counted)
     };
     let apart = "sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\ncylinder: 0 3 0 1 0 1 1 m\n";
-    assert_eq!(steps("", apart), [0; 3]);
+    assert_eq!(steps("", apart), [0; 2]);
     // Rays inside the glass leave it where it stands on the table.
     let straight = steps("camera_position: 0 3 -9\n", "cylinder: 0 -1 0 9 0 2 0 m\ncylinder: 0 1 0 2 0 2 0 g\n");
     assert!(straight[0] > 100 && straight[1] == 0, "{straight:?}");
     let equal = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 3 g\n");
     assert!(equal[0] > 100 && equal[1] == 0, "{equal:?}");
     let shells = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 2.9999999999 m\n");
-    assert!(shells[1] > 100 && shells[2] * 100 < shells[1], "{shells:?}");
+    assert!(shells[1] > 100, "{shells:?}");
     // The top of the tilted glass and that of the table are the same plane, but their axes have different lengths.
     let tilted = "camera_position: 0 8 -9\n";
     let tilted = steps(tilted, "cylinder: 0 0 0 2 0 2 2 m\ncylinder: 0 .5 .5 2 0 1 1 m\n");
-    assert!(tilted[2] > 100, "{tilted:?}");
+    assert!(tilted[1] > 100, "{tilted:?}");
 }
 
 #[test]
-fn rays_that_start_near_a_large_sphere_seldom_need_double_double() {
+fn rays_that_start_near_a_large_sphere_seldom_need_dyadic_arithmetic() {
     let ground =
         count("camera_position: 0 1 -10\n", &format!("{MATTE}sphere: 0 -10000 0 10000 m\nsphere: 0 1 0 1 m\n"));
     assert!(ground(Counter::Compensated) > 1000);

@@ -1,9 +1,9 @@
 //! Compares the exact intersections in WGSL with `cpu::exact`, step by step and bit by bit.
 //!
-//! The programs intersect by a plain formula with an error bound, then by a compensated formula, then in double-double,
-//! and at last in dyadic arithmetic. The first three steps exist in WGSL too (`shaders/wgsl/exact`). A kernel computes
-//! all three for every ray, also if an earlier one is certain. Where all three are uncertain, the kernel reports that,
-//! and the comparison demands that they are uncertain in Rust for exactly these rays.
+//! The programs intersect by a plain formula with an error bound, then by a compensated formula, and at last in dyadic
+//! arithmetic. The first two steps exist in WGSL too (`shaders/wgsl/exact`). A kernel computes both for every ray, also
+//! if the first one is certain. If both are uncertain, the kernel reports that, and the comparison demands that exactly
+//! these rays are uncertain in Rust.
 //!
 //! The comparison needs f64: in f32 the constants of the bounds have no proof.
 
@@ -13,7 +13,7 @@ mod rays;
 use shaders::Library;
 
 use crate::check::{Tally, compare_rows, rows_of_results};
-use crate::{Error, Float, Gpu, Pipeline};
+use crate::{Error, Float, Gpu, Pipeline, methods};
 
 /// A kernel over f64, with the function of `cpu` that must give its bits. It is like [`crate::Kernel`], whose formulas
 /// exist in every precision.
@@ -30,19 +30,8 @@ pub struct ExactKernel {
 }
 
 /// Names of the numbers of an `ExactReport`, in the order of `kernels/exact_report.wgsl`.
-const REPORT: &[&str] = &[
-    "step",
-    "some",
-    "lambda",
-    "part",
-    "plain",
-    "plain lambda",
-    "compensated",
-    "compensated lambda",
-    "double-double",
-    "double-double lambda, high",
-    "double-double lambda, low",
-];
+const REPORT: &[&str] =
+    &["step", "some", "lambda", "part", "plain", "plain lambda", "compensated", "compensated lambda"];
 
 /// The multiply-add that rounds once, and the products with their rounding errors.
 pub const MUL_ADD: ExactKernel = ExactKernel {
@@ -73,17 +62,23 @@ pub const CYLINDER: ExactKernel = ExactKernel {
 pub const ORDER: ExactKernel = ExactKernel {
     module: "kernels/exact_order",
     inputs: 14,
-    outputs: &["plain", "double-double"],
+    outputs: &["order"],
     formula: formulas::order,
     cases: rays::two_spheres,
 };
+
+/// Returns the name and `count` cases of each kind of cylinders that the compensated formulas serve: long, wide and far
+/// ones. [`ExactKernel::cases`] of [`CYLINDER`] has these cases too, for equal arguments.
+pub fn compensated_cylinders(count: usize, seed: u64) -> impl Iterator<Item = (&'static str, Vec<f64>)> {
+    rays::COMPENSATED.iter().map(move |regime| (regime.name, methods::rows(&regime.cases(seed, count))))
+}
 
 /// All exact kernels.
 pub const EXACT_KERNELS: [ExactKernel; 4] = [MUL_ADD, SPHERE, CYLINDER, ORDER];
 
 impl ExactKernel {
     /// Returns edge cases, and `count` random cases of each kind. The kinds are the random cases of the plain formula,
-    /// and the regimes of `stability`. Equal seeds give equal cases.
+    /// the regimes of `stability`, and [`compensated_cylinders`]. Equal seeds give equal cases.
     #[must_use]
     pub fn cases(&self, count: usize, seed: u64) -> Vec<f64> {
         (self.cases)(count, seed)

@@ -55,6 +55,7 @@ const float ERROR_OVERFLOW = 3e38;
 const float SHORTEST_SQUARED = 0.0;
 const float LONGEST_SQUARED = 3e38;
 const float EXTENT_UNDERFLOW = 0.0;
+const float LEAST_SIZE = 0.0;
 const float SPLITTER = 4097.0;
 const float SPLIT_LIMIT = 1e33;
 const float SPLIT_SCALE = 1.5258789e-5;

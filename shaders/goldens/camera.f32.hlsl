@@ -65,6 +65,7 @@ static const float ERROR_OVERFLOW = 3e38;
 static const float SHORTEST_SQUARED = 0.0;
 static const float LONGEST_SQUARED = 3e38;
 static const float EXTENT_UNDERFLOW = 0.0;
+static const float LEAST_SIZE = 0.0;
 static const float SPLITTER = 4097.0;
 static const float SPLIT_LIMIT = 1e33;
 static const float SPLIT_SCALE = 1.5258789e-5;

@@ -16,6 +16,7 @@ const ERROR_OVERFLOW: real = 3e38;
 const SHORTEST_SQUARED: real = 0.0;
 const LONGEST_SQUARED: real = 3e38;
 const EXTENT_UNDERFLOW: real = 0.0;
+const LEAST_SIZE: real = 0.0;
 // The factor that splits a number of 24 bits into two halves, 2^12 + 1 (exact/error_free.wgsl). Numbers above
 // SPLIT_LIMIT are multiplied by SPLIT_SCALE = 2^-16 first, because the product would overflow.
 const SPLITTER: real = 4097.0;

@@ -19,7 +19,7 @@ use measure::busy;
 ///
 /// Prints two lines for the worst scene of each family. The first has the ratio, with its bounds, and both times. It
 /// says so if the pictures differ. The second is about a small picture: how many intersections the compensated formulas
-/// decide and how many need double-double arithmetic, misses included, how many comparisons of hits are near or need
+/// decide and how many need dyadic arithmetic, misses included, how many comparisons of hits are near or need
 /// exact arithmetic, and how many tests are made without a filter, each divided by the number of hits; and whether the
 /// picture is that of the exact reference.
 #[derive(Parser)]
@@ -197,7 +197,7 @@ fn counts(scene: &FamilyScene, set: Option<&str>) -> Result<(String, bool), Stri
     let hits = counted[Counter::Hits as usize].max(1) as f64;
     let share = |counter: Counter| counted[counter as usize] as f64 / hits;
     let text = format!(
-        "of {hits} hits: compensated {:.3}, double-double {:.3}, near {:.3}, near and exact {:.4}, unfiltered {:.1}; {}",
+        "of {hits} hits: compensated {:.3}, dyadic {:.3}, near {:.3}, near and exact {:.4}, unfiltered {:.1}; {}",
         share(Counter::Compensated),
         share(Counter::Fallbacks),
         share(Counter::NearHits),

@@ -23,10 +23,9 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "quantize-interval", new: quantize_interval },
     Kernel { name: "sphere", new: || spheres(SPHERE, exact::sphere::intersect) },
     Kernel { name: "sphere-compensated", new: ground },
-    Kernel { name: "sphere-precise", new: || spheres(SPHERE, exact::sphere::precise) },
     Kernel { name: "sphere-exact", new: || spheres(Vec3::ONE, exact::sphere::precise) },
     Kernel { name: "cylinder", new: || cylinders(false, exact::cylinder::intersect) },
-    Kernel { name: "cylinder-precise", new: || cylinders(false, exact::cylinder::precise) },
+    Kernel { name: "cylinder-compensated", new: || cylinders(false, exact::cylinder::compensated_or_precise) },
     Kernel { name: "cylinder-exact", new: || cylinders(true, exact::cylinder::precise) },
 ];
 

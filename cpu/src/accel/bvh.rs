@@ -190,7 +190,7 @@ struct Query<'a, O, F> {
 /// adds at least one unit in the last place, and rounding takes at most half of one. The error of that lambda is less.
 #[inline(always)]
 fn farthest(closest: &ClosestHit) -> f32 {
-    const { assert!(LIMITS.lambda_error::<f64>() < f32::EPSILON as f64 / 4.0) };
+    const { assert!(LIMITS.lambda_error() < f32::EPSILON as f64 / 4.0) };
     closest.lambda as f32 * (1.0 + f32::EPSILON)
 }
 

@@ -9,12 +9,13 @@
 //! [`filtered`] serves one ray. [`SideLanes`] intersects several rays or cylinders at once, without a branch.
 
 use crate::counters::{Counter, add};
-use crate::exact::cylinder_parts::{Crossing, Plane, Side, filtered_cap};
+use crate::exact::cylinder_parts::{Crossing, Plane, Side, filtered_cap, is_long};
 use crate::exact::{
-    cylinder_compensated, cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite,
+    cylinder_compensated, cylinder_compensated::Crossings, cylinder_compensated::Terms, cylinder_exact,
+    error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
-use crate::math::{double_double::DoubleDouble, real::Real, rounding::Rounding, vec3::Vec3};
+use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
 /// The lambda and the part of a hit, or `None` for a miss.
@@ -62,49 +63,7 @@ fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
 /// the exit through the side mostly decides alone.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
-    let side = Side::new(record, &record.seen_from(ray.origin), ray.direction);
-    decided(record, ray, &side, &PlainPlanes)
-}
-
-/// A way to compute the plane of a cap. It is a trait and no closure; see [`crate::simd::Kernel::call`].
-trait Planes<T: Rounding> {
-    /// Returns the plane of the cap around `center`.
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: bool) -> Plane<T>;
-}
-
-/// Planes by the plain formula.
-struct PlainPlanes;
-
-/// Planes by the [compensated](cylinder_compensated) formula where the plain one is not accurate. It holds the axis of
-/// the scene file.
-struct CompensatedPlanes(Vec3);
-
-impl<T: Rounding> Planes<T> for PlainPlanes {
-    #[inline(always)]
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, _: bool) -> Plane<T> {
-        Plane::new(record, ray, center)
-    }
-}
-
-impl Planes<f64> for CompensatedPlanes {
-    #[inline(always)]
-    fn plane(&self, record: &CylinderRecord, ray: &Ray, center: Vec3, is_top: bool) -> Plane<f64> {
-        let plain = Plane::new(record, ray, center);
-        if plain.fails || plain.accurate {
-            return plain;
-        }
-        cylinder_compensated::plane(record, self.0, ray, center, is_top)
-    }
-}
-
-/// Returns the result of [`filtered`] with a side and planes that may be more accurate than the plain ones.
-#[inline(always)]
-fn decided<T: Rounding<Mask = bool>>(
-    record: &CylinderRecord<T>,
-    ray: &Ray<T>,
-    side: &Side<T>,
-    planes: &impl Planes<T>,
-) -> Decision<Hit<T>> {
+    let side = Side::new(record, &record.seen_from(ray.origin), ray.direction, is_long(record));
     if !in_scale(side.length_squared) {
         return Decision::Uncertain;
     }
@@ -140,9 +99,9 @@ fn decided<T: Rounding<Mask = bool>>(
     let (facing, other) = (record.center - along, record.center + along);
     let part = |is_top: bool| if is_top { CylinderPart::Top } else { CylinderPart::Bottom };
     let down = slope.less(T::of(0.0));
-    match filtered_cap(record, ray, &planes.plane(record, ray, facing, down), part(down)) {
+    match filtered_cap(record, ray, &Plane::new(record, ray, facing), part(down)) {
         Decision::Certain(None) if exit.hits => Decision::Certain(Some((exit.lambda, CylinderPart::Side))),
-        Decision::Certain(None) => filtered_cap(record, ray, &planes.plane(record, ray, other, !down), part(!down)),
+        Decision::Certain(None) => filtered_cap(record, ray, &Plane::new(record, ray, other), part(!down)),
         decision => decision,
     }
 }
@@ -161,36 +120,57 @@ pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -
     }
 }
 
-/// Returns the result of [`filtered`] with the [compensated](cylinder_compensated) formulas.
+/// Returns the hit by the [compensated](cylinder_compensated) formulas, if rounding certainly has not changed it.
 pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<f64>> {
     run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<f64>> {
-        let side = cylinder_compensated::side(record, *axis, ray);
-        if !side.a_is_accurate {
+        // Many rays are uncertain only because of a cap, but few rays of a long cylinder are.
+        let plain = SideLanes::new(record, &record.seen_from(ray.origin), ray, false);
+        let side =
+            if is_long(record) || !plain.is_certain() { SideLanes::compensated(record, *axis, ray) } else { plain };
+        let hits = if side.open { side.with_caps(record, ray, &CompensatedPlanes(*axis)) } else { side.without_caps() };
+        if !(hits.certain && in_scale(ray.direction.dot(ray.direction))) {
             return Decision::Uncertain;
         }
-        decided(record, ray, &side, &CompensatedPlanes(*axis))
+        let over = if hits.top { CylinderPart::Top } else { CylinderPart::Side };
+        let part = if hits.bottom { CylinderPart::Bottom } else { over };
+        Decision::Certain((hits.lambda < f64::INFINITY).then_some((hits.lambda, part)))
     })
 }
 
-/// Intersects a ray by double-double arithmetic. If that is uncertain, dyadic arithmetic decides. This takes some
-/// thousand operations, and few rays need it. `axis` is the axis of the scene file.
+/// Intersects a ray by dyadic arithmetic. This takes some thousand operations, and few rays need it. `axis` is the axis
+/// of the scene file.
 #[cold]
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     add(Counter::Fallbacks, 1);
-    match in_double_double(record, axis, ray) {
-        Decision::Certain(hit) => hit.map(|(lambda, part)| (lambda.high, part)),
-        Decision::Uncertain => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
-            .unwrap_or_else(|NotFinite| record.intersect(ray)),
+    cylinder_exact::intersect(record.center, record.radius, *axis, ray)
+        .unwrap_or_else(|NotFinite| record.intersect(ray))
+}
+
+/// A way to compute the plane of a cap. It is a trait and no closure; see [`crate::simd::Kernel::call`].
+pub trait Planes<T: Rounding> {
+    /// Returns the plane of the cap around `center`.
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T>;
+}
+
+/// Planes by the plain formula.
+pub struct PlainPlanes;
+
+/// Planes by the [compensated](cylinder_compensated) formula. It holds the axis of the scene file.
+pub struct CompensatedPlanes<T>(pub Vec3<T>);
+
+impl<T: Rounding> Planes<T> for PlainPlanes {
+    #[inline(always)]
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, _: T::Mask) -> Plane<T> {
+        Plane::new(record, ray, center)
     }
 }
 
-/// Returns the result of [`filtered`] in double-double arithmetic.
-pub(super) fn in_double_double(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<DoubleDouble>> {
-    run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<DoubleDouble>> {
-        let of = DoubleDouble::of;
-        filtered(&CylinderRecord::new(record.center.map(of), of(record.radius), axis.map(of)), &ray.lanes())
-    })
+impl<T: MulAdd> Planes<T> for CompensatedPlanes<T> {
+    #[inline(always)]
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T> {
+        cylinder_compensated::plane(record, self.0, ray, center, Vec3::select(is_top, self.0, -self.0))
+    }
 }
 
 /// The hits of several rays or cylinders at once, one in each lane.
@@ -220,16 +200,38 @@ pub struct SideLanes<T: Real> {
 }
 
 impl<T: Rounding> SideLanes<T> {
-    /// Intersects the rays with the side. `view` has the cylinder's terms for the rays' origin.
+    /// Intersects the rays with the side by the plain formulas. `view` has the cylinder's terms for the rays' origin.
     #[inline(always)]
-    pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>) -> Self {
-        let side = Side::new(record, view, ray.direction);
+    pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>, is_long: bool) -> Self {
+        let side = Side::new(record, view, ray.direction, is_long);
         let root = side.discriminant.sqrt();
         let entry = side.crossing(record, ray, -side.h - root, root);
         let exit = side.crossing(record, ray, -side.h + root, root);
-        let nothing = side.bound.misses(side.discriminant) | (entry.fails() & entry.passes_by(&exit));
+        Self::of(entry, exit, side.bound.misses(side.discriminant))
+    }
+
+    /// Intersects the rays with the side by the [compensated](cylinder_compensated) formulas. `axis` is the axis of the
+    /// scene file.
+    #[inline(always)]
+    pub fn compensated(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self
+    where
+        T: MulAdd,
+    {
+        let Crossings { entry, exit, misses } = Terms::new(record, axis, ray).crossings(record, ray);
+        Self::of(entry, exit, misses)
+    }
+
+    #[inline(always)]
+    fn of(entry: Crossing<T>, exit: Crossing<T>, misses: T::Mask) -> Self {
+        let nothing = misses | (entry.fails() & entry.passes_by(&exit));
         let through = entry.behind & exit.straight & !nothing;
         Self { entry, exit, nothing, through, open: !(nothing | entry.hits | through) }
+    }
+
+    /// The lanes in which it certainly is decided where the ray crosses the side. Caps may still be open.
+    #[inline(always)]
+    fn is_certain(&self) -> T::Mask {
+        !self.open | (self.entry.fails() & (self.exit.hits | self.exit.fails()))
     }
 
     /// Returns the hits by the side alone. Lanes that are [open](Self::open) are not `certain`.
@@ -247,11 +249,13 @@ impl<T: Rounding> SideLanes<T> {
 
     /// Intersects the rays with the caps too, and returns the hits.
     #[inline(always)]
-    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
+    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>, planes: &impl Planes<T>) -> CylinderHits<T> {
         let Self { entry, exit, nothing, through, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
-        let facing = Plane::new(record, ray, Vec3::select(down, record.top, record.bottom)).disc(record, ray);
-        let other = Plane::new(record, ray, Vec3::select(down, record.bottom, record.top)).disc(record, ray);
+        let (near, far) =
+            (Vec3::select(down, record.top, record.bottom), Vec3::select(down, record.bottom, record.top));
+        let facing = planes.plane(record, ray, near, down).disc(record, ray);
+        let other = planes.plane(record, ray, far, !down).disc(record, ray);
         let by_facing = open & facing.hits;
         let by_exit = through | (open & !facing.hits & exit.hits);
         let by_other = open & !facing.hits & !exit.hits & other.hits;
@@ -264,7 +268,7 @@ impl<T: Rounding> SideLanes<T> {
             lambda,
             top: (by_facing & down) | (by_other & !down),
             bottom: (by_facing & !down) | (by_other & down),
-            certain: !open | (entry.fails() & (exit.hits | exit.fails()) & (facing.hits | facing_fails)),
+            certain: !open | (self.is_certain() & (facing.hits | facing_fails)),
         }
     }
 }

@@ -1,62 +1,142 @@
-//! The quadratic of a ray and the side of a cylinder, and the planes of its caps, without the cancellation of the plain
-//! formulas. The quadratic serves rays that run nearly along the axis, or start far away along it, such as those in a
-//! tube. The planes serve rays that start near a wide cap and far from its centre, such as those on a floor.
+//! Intersects ray and cylinder by the [compensated formulas](crate::exact::compensated_roots), for the side and for the
+//! planes of the caps. They serve rays that run nearly along the axis, start near a wide side or cap, or come from far
+//! away.
 //!
 //! The plain formula subtracts the parts along the axis from the direction and from the vector to the ray's origin, and
 //! its errors are relative to the whole vectors. The cross product with the axis `V` of the scene file has the part
 //! across the axis at once. Its components are differences of two products, which Kahan's algorithm computes with a
 //! relative error of 2 u (Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate
 //! computation of 2 x 2 determinants", Math. Comp. 82, 2013). So the errors are relative to the parts across the axis.
-//! The equation is multiplied by `V.V`, as in `exact/cylinder_exact.rs`. The bounds are in `docs/accuracy.md`.
+//! The equation is multiplied by `V.V`, as in `exact/cylinder_exact.rs`: with `q = (O - C) x V` and `p = d x V` it has
+//! `a = p.p`, `h = -q.p` and `c = q.q - r^2 V.V`. By Lagrange's identity the discriminant equals
+//! `V.V (a r^2 - ((O - C).p)^2)`, whose terms do not grow with the distance along the axis.
 
-use crate::exact::cylinder_parts::{LIMITS, Plane, Side};
-use crate::exact::{error_bound::ErrorBound, error_bound::in_scale};
-use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
-use crate::math::error_free::{cross, difference, two_product, two_sum};
+use crate::exact::compensated_roots::{Discriminant, Quadratic, is_in_range};
+use crate::exact::cylinder_parts::{Crossing, Plane, magnitude};
+use crate::exact::error_bound::in_scale;
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
+use crate::math::error_free::{cross, cross_with_error, difference, two_product, two_sum};
 use crate::math::{rounding::MulAdd, vec3::Vec3};
 
-/// The share of `|O - C|^2` in the size of the squares, 2^-90. It covers the part of `O - C` that rounding loses, if
-/// the ray starts farther away along the axis than 2^40 radii.
-pub const SHARE_OF_DISTANCE: f64 = f64::from_bits((1023 - 90) << 52);
+/// Covers the errors of a cap's lambda and of its point that are not those of the distance and of the slope, in units
+/// of `u lambda |d|`.
+pub const ERROR_OF_CAP: f64 = 16.0;
+/// The share of `|O - C|^2` in the terms of `h`, 2^-90. It covers errors of second order in `(O - C) x V`, if the ray
+/// starts farther away along the axis than 2^40 radii.
+pub const SHARE_IN_H: f64 = f64::from_bits((1023 - 90) << 52);
+/// The share of `|O - C|^2` in the terms of `c`.
+pub const SHARE_IN_C: f64 = 1.0 / 64.0;
+/// The share of `a |O - C|^2` in the terms of the discriminant by Lagrange's identity, 2^-52. It covers the square of
+/// the error of `(O - C).p`.
+pub const SHARE_OF_DISTANCE: f64 = f64::EPSILON;
 
-/// Returns the quadratic of the ray and the side. `axis` is the axis of the scene file.
-#[inline(always)]
-pub fn side<T: MulAdd>(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Side<T> {
-    let (from_center, error) = difference(ray.origin, record.center);
-    let r_c = cross(from_center, axis) + cross(error, axis);
-    let direction = cross(ray.direction, axis);
-    let axis_squared = axis.dot(axis);
-    let (a, h, r_c_squared) = (direction.dot(direction), direction.dot(r_c), r_c.dot(r_c));
-    let c = r_c_squared - record.radius_squared * axis_squared;
-    let far = from_center.dot(from_center) * T::of(SHARE_OF_DISTANCE);
-    let squares = r_c_squared + (record.radius_squared + far) * axis_squared;
-    Side {
-        bound: ErrorBound::new(LIMITS, a, squares),
-        length_squared: ray.direction.dot(ray.direction),
-        a,
-        h,
-        discriminant: h * h - a * c,
-        // No product of numbers in scale underflows or overflows.
-        a_is_accurate: in_scale(axis_squared) & in_scale(a) & in_scale(squares),
-        along: from_center.dot(record.axis),
-        slope: ray.direction.dot(record.axis),
+/// What is certain about the two points where the ray crosses the infinite cylinder.
+pub struct Crossings<T: MulAdd> {
+    /// Where it enters.
+    pub entry: Crossing<T>,
+    /// Where it leaves.
+    pub exit: Crossing<T>,
+    /// The ray's line misses the infinite cylinder.
+    pub misses: T::Mask,
+}
+
+/// The quadratic of a ray and the side of a cylinder.
+pub struct Terms<T: MulAdd> {
+    /// The coefficients.
+    pub quadratic: Quadratic<T>,
+    /// The discriminant by Lagrange's identity.
+    pub far: Discriminant<T>,
+    /// `O - C`, rounded.
+    from_center: Vec3<T>,
+    /// The numbers are [in scale](in_scale), so none of their products underflows or overflows.
+    in_scale: T::Mask,
+}
+
+impl<T: MulAdd> Terms<T> {
+    /// Returns the quadratic. `axis` is the axis of the scene file.
+    #[inline(always)]
+    pub fn new(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self {
+        let (from_center, error) = difference(ray.origin, record.center);
+        let (q, rest) = cross_with_error((from_center, error), axis);
+        let p = cross(ray.direction, axis);
+        let (axis_squared, distance_squared) = (axis.dot(axis), from_center.dot(from_center));
+        let a = p.dot(p);
+        let (c, squares) = difference_of_squares((q, rest), axis, record.radius);
+        let far = distance_squared * axis_squared;
+        let terms_of_h = (a * (squares + far * T::of(SHARE_IN_H))).sqrt();
+        let aside = from_center.dot(p) + error.dot(p);
+        let (of_radius, reach) = (a * record.radius_squared, a * distance_squared);
+        let size = of_radius + (aside.abs() * reach.sqrt() + reach * T::of(SHARE_OF_DISTANCE));
+        Self {
+            quadratic: Quadratic { a, h: -q.dot(p), c, terms_of_c: squares + far * T::of(SHARE_IN_C), terms_of_h },
+            far: Discriminant { value: axis_squared * (of_radius - aside * aside), size: axis_squared * size },
+            from_center,
+            in_scale: in_scale(axis_squared) & in_scale(a) & in_scale(squares),
+        }
     }
+
+    /// Returns the crossings, by the discriminant whose terms are smaller.
+    #[inline(always)]
+    pub fn crossings(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Crossings<T> {
+        let Self { quadratic, far, from_center, in_scale } = self;
+        let (near, h) = (quadratic.near(), quadratic.h);
+        let is_near = near.size.less(far.size);
+        let value = T::select(is_near, near.value, far.value);
+        let roots = quadratic.roots(Discriminant { value, size: T::select(is_near, near.size, far.size) });
+        let [small, large] = roots.magnitudes(quadratic);
+        let start = [from_center.dot(record.axis), ray.direction.dot(record.axis)];
+        let accurate = *in_scale & roots.accurate;
+        // If `h` is negative, the large root is the one where the ray enters, and it is negative.
+        let backward = h.less(T::of(0.0));
+        let hits = accurate & roots.small_is_ahead & is_in_range(small.0);
+        let small = Crossing::new(record, ray, start, small, hits, accurate & roots.small_fails);
+        let hits = accurate & !backward & is_in_range(large.0);
+        let large = Crossing::new(record, ray, start, large, hits, accurate & roots.large_fails);
+        Crossings {
+            entry: Crossing::select(backward, &large, &small),
+            exit: Crossing::select(backward, &small, &large),
+            misses: *in_scale & roots.misses,
+        }
+    }
+}
+
+/// Returns `q^2 - (r v)^2` as a rounded number and its rounding error, and `q^2 + (r v)^2`, for a component `v` of the
+/// axis. `rest` is the error of `q`.
+#[inline(always)]
+fn squares_of_component<T: MulAdd>(q: T, rest: T, radius: T, v: T) -> [T; 3] {
+    let (rim, rim_rest) = two_product(radius, v);
+    let ((inner, inner_error), (outer, outer_error)) = (two_product(q, q), two_product(rim, rim));
+    let (difference, error) = two_sum(inner, -outer);
+    let half = q * rest - rim * rim_rest;
+    [difference, error + (inner_error - outer_error) + (half + half), inner + outer]
+}
+
+/// Returns `|q|^2 - r^2 V.V`, as accurate as if it were computed with twice the digits and then rounded, and `|q|^2 +
+/// r^2 V.V` with the usual accuracy. `q` is given rounded, with its error.
+#[inline(always)]
+fn difference_of_squares<T: MulAdd>((q, rest): (Vec3<T>, Vec3<T>), axis: Vec3<T>, radius: T) -> (T, T) {
+    let x = squares_of_component(q.x, rest.x, radius, axis.x);
+    let y = squares_of_component(q.y, rest.y, radius, axis.y);
+    let z = squares_of_component(q.z, rest.z, radius, axis.z);
+    let (sum, first) = two_sum(x[0], y[0]);
+    let (sum, second) = two_sum(sum, z[0]);
+    (sum + ((first + second) + (x[1] + y[1] + z[1])), x[2] + y[2] + z[2])
 }
 
 /// The share of the size of the plain terms in the size of the distance of a plane, 2^-40. It covers the roundings of
 /// rounding errors.
 pub const SHARE_OF_SIZE: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// Returns the plane of the cap around `center`. `axis` is the axis of the scene file.
+/// Returns the plane of the cap around `center`. `axis` is the axis of the scene file, and `to_cap` is the axis or, for
+/// the bottom cap, its opposite.
 #[inline(always)]
 pub fn plane<T: MulAdd>(
     record: &CylinderRecord<T>,
     axis: Vec3<T>,
     ray: &Ray<T>,
     center: Vec3<T>,
-    is_top: bool,
+    to_cap: Vec3<T>,
 ) -> Plane<T> {
-    let to_cap = if is_top { axis } else { -axis };
     let (from_middle, error) = difference(record.center + record.center, ray.origin + ray.origin);
     let (twice, more) = difference(from_middle, -to_cap);
     let (error, two) = (error + more, T::of(2.0));
@@ -68,7 +148,32 @@ pub fn plane<T: MulAdd>(
     let rest = (first + second) + (x_error + y_error + z_error) + error.dot(axis);
     let to_plane = (sum + rest) / (record.half_height * (two + two));
     let size = to_plane.abs() + Plane::size(record, center - ray.origin) * T::of(SHARE_OF_SIZE);
-    Plane::at(record, ray, center, (to_plane, size))
+    let plane = Plane::at(record, ray, center, (to_plane, size));
+    // The errors of the distance and of the slope, twice each.
+    let error = size / to_plane.abs() * T::of(32.0 * T::UNIT_ROUNDOFF)
+        + magnitude(ray.direction) / plane.slope.abs() * T::of(16.0 * T::UNIT_ROUNDOFF);
+    let error = error + T::of(ERROR_OF_CAP * T::UNIT_ROUNDOFF);
+    // The square of a short axis may underflow.
+    let in_scale = in_scale(axis.dot(axis));
+    Plane { error, fails: plane.fails & in_scale, accurate: plane.accurate & in_scale, ..plane }
+}
+
+/// Returns the lambda of the ray's hit on a part of the cylinder, with twice the bound of its error, or `None` if that
+/// is uncertain. `axis` is the axis of the scene file.
+#[inline(always)]
+pub fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
+    let (center, to_cap) = match part {
+        CylinderPart::Side => {
+            let Crossings { entry, exit, .. } = Terms::new(record, axis, ray).crossings(record, ray);
+            let crossing = if entry.hits { entry } else { exit };
+            return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error));
+        }
+        CylinderPart::Top => (record.top, axis),
+        CylinderPart::Bottom => (record.bottom, -axis),
+    };
+    let plane = plane(record, axis, ray, center, to_cap);
+    let lambda = plane.to_plane / plane.slope;
+    plane.accurate.then_some((lambda, lambda * plane.error))
 }
 
 #[cfg(test)]

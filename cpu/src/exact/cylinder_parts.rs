@@ -3,14 +3,13 @@
 //!
 //! A hit on a cap follows the rule of [`crate::geometry::cap`], and the programs decide by this file. There are three
 //! results: a ray certainly hits a cap, certainly misses it, or the decision is uncertain. [`Plane`] serves one ray and
-//! lanes, in `f64` and in double-double. [`filtered_cap`] calls it for one ray. If double-double is uncertain too,
-//! `Inputs::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference has a literal copy of the rule in
-//! `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
+//! lanes. [`filtered_cap`] calls it for one ray. If the compensated formulas are uncertain too, `Inputs::cap` of
+//! `exact/cylinder_exact.rs` decides without rounding. The reference has a literal copy of the rule in `cap` of
+//! `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
 
 use crate::exact::error_bound::{Decision, ErrorBound, Limits, Outcome};
 use crate::geometry::{
-    cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray,
-    ray::least_lambda,
+    cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::LAMBDA_MIN, ray::Ray,
 };
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
@@ -22,7 +21,19 @@ pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 6553
 
 /// A ray is steep enough for the side of a cylinder if `|d|^2` is at most this multiple of `k^2 |d'|^2`, where `k` is
 /// the condition limit and `d'` the part of the direction `d` across the axis.
-pub const STEEPNESS: f64 = 64.0;
+pub const STEEPNESS: f64 = 4.0;
+
+/// The share of `|d|^2 (|O - C|^2 + r^2)` in the size of the discriminant of a long cylinder, 2^-44. It covers errors
+/// of second order, and the error of the size itself if the ray starts farther away along the axis than 2^46 radii.
+pub const SHARE_OF_WHOLE: f64 = f64::from_bits((1023 - 44) << 52);
+/// Covers underflow in the square of the size of a long cylinder, 2^-350. A size above it has no product below 2^-1022.
+const LEAST_SIZE: f64 = f64::from_bits((1023 - 350) << 52);
+
+/// Whether a cylinder is long: rays may run nearly along its axis from one side to the other.
+#[inline(always)]
+pub fn is_long<T: Real>(record: &CylinderRecord<T>) -> T::Mask {
+    (record.radius * T::of(8.0)).less(record.half_height)
+}
 
 /// The quadratic of one ray and an infinite cylinder, with its error bound.
 pub struct Side<T: Real> {
@@ -50,6 +61,8 @@ pub struct Side<T: Real> {
 #[derive(Clone, Copy)]
 pub struct Crossing<T: Real> {
     pub(super) lambda: T,
+    /// Twice the bound of the error of lambda, or more.
+    pub(super) error: T,
     /// The point certainly is between the caps' planes, and lambda certainly is in range.
     pub hits: T::Mask,
     /// `hits` holds, and the ray's origin certainly is between the caps' planes too. So the ray crosses no cap's plane
@@ -63,7 +76,51 @@ pub struct Crossing<T: Real> {
     below: T::Mask,
 }
 
-impl<T: Real> Crossing<T> {
+impl<T: Rounding> Crossing<T> {
+    /// Returns the crossing at `lambda`. `error` is twice the bound of its error, or more. `accurate` and `behind` tell
+    /// whether lambda certainly is in range and accurate, or certainly below the smallest lambda. The other parameters
+    /// are those of [`Side`].
+    #[inline(always)]
+    pub(super) fn new(
+        record: &CylinderRecord<T>,
+        ray: &Ray<T>,
+        [start, slope]: [T; 2],
+        (lambda, error): (T, T),
+        accurate: T::Mask,
+        behind: T::Mask,
+    ) -> Self {
+        // The plain formula computes the point first, and then its distance along the axis. The margin covers the
+        // difference of the two results.
+        let along = start + lambda * slope;
+        let margin = margin(record, ray, error);
+        let (within, beyond) = (record.half_height - margin, record.half_height + margin);
+        let hits = accurate & along.abs().less(within);
+        Self {
+            lambda,
+            error,
+            hits,
+            straight: hits & start.abs().less(within),
+            behind,
+            above: accurate & beyond.less(along),
+            below: accurate & beyond.less(-along),
+        }
+    }
+
+    /// Returns `yes` where `mask` holds, and `no` elsewhere.
+    #[inline(always)]
+    pub(super) fn select(mask: T::Mask, yes: &Self, no: &Self) -> Self {
+        let either = |yes: T::Mask, no: T::Mask| (mask & yes) | (!mask & no);
+        Self {
+            lambda: T::select(mask, yes.lambda, no.lambda),
+            error: T::select(mask, yes.error, no.error),
+            hits: either(yes.hits, no.hits),
+            straight: either(yes.straight, no.straight),
+            behind: either(yes.behind, no.behind),
+            above: either(yes.above, no.above),
+            below: either(yes.below, no.below),
+        }
+    }
+
     /// Whether the ray certainly does not hit the side at this point.
     #[inline(always)]
     pub fn fails(&self) -> T::Mask {
@@ -78,15 +135,29 @@ impl<T: Real> Crossing<T> {
     }
 }
 
+/// Returns the size of the terms that cancel in the discriminant: `|d|^2 (|O - C|^2 + r^2)`. For a [long](is_long)
+/// cylinder, it returns `|d'| S (|d| S + |d'| |O - C|)`, or up to twice as much, with `S^2 = |(O - C)'|^2 + r^2`, where
+/// the prime marks the parts across the axis. This is smaller if the ray runs nearly along the axis.
+#[inline(always)]
+fn size<T: Rounding>(record: &CylinderRecord<T>, view: &CylinderView<T>, a: T, length_squared: T, is_long: bool) -> T {
+    let whole = length_squared * view.squares;
+    if !is_long {
+        return whole;
+    }
+    let across = view.c + record.radius_squared + record.radius_squared;
+    let product = a * (across * (length_squared * across + a * view.squares));
+    (product + product).sqrt() + whole * T::of(SHARE_OF_WHOLE) + T::of(LEAST_SIZE)
+}
+
 impl<T: Rounding> Side<T> {
     #[inline(always)]
-    pub(super) fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>) -> Self {
+    pub(super) fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>, is_long: bool) -> Self {
         let length_squared = direction.dot(direction);
         let (a, h, discriminant) = record.quadratic(view, direction);
-        let bound = ErrorBound::new(LIMITS, length_squared, view.squares);
+        let bound = ErrorBound::of_size(LIMITS, size(record, view, a, length_squared, is_long));
         let slope = direction.dot(record.axis);
         // If a ray is nearly parallel to the axis, the terms of `a` cancel.
-        let condition = LIMITS.condition_limit::<T>();
+        let condition = LIMITS.condition_limit;
         let a_is_accurate = length_squared.less_equal(a * T::of(STEEPNESS * condition * condition));
         Self { bound, length_squared, a, a_is_accurate, h, discriminant, along: view.along, slope }
     }
@@ -101,22 +172,10 @@ impl<T: Rounding> Side<T> {
     /// Returns the crossing at the lambda `numerator / a`. `root` is the square root of the discriminant.
     #[inline(always)]
     pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
-        let crossing = self.bound.root(self.a, numerator, root);
-        // The plain formula computes the point first, and then its distance along the axis. The margin covers the
-        // difference of the two results.
-        let along = self.along + crossing.lambda * self.slope;
-        let margin = margin(record, ray, crossing.lambda);
-        let accurate = self.a_is_accurate & crossing.hits;
-        let (within, beyond) = (record.half_height - margin, record.half_height + margin);
-        let hits = accurate & along.abs().less(within);
-        Crossing {
-            lambda: crossing.lambda,
-            hits,
-            straight: hits & self.along.abs().less(within),
-            behind: self.a_is_accurate & crossing.fails,
-            above: accurate & beyond.less(along),
-            below: accurate & beyond.less(-along),
-        }
+        let Outcome { lambda, hits, fails } = self.bound.root(self.a, numerator, root);
+        let error = lambda * T::of(2.0 * LIMITS.lambda_error());
+        let [accurate, behind] = [hits, fails].map(|mask| self.a_is_accurate & mask);
+        Crossing::new(record, ray, [self.along, self.slope], (lambda, error), accurate, behind)
     }
 }
 
@@ -129,17 +188,17 @@ fn extent_of_axis<T: Real>(record: &CylinderRecord<T>) -> T {
     magnitude(record.center) + record.half_height + T::of(UNDERFLOW)
 }
 
-/// Returns a bound of the distance, in scene units, by which rounding moves the ray's point at an accepted lambda.
+/// Returns a bound of the distance, in scene units, by which rounding moves the ray's point. `error` is twice the bound
+/// of the error of lambda, or more.
 #[inline(always)]
-fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
-    let along = lambda * magnitude(ray.direction) * T::of(2.0 * LIMITS.lambda_error::<T>());
-    along + (extent_of_axis(record) + record.radius) * T::of(64.0 * T::UNIT_ROUNDOFF)
+pub(super) fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, error: T) -> T {
+    error * magnitude(ray.direction) + (extent_of_axis(record) + record.radius) * T::of(64.0 * T::UNIT_ROUNDOFF)
 }
 
 /// Returns an upper bound of the vector's length: the sum of its components' magnitudes, which is at most 1.74 times
 /// the length.
 #[inline(always)]
-fn magnitude<T: Real>(vector: Vec3<T>) -> T {
+pub(super) fn magnitude<T: Real>(vector: Vec3<T>) -> T {
     vector.x.abs() + vector.y.abs() + vector.z.abs()
 }
 
@@ -166,19 +225,21 @@ pub(super) fn filtered_cap<T: Rounding<Mask = bool>>(
 
 /// The plane of a cap and one ray, with what is certain before lambda is computed.
 pub struct Plane<T: Rounding> {
-    center: Vec3<T>,
+    pub(super) center: Vec3<T>,
     /// The distance from the ray's origin to the plane, measured along the axis. It is positive if the plane lies in
     /// the direction of the axis.
     pub to_plane: T,
     /// The dot product of the ray's direction and the axis.
-    slope: T,
+    pub(super) slope: T,
     /// The plane is certainly not hit. It is parallel to the ray, it is behind the ray's origin, or lambda is below
-    /// [`least_lambda`].
+    /// [`LAMBDA_MIN`].
     pub fails: T::Mask,
     /// The ray is certainly not parallel to the plane.
-    steep: T::Mask,
+    pub(super) steep: T::Mask,
     /// The distance and the slope give a lambda that is accurate enough to be accepted.
     pub accurate: T::Mask,
+    /// Twice the bound of the relative error of an accepted lambda, or more.
+    pub(super) error: T,
 }
 
 impl<T: Rounding> Plane<T> {
@@ -200,7 +261,7 @@ impl<T: Rounding> Plane<T> {
     /// must be at most 16 u times `size`.
     #[inline(always)]
     pub(super) fn at(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, (to_plane, size): (T, T)) -> Self {
-        let condition = LIMITS.condition_limit::<T>();
+        let condition = LIMITS.condition_limit;
         let slope = ray.direction.dot(record.axis);
         let (steepness, size_of_direction) = (slope.abs(), magnitude(ray.direction));
         let slope_error = size_of_direction * T::of(8.0 * T::UNIT_ROUNDOFF);
@@ -209,10 +270,11 @@ impl<T: Rounding> Plane<T> {
         // The distance is positive if the plane is in front of the ray.
         let distance = to_plane.flipped_by(slope);
         let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
-        let too_near = (distance + distance_error).less((steepness - slope_error) * least_lambda());
+        let too_near = (distance + distance_error).less((steepness - slope_error) * T::of(LAMBDA_MIN));
         let accurate =
             size.less(distance * T::of(4.0 * condition)) & size_of_direction.less(steepness * T::of(8.0 * condition));
-        Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate }
+        let error = T::of(2.0 * LIMITS.lambda_error());
+        Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate, error }
     }
 
     /// Returns lambda, and whether the ray certainly hits the cap or certainly misses it.
@@ -221,7 +283,7 @@ impl<T: Rounding> Plane<T> {
         let lambda = self.to_plane / self.slope;
         let in_range = self.accurate & LIMITS.in_range(lambda);
         let from_center = (ray.at(lambda) - self.center).length();
-        let margin = margin(record, ray, lambda);
+        let margin = margin(record, ray, lambda * self.error);
         let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
         Outcome { lambda, hits: self.steep & in_range & within, fails: self.fails | (self.steep & in_range & beyond) }
     }

@@ -8,14 +8,14 @@
 //! values of all quantities:
 //!
 //! - the ray misses if `-D > E`;
-//! - a root is below [`least_lambda`] if `(a least_lambda - n) sqrt(D) > E`;
+//! - a root is below [`LAMBDA_MIN`] if `(a LAMBDA_MIN - n) sqrt(D) > E`;
 //! - a root is accurate if `M + 4 n^2 < condition_limit n sqrt(D)`, and then `D > 0` is certain too.
 //!
 //! If a quantity overflows, the result is uncertain, because every comparison with NaN is false. Underflow cannot make
 //! a wrong result certain, for two reasons: a tiny constant is added to `M`, and the direction must be [in
 //! scale](in_scale).
 
-use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::least_lambda, math::real::Real, math::rounding::Rounding};
+use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
 
 /// The answer of a floating-point filter: the result of a formula if it is certain. If rounding may have changed the
 /// result, the answer is [`Decision::Uncertain`]. A certain miss is `Certain(None)`.
@@ -33,29 +33,23 @@ pub struct Limits {
     /// The bound of the rounding errors in the discriminant, in units of `u M`. The documentation of [this
     /// module](self) defines `u` and `M`.
     pub error_constant: f64,
-    /// The largest condition number of a root that is accepted in `f64`. The condition number is `(M + 4 n^2) / (n
+    /// The largest condition number of a root that is accepted. The condition number is `(M + 4 n^2) / (n
     /// sqrt(D))`, with the root's numerator `n` and the discriminant `D`. With a smaller limit lambda is more accurate,
     /// but fewer rays keep the bits of the plain formula.
     pub condition_limit: f64,
 }
 
 impl Limits {
-    /// Returns the largest condition number of a root that is accepted in the arithmetic `T`.
-    #[inline(always)]
-    pub const fn condition_limit<T: Rounding>(&self) -> f64 {
-        self.condition_limit * T::LENIENCE
-    }
-
     /// Returns a bound of the relative error of an accepted lambda. The error is at most a third of the bound.
     #[inline(always)]
-    pub const fn lambda_error<T: Rounding>(&self) -> f64 {
-        256.0 * self.condition_limit::<T>() * T::UNIT_ROUNDOFF
+    pub const fn lambda_error(&self) -> f64 {
+        256.0 * self.condition_limit * <f64 as Rounding>::UNIT_ROUNDOFF
     }
 
-    /// Whether `lambda`, which must be accurate, certainly is at least [`least_lambda`].
+    /// Whether `lambda`, which must be accurate, certainly is at least [`LAMBDA_MIN`].
     #[inline(always)]
     pub fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
-        (least_lambda::<T>() + T::of(LAMBDA_MIN * self.lambda_error::<T>())).less_equal(lambda)
+        (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.lambda_error())).less_equal(lambda)
     }
 }
 
@@ -105,7 +99,12 @@ impl<T: Rounding> ErrorBound<T> {
     /// `|O - C|^2 + r^2`.
     #[inline(always)]
     pub fn new(limits: Limits, length_squared: T, squares: T) -> Self {
-        let size = length_squared * squares;
+        Self::of_size(limits, length_squared * squares)
+    }
+
+    /// Returns the error bound of a discriminant whose terms have this size.
+    #[inline(always)]
+    pub fn of_size(limits: Limits, size: T) -> Self {
         Self { limits, size, error: size * T::of(limits.error_constant * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW) }
     }
 
@@ -120,7 +119,7 @@ impl<T: Rounding> ErrorBound<T> {
     #[inline(always)]
     pub fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
         let lambda = numerator / a;
-        let share = 1.0 / self.limits.condition_limit::<T>();
+        let share = 1.0 / self.limits.condition_limit;
         // The compiler computes the first sum once for both roots. If both sides are infinite, the root is not
         // accurate.
         let least =
@@ -131,12 +130,12 @@ impl<T: Rounding> ErrorBound<T> {
         Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
     }
 
-    /// Whether the lambda `numerator / a` certainly is below [`least_lambda`]. This is cheaper than
+    /// Whether the lambda `numerator / a` certainly is below [`LAMBDA_MIN`]. This is cheaper than
     /// [`ErrorBound::root`], because there is no division.
     #[inline(always)]
     pub fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
         // The limit is lowered by more than the relative error of `a` and the rounding of the limit.
-        let least = least_lambda::<T>() - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
+        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error());
         self.error.less((a * least - numerator) * root)
     }
 }

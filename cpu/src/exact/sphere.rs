@@ -1,12 +1,11 @@
-//! Exact intersection of ray and sphere, in four steps. They are the plain formula with its
-//! [error bound](crate::exact::sphere_filter), the [compensated](sphere_compensated) formula, double-double arithmetic,
-//! and dyadic arithmetic. A step is needed only if the step before it is uncertain.
+//! Exact intersection of ray and sphere, in three steps. They are the plain formula with its [error
+//! bound](crate::exact::sphere_filter), the [compensated](sphere_compensated) formula, and dyadic arithmetic. A step is
+//! needed only if the step before it is uncertain.
 
 use crate::counters::{Counter, add};
 pub use crate::exact::sphere_filter::{filtered, filtered_from};
 use crate::exact::{error_bound::Decision, sphere_compensated, sphere_exact};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
-use crate::math::{double_double::DoubleDouble, real::Real};
 use crate::simd::fused::run_fused;
 
 /// Returns the lambda at which the ray hits the sphere: the smallest lambda, of at least
@@ -62,23 +61,12 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     }
 }
 
-/// Returns the lambda, or `None` for a miss, by double-double arithmetic, which takes some hundred operations. If that
-/// is uncertain too, dyadic arithmetic decides.
+/// Returns the lambda, or `None` for a miss, by dyadic arithmetic, which takes some thousand operations.
 #[cold]
 #[inline(never)]
 pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     add(Counter::Fallbacks, 1);
-    match in_double_double(record, ray) {
-        Decision::Certain(hit) => hit.map(|lambda| lambda.high),
-        Decision::Uncertain => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
-    }
-}
-
-/// Returns the result of [`filtered`] in double-double arithmetic.
-pub(super) fn in_double_double(record: &SphereRecord, ray: &Ray) -> Decision<Option<DoubleDouble>> {
-    run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<DoubleDouble>> {
-        filtered(&SphereRecord::new(record.center.map(DoubleDouble::of), DoubleDouble::of(record.radius)), &ray.lanes())
-    })
+    sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray))
 }
 
 #[cfg(test)]

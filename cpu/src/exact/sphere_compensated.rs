@@ -1,32 +1,16 @@
-//! Intersects ray and sphere by formulas in which less cancels than in the plain ones. They serve rays that start near
-//! a sphere whose radius is much larger than the distance to its surface, such as rays that leave a large floor, and
-//! rays that pass a small and far sphere.
+//! Intersects ray and sphere by the [compensated formulas](crate::exact::compensated_roots). They serve rays that start
+//! near a sphere whose radius is much larger than the distance to its surface, such as rays that leave a large floor,
+//! and rays that pass a small and far sphere.
 //!
-//! In the plain formula, `D = h^2 - a c` is the small difference of two large numbers if the sphere is far away. By
-//! Lagrange's identity it equals `a r^2 - |(C - O) x d|^2`. If the ray passes near the sphere, both terms are about
-//! `a r^2`. Kahan's algorithm computes the [cross product](cross).
-//!
-//! If the ray starts near the surface, one of the roots `(h -+ sqrt(D)) / a` cancels. With `w = |h| + sqrt(D)`, which
-//! does not, the roots are `w / a` and `c / w`, both with the sign of `h`. Only `c = |C - O|^2 - r^2` still cancels. So
-//! its products and sums are computed together with their rounding errors (Ogita, Rump and Oishi, "Accurate sum and dot
-//! product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in `docs/accuracy.md`.
+//! By Lagrange's identity the discriminant equals `a r^2 - |(C - O) x d|^2`. If the ray passes near the sphere, both
+//! terms are about `a r^2`, however far away the sphere is. Kahan's algorithm computes the [cross product](cross).
 
-use crate::exact::{
-    error_bound::Decision, error_bound::OVERFLOW, error_bound::UNDERFLOW, error_bound::in_scale, sphere_filter::LIMITS,
-    sphere_filter::SphereHits,
-};
-use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, ray::least_lambda, sphere::SphereRecord};
+use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, is_in_range};
+use crate::exact::{error_bound::Decision, error_bound::in_scale, sphere_filter::SphereHits};
+use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::error_free::{cross, difference, two_product, two_sum};
 use crate::math::{rounding::MulAdd, vec3::Vec3};
 
-/// Limits the relative error of lambda to 4.6e-12. A root is accepted only if the [terms](Discriminant::size) of `D`
-/// are below `CONDITION_LIMIT w sqrt(D)`, and those of `h` below `CONDITION_LIMIT w`.
-pub const CONDITION_LIMIT: f64 = 4096.0;
-/// The bound of the error of `c`, in units of `u^2 (|C - O|^2 + r^2)`, beside one rounding of `c`. `u` is the unit
-/// roundoff.
-pub const ERROR_OF_C: f64 = 64.0;
-/// The largest relative error of `c` with which its root is accepted, in units of `u`.
-pub const ACCURACY_OF_C: f64 = 4096.0;
 /// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers errors of second
 /// order in the cross product, if the sphere is farther away than 2^40 radii.
 pub const SHARE_OF_DISTANCE: f64 = f64::from_bits((1023 - 90) << 52);
@@ -39,23 +23,8 @@ pub struct Terms<T> {
     r_c: Vec3<T>,
     error: Vec3<T>,
     radius_squared: T,
-    a: T,
-    h: T,
-    c: T,
-    /// `|C - O|^2 + r^2`.
-    squares: T,
-    /// The square root of `a squares`, which bounds `|h|`.
-    length: T,
-}
-
-/// A discriminant, and the size of its terms. Its error is at most the error constant of the filter times `u` and the
-/// size.
-#[derive(Clone, Copy, Debug)]
-pub struct Discriminant<T> {
-    /// The discriminant.
-    pub value: T,
-    /// The size.
-    pub size: T,
+    /// The coefficients.
+    pub quadratic: Quadratic<T>,
 }
 
 impl<T: MulAdd> Terms<T> {
@@ -66,62 +35,39 @@ impl<T: MulAdd> Terms<T> {
         let a = direction.dot(direction);
         let (r_c, error) = difference(record.center, ray.origin);
         let (c, squares) = difference_of_squares(r_c, error, record.radius);
-        let (h, length) = (direction.dot(r_c), (a * squares).sqrt());
-        Self { direction, r_c, error, radius_squared: record.radius_squared, a, h, c, squares, length }
+        let h = direction.dot(r_c);
+        let quadratic = Quadratic { a, h, c, terms_of_c: squares, terms_of_h: (a * squares).sqrt() };
+        Self { direction, r_c, error, radius_squared: record.radius_squared, quadratic }
     }
 
-    /// Returns `h^2 - a c`, which is accurate if the ray starts near the surface.
+    /// Returns the discriminant of [`Quadratic::near`].
     #[inline(always)]
     pub fn near(&self) -> Discriminant<T> {
-        let &Self { a, h, c, .. } = self;
-        // The size is multiplied by `u` later, so this is the error of `c` divided by `u`.
-        let lost = self.squares * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF);
-        Discriminant { value: h * h - a * c, size: h.abs() * self.length + a * (c.abs() + lost) }
+        self.quadratic.near()
     }
 
     /// Returns `a r^2 - |(C - O) x d|^2`, which is accurate if the ray starts far away.
     #[inline(always)]
     pub fn far(&self) -> Discriminant<T> {
+        let Quadratic { a, terms_of_c, .. } = self.quadratic;
         let across = cross(self.r_c, self.direction) + cross(self.error, self.direction);
-        let (of_radius, of_distance) = (self.a * self.radius_squared, across.dot(across));
-        let size = of_radius + (of_distance + self.a * self.squares * T::of(SHARE_OF_DISTANCE));
+        let (of_radius, of_distance) = (a * self.radius_squared, across.dot(across));
+        let size = of_radius + (of_distance + a * terms_of_c * T::of(SHARE_OF_DISTANCE));
         Discriminant { value: of_radius - of_distance, size }
-    }
-
-    /// Returns the roots with this discriminant, for any number of lanes.
-    #[inline(always)]
-    fn roots(&self, Discriminant { value, size }: Discriminant<T>) -> Roots<T> {
-        let root = value.sqrt();
-        let w = self.h.abs() + root;
-        let error = size * T::of(LIMITS.error_constant * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
-        let h_is_accurate = self.length.less(w * T::of(CONDITION_LIMIT));
-        let root_is_accurate = error.less(value) & size.less(root * w * T::of(CONDITION_LIMIT));
-        let accurate = h_is_accurate & root_is_accurate & size.less(T::of(OVERFLOW));
-        let error_of_c = self.squares * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
-        let c_is_accurate = (error_of_c * T::of(1.0 / (ACCURACY_OF_C * T::UNIT_ROUNDOFF))).less(self.c.abs());
-        let least = least_lambda::<T>() - T::of(LAMBDA_MIN * LIMITS.lambda_error::<T>());
-        let (sign, zero) = (self.h * self.c, T::of(0.0));
-        Roots {
-            w,
-            misses: error.less(-value),
-            accurate,
-            small_is_ahead: c_is_accurate & zero.less(sign),
-            small_fails: (c_is_accurate & sign.less(zero)) | (self.c.abs() + error_of_c).less(w * least),
-            large_fails: self.h.less(zero) | w.less(self.a * least),
-        }
     }
 
     /// Returns the hits with this discriminant.
     #[inline(always)]
     pub fn hits(&self, discriminant: Discriminant<T>) -> SphereHits<T> {
-        let roots = self.roots(discriminant);
-        let (small, large) = (self.c.abs() / roots.w, roots.w / self.a);
+        let Quadratic { a, h, c, .. } = self.quadratic;
+        let roots = self.quadratic.roots(discriminant);
+        let (small, large) = (c.abs() / roots.w, roots.w / a);
         let small_hits = roots.small_is_ahead & is_in_range(small);
-        let large_hits = roots.small_fails & T::of(0.0).less(self.h) & is_in_range(large);
+        let large_hits = roots.small_fails & T::of(0.0).less(h) & is_in_range(large);
         let misses = roots.misses | (roots.accurate & roots.small_fails & roots.large_fails);
         SphereHits {
             lambda: T::select(misses, T::of(f64::INFINITY), T::select(small_hits, small, large)),
-            certain: in_scale(self.a) & (misses | (roots.accurate & (small_hits | large_hits))),
+            certain: in_scale(a) & (misses | (roots.accurate & (small_hits | large_hits))),
         }
     }
 }
@@ -131,15 +77,16 @@ impl Terms<f64> {
     /// instructions.
     #[inline(always)]
     fn hit(&self, discriminant: Discriminant<f64>) -> Decision<Option<f64>> {
-        let roots = self.roots(discriminant);
-        if !in_scale(self.a) {
+        let Quadratic { a, h, c, .. } = self.quadratic;
+        let roots: Roots<f64> = self.quadratic.roots(discriminant);
+        if !in_scale(a) {
             return Decision::Uncertain;
         }
         if !roots.accurate {
             return if roots.misses { Decision::Certain(None) } else { Decision::Uncertain };
         }
         if roots.small_is_ahead {
-            let small = self.c.abs() / roots.w;
+            let small = c.abs() / roots.w;
             if is_in_range(small) {
                 return Decision::Certain(Some(small));
             }
@@ -148,35 +95,13 @@ impl Terms<f64> {
             if roots.large_fails {
                 return Decision::Certain(None);
             }
-            let large = roots.w / self.a;
-            if self.h > 0.0 && is_in_range(large) {
+            let large = roots.w / a;
+            if h > 0.0 && is_in_range(large) {
                 return Decision::Certain(Some(large));
             }
         }
         Decision::Uncertain
     }
-}
-
-/// What is certain about the two roots. One is `w / a` with the sign of `h`, and is called the large one. The other is
-/// `|c| / w` with the sign of `h c`, and is called the small one.
-struct Roots<T: MulAdd> {
-    w: T,
-    /// The ray's line misses the sphere.
-    misses: T::Mask,
-    /// Both magnitudes are accurate, but for the error of `c`.
-    accurate: T::Mask,
-    /// The small root is positive and accurate.
-    small_is_ahead: T::Mask,
-    /// The small root is below [`least_lambda`].
-    small_fails: T::Mask,
-    /// The large root is.
-    large_fails: T::Mask,
-}
-
-/// Whether an accurate lambda certainly is in range, and has not overflowed.
-#[inline(always)]
-fn is_in_range<T: MulAdd>(lambda: T) -> T::Mask {
-    LIMITS.in_range(lambda) & lambda.less(T::of(OVERFLOW))
 }
 
 /// Returns the hit of one ray, or `None` for a miss, if rounding certainly has not changed it.
@@ -187,6 +112,18 @@ pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
         Decision::Uncertain => terms.hit(terms.far()),
         decision => decision,
     }
+}
+
+/// Returns the lambda of the ray's hit, with twice the bound of its error, or `None` if that is uncertain.
+#[inline(always)]
+pub fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
+    let terms = Terms::new(record, ray);
+    let (near, far) = (terms.near(), terms.far());
+    let roots = terms.quadratic.roots(if near.size < far.size { near } else { far });
+    let [small, large] = roots.magnitudes(&terms.quadratic);
+    let root = if roots.small_is_ahead && is_in_range(small.0) { small } else { large };
+    let is_first = root == small || roots.small_fails && terms.quadratic.h > 0.0;
+    (in_scale(terms.quadratic.a) && roots.accurate && is_first).then_some(root)
 }
 
 /// Returns `|C - O|^2 - r^2`, as accurate as if it were computed with twice the digits and then rounded, and

@@ -10,13 +10,6 @@ pub const LAMBDA_MIN: f64 = 1e-3;
 /// counts, because it is rounded to `LAMBDA_MIN`, the number whose last bit is even.
 pub const HALF_STEP: f64 = (LAMBDA_MIN - LAMBDA_MIN.next_down()) / 2.0;
 
-/// Returns the smallest lambda of a hit that counts, as exactly as the arithmetic `T` allows. It is
-/// `LAMBDA_MIN - HALF_STEP` in double-double, and [`LAMBDA_MIN`] in `f64` and `f32`.
-#[inline(always)]
-pub fn least_lambda<T: Real>() -> T {
-    T::of(LAMBDA_MIN) - T::of(HALF_STEP)
-}
-
 /// A half-line from `origin` along `direction`, which need not have length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
@@ -91,10 +84,7 @@ mod tests {
 
     #[test]
     fn hits_start_at_a_thousandth() {
-        use crate::math::double_double::DoubleDouble;
-        assert_eq!(least_lambda::<f64>(), LAMBDA_MIN);
-        let DoubleDouble { high, low } = least_lambda();
-        assert_eq!((high, low), (LAMBDA_MIN, -(2.0_f64.powi(-63))));
+        assert_eq!(HALF_STEP, 2.0_f64.powi(-63));
         assert!(in_range(1e-3) && in_range(f64::INFINITY));
         assert!(!in_range(1e-3_f64.next_down()) && !in_range(-1.0_f64) && !in_range(f64::NAN));
     }

@@ -6,16 +6,11 @@
 //! with Coq ("Formalization of double-word arithmetic", ACM TOMS 48, 2022). The square root is that of Lefevre,
 //! Louvet, Muller, Picot and Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS
 //! 49 (2023). With u = 2^-53 the relative errors are at most 3u^2 for a sum (also under cancellation), 4u^2 for a
-//! product, 15u^2 for a quotient and 25/8 u^2 for a square root. So 16u^2 = 2^-102 serves as the unit roundoff of all
-//! operations, short of overflow and underflow.
-//!
-//! `f64::mul_add` always rounds once. In code that is compiled for a machine without the instruction, `mul_add` calls a
-//! slow library function with the same result. So the precise formulas are [compiled](crate::simd::Kernel) for each
-//! instruction set.
+//! product, 15u^2 for a quotient and 25/8 u^2 for a square root.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::math::{error_free::two_product, error_free::two_sum, real::Real, rounding::Rounding};
+use crate::math::{error_free::two_product, error_free::two_sum, real::Real};
 
 /// The number `high + low`. The magnitude of `low` is at most half a unit in the last place of `high`. Comparisons rely
 /// on this, and all operations of this type keep it.
@@ -121,12 +116,6 @@ impl Real for DoubleDouble {
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
-}
-
-impl Rounding for DoubleDouble {
-    const UNIT_ROUNDOFF: f64 = 16.0 * <f64 as Rounding>::UNIT_ROUNDOFF * <f64 as Rounding>::UNIT_ROUNDOFF;
-    // With this factor the error of an accepted lambda is at most half a unit in the last place of f64.
-    const LENIENCE: f64 = (1 << 24) as f64;
 }
 
 #[cfg(test)]

@@ -36,6 +36,24 @@ pub fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     )
 }
 
+/// Returns the cross product of `a` with its rounding error and `b`, rounded, and its rounding error.
+#[inline(always)]
+pub fn cross_with_error<T: MulAdd>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
+    let more = cross(a_error, b);
+    let x = difference_with_error([a.y, b.z, a.z, b.y], more.x);
+    let y = difference_with_error([a.z, b.x, a.x, b.z], more.y);
+    let z = difference_with_error([a.x, b.y, a.y, b.x], more.z);
+    (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
+}
+
+/// Returns `a b - c d + more`, rounded, and its rounding error. `more` must be as small as a rounding error.
+#[inline(always)]
+fn difference_with_error<T: MulAdd>([a, b, c, d]: [T; 4], more: T) -> (T, T) {
+    let ((left, left_error), (right, right_error)) = (two_product(a, b), two_product(c, d));
+    let (difference, error) = two_sum(left, -right);
+    two_sum(difference, error + (left_error - right_error) + more)
+}
+
 /// Returns `a b - c d` by Kahan's algorithm.
 #[inline(always)]
 fn difference_of_products<T: MulAdd>(a: T, b: T, c: T, d: T) -> T {

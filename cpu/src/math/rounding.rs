@@ -3,15 +3,11 @@
 
 use crate::math::real::Real;
 
-/// Arithmetic whose rounding errors have a known bound: [`Real`] with the two constants that error bounds need. The
-/// exact intersections need this trait, while the plain formulas need only [`Real`]. `f64`, its lanes and double-double
-/// implement it. The default values are those of `f64`.
+/// Arithmetic with the rounding errors of `f64`: `f64` itself, and its lanes. The exact intersections need this trait,
+/// while the plain formulas need only [`Real`].
 pub trait Rounding: Real {
     /// The largest relative error of one operation, `u` in the error bounds.
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    /// The condition limit of this arithmetic, divided by that of `f64`. A root is accepted if its condition number is
-    /// below the limit. It is larger in arithmetic with smaller rounding errors.
-    const LENIENCE: f64 = 1.0;
 }
 
 /// Arithmetic with a fused multiply-add.

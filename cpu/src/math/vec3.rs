@@ -100,13 +100,12 @@ impl<T: Real> Vec3<T> {
         self / self.length()
     }
 
-    /// Returns the vector of length one in the same direction, and the length. In `f64` and double-double both are
-    /// accurate for short vectors too.
+    /// Returns the vector of length one in the same direction, and the length. In `f64` both are accurate for short
+    /// vectors too.
     ///
-    /// The square of a length below 2^-537 underflows in `f64`. In double-double the low half of the square underflows
-    /// already for lengths below 2^-458. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is
-    /// exact. All other vectors give the bits of [`Self::unit`] and [`Self::length`]. `f32` cannot hold 2^600. So in
-    /// `f32` no vector is scaled, and the squared length of a short vector underflows.
+    /// The square of a length below 2^-537 underflows in `f64`. A vector shorter than 2^-300 is therefore multiplied by
+    /// 2^600 first, which is exact. All other vectors give the bits of [`Self::unit`] and [`Self::length`]. `f32`
+    /// cannot hold 2^600. So in `f32` no vector is scaled, and the squared length of a short vector underflows.
     #[inline(always)]
     pub fn unit_and_length(self) -> (Self, T) {
         const SCALE: f64 = f64::from_bits((1023 + 600) << 52);

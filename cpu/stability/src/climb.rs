@@ -12,11 +12,11 @@ use crate::oracle;
 use crate::random::Random;
 use crate::regimes::Regime;
 
-/// Returns the relative error of lambda. It is 0 if double-double or dyadic arithmetic decides, whose error is
-/// negligible, and `None` if a decision in f64 is wrong.
+/// Returns the relative error of lambda. It is 0 if dyadic arithmetic decides, whose error is negligible, and `None` if
+/// a decision in f64 is wrong.
 fn error(case: &Case) -> Option<f64> {
     let (record, ray) = case.of();
-    if record.needs_double_double(&ray) {
+    if record.needs_dyadic(&ray) {
         return Some(0.0);
     }
     lambda_error(&oracle::judge(case), record.exact(&ray), f64::EPSILON / 2.0)

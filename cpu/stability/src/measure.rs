@@ -1,14 +1,13 @@
 //! Measures the errors of an implementation in a regime, and how often it is wrong.
 
-use cpu::Vec3;
 use cpu::internals::exact::error_bound::Decision;
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
-use cpu::internals::math::double_double::DoubleDouble;
+use cpu::{Ray, Vec3};
 
 use crate::case::Case;
 use crate::methods::{Failure, Method};
 use crate::oracle::{self, Judgement, big, to_f64};
-use crate::record::Found;
+use crate::record::{Found, Record};
 
 /// The measured errors and times of one implementation in one regime. In the comments, `u` is the unit roundoff, and
 /// `S` the size of a case.
@@ -104,21 +103,21 @@ impl Judged {
         Ok(row)
     }
 
-    /// Returns two shares of the cases, from 0 to 1: those that need double-double, and those that need dyadic
-    /// arithmetic.
+    /// Returns two shares of the cases, from 0 to 1: those that need the compensated formulas, and those that need
+    /// dyadic arithmetic.
     #[must_use]
     pub fn fallbacks(&self) -> [f64; 2] {
-        let needs_double_double = |case: &&Case| {
-            let (record, ray) = case.of();
-            record.needs_double_double(&ray)
+        let share = |needs: &dyn Fn(&Record, &Ray) -> bool| {
+            let counted = self.cases[0].iter().filter(|case| {
+                let (record, ray) = case.of();
+                needs(&record, &ray)
+            });
+            counted.count() as f64 / self.cases[0].len() as f64
         };
-        let needs_dyadic = |case: &&&Case| {
-            let (record, ray) = case.of::<DoubleDouble>();
-            record.filtered(&ray) == Decision::Uncertain
-        };
-        let uncertain: Vec<_> = self.cases[0].iter().filter(needs_double_double).collect();
-        [uncertain.len(), uncertain.iter().filter(needs_dyadic).count()]
-            .map(|count| count as f64 / self.cases[0].len() as f64)
+        [
+            share(&|record, ray| record.filtered(ray) == Decision::Uncertain),
+            share(&|record, ray| record.needs_dyadic(ray)),
+        ]
     }
 }
 

@@ -78,9 +78,8 @@ pub fn all() -> Vec<Box<dyn Method>> {
     ]
 }
 
-/// Returns the exact intersections without the filter in f64. They use double-double for every ray, and dyadic
-/// arithmetic where double-double is uncertain. Their answers are the exact ones, rounded, so only their time is of
-/// interest.
+/// Returns the exact intersections by dyadic arithmetic alone. Their answers are the exact ones, rounded, so only their
+/// time is of interest.
 #[must_use]
 pub fn resolved() -> Box<dyn Method> {
     Box::new(Host::new(RESOLVED, DOUBLE, exact::sphere::precise, exact::cylinder::precise))
@@ -100,4 +99,4 @@ pub const PLAIN_SINGLE: &str = "plain f32";
 /// Name of the projected form in f32, which is made for shaders without double precision.
 pub const PROJECTED: &str = "projected f32";
 /// Name of [`resolved`].
-pub const RESOLVED: &str = "double-double, exact";
+pub const RESOLVED: &str = "dyadic";

@@ -97,9 +97,9 @@ impl Record {
         self.by(ray, exact::sphere::intersect, exact::cylinder::intersect)
     }
 
-    /// Whether double-double arithmetic answers, because the plain and the compensated formulas are uncertain.
+    /// Whether dyadic arithmetic answers, because the plain and the compensated formulas are uncertain.
     #[must_use]
-    pub fn needs_double_double(&self, ray: &Ray) -> bool {
+    pub fn needs_dyadic(&self, ray: &Ray) -> bool {
         match self {
             Self::Sphere(record) => exact::sphere::filtered_or_compensated(record, ray) == Decision::Uncertain,
             Self::Cylinder(record, axis) => {

@@ -10,7 +10,8 @@ use crate::observed::Counts;
 pub struct Section {
     /// The rows of the table, one for each implementation.
     pub rows: Vec<Row>,
-    /// Two shares of the cases, from 0 to 1: those that need double-double, and those that need dyadic arithmetic.
+    /// Two shares of the cases, from 0 to 1: those that need the compensated formulas, and those that need
+    /// dyadic arithmetic.
     pub fallbacks: [f64; 2],
 }
 
@@ -31,10 +32,10 @@ pub struct Picture {
 pub fn errors(kinds: &[(&str, &[Section])]) -> String {
     let mut text = String::from(
         "object,regime,implementation,cases,hits,wrong,wrong_beyond_8uS,wrong_side,lambda_p50,lambda_p999,lambda_max,\
-         surface_p50,surface_max,double_double,exact\n",
+         surface_p50,surface_max,compensated,dyadic\n",
     );
     for (kind, sections) in kinds {
-        for Section { rows, fallbacks: [double, exact] } in *sections {
+        for Section { rows, fallbacks: [compensated, dyadic] } in *sections {
             for row in rows {
                 let [median, high, most] = row.lambda_error;
                 let [near, far] = row.surface_error;
@@ -42,7 +43,7 @@ pub fn errors(kinds: &[(&str, &[Section])]) -> String {
                 // Writing to a `String` never fails, so errors are ignored.
                 let _ = writeln!(
                     text,
-                    "{kind},\"{}\",{},{},{},{},{beyond},{},{median:e},{high:e},{most:e},{near:e},{far:e},{double},{exact}",
+                    "{kind},\"{}\",{},{},{},{},{beyond},{},{median:e},{high:e},{most:e},{near:e},{far:e},{compensated},{dyadic}",
                     row.regime, row.method, row.cases, row.hits, row.wrong, row.wrong_side
                 );
             }

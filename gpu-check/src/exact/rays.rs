@@ -1,6 +1,6 @@
 //! The cases of the exact kernels: those of the plain formulas, and the hard rays of `stability`.
 
-use cpu::internals::input::scene::Shape;
+use cpu::internals::input::scene::{Cylinder, Shape};
 use cpu::internals::sampling::uniform::Uniform;
 use stability::case::Case;
 use stability::random::Random;
@@ -11,8 +11,8 @@ use crate::kernels::{CYLINDER, SPHERE};
 use crate::special::{self, Row};
 use crate::{Kernel, methods};
 
-/// Numbers for edge cases of products. Neither a product nor its error may leave the range of f64.
-const FACTORS: [f64; 12] = [
+/// Numbers for edge cases of products. The last one overflows if WGSL splits it without scaling it first.
+const FACTORS: [f64; 13] = [
     0.0,
     1.0,
     -1.0,
@@ -25,6 +25,7 @@ const FACTORS: [f64; 12] = [
     1.000_000_000_000_000_2,
     0.999_999_999_999_999_9,
     134_217_729.0,
+    1e302,
 ];
 
 /// Returns cases of spheres; see [`super::ExactKernel::cases`].
@@ -36,7 +37,46 @@ pub fn spheres(count: usize, seed: u64) -> Vec<f64> {
 /// Returns cases of cylinders; see [`super::ExactKernel::cases`].
 pub fn cylinders(count: usize, seed: u64) -> Vec<f64> {
     let extremes = EXTREMES.iter().chain(&LIMITS).filter(|regime| !regime.name.starts_with("spheres"));
-    all(&CYLINDER, CYLINDERS.iter().chain(extremes), count, seed)
+    all(&CYLINDER, CYLINDERS.iter().chain(extremes).chain(&COMPENSATED), count, seed)
+}
+
+/// Long, wide and far cylinders. The plain formula is uncertain about many of their rays, and the compensated formula
+/// decides most of those.
+pub const COMPENSATED: [Regime; 3] = [
+    Regime { name: "nearly along a long cylinder", draw: along_a_long_one },
+    Regime { name: "near the side of a wide cylinder", draw: near_a_wide_side },
+    Regime { name: "from far away", draw: far_away },
+];
+
+/// Returns a ray that runs nearly along the axis, inside a cylinder or beside it.
+fn along_a_long_one(random: &mut Random) -> Case {
+    let (center, radius, axis) = (random.cube(10.0), random.decades(-2.0, 1.0), random.unit());
+    let height = radius * random.decades(1.5, 5.0);
+    let (around, along) = (random.uniform(0.0, 1.2) * radius, random.uniform(-0.6, 0.6) * height);
+    let origin = center + random.perpendicular(axis) * around + axis * along;
+    let direction = axis * random.sign() + random.perpendicular(axis) * random.decades(-6.0, -1.0);
+    Case::cylinder(Cylinder { center, radius, axis: axis * height }, origin, direction)
+}
+
+/// Returns a ray that starts near the side of a cylinder, which is as flat as a floor there, and near the origin of
+/// coordinates.
+fn near_a_wide_side(random: &mut Random) -> Case {
+    let (radius, axis) = (random.decades(4.0, 9.0), random.unit());
+    let (up, height) = (random.perpendicular(axis), radius * random.decades(-1.0, 1.0));
+    let center = up * -radius + axis * (height * random.uniform(-0.5, 0.5));
+    let origin = random.cube(1.0) + up * (random.sign() * random.decades(-3.0, 2.0));
+    Case::cylinder(Cylinder { center, radius, axis: axis * height }, origin, random.unit())
+}
+
+/// Returns a ray that starts far away from a cylinder, and hits it or passes near it.
+fn far_away(random: &mut Random) -> Case {
+    let (center, radius, axis) = (random.cube(10.0), random.uniform(0.1, 2.0), random.unit());
+    let height = random.uniform(0.2, 5.0);
+    let (around, along) = (random.uniform(0.0, 1.3) * radius, random.uniform(-0.6, 0.6) * height);
+    let target = center + random.perpendicular(axis) * around + axis * along;
+    let direction = random.unit();
+    let origin = target - direction * random.decades(4.0, 8.0);
+    Case::cylinder(Cylinder { center, radius, axis: axis * height }, origin, direction)
 }
 
 /// Returns rays with two spheres that they hit at nearly the same lambda, from the regimes of several near objects.
@@ -71,8 +111,11 @@ pub fn products(count: usize, seed: u64) -> Vec<f64> {
     let mut rows = Row::default();
     for a in FACTORS {
         for b in FACTORS {
-            for c in FACTORS.into_iter().chain([-a * b]) {
-                rows.number(a).number(b).number(c);
+            // Neither a product nor its error may leave the range of f64.
+            if (a * b).is_finite() {
+                for c in FACTORS.into_iter().chain([-a * b]) {
+                    rows.number(a).number(b).number(c);
+                }
             }
         }
     }

@@ -4,7 +4,7 @@
 //! `RENDER_EXACT_CASES` sets the number of cases of each kind.
 
 use gpu_check::Gpu;
-use gpu_check::exact::{CYLINDER, ExactKernel, MUL_ADD, ORDER, SPHERE};
+use gpu_check::exact::{CYLINDER, ExactKernel, MUL_ADD, ORDER, SPHERE, compensated_cylinders};
 use shaders::Library;
 
 use crate::common;
@@ -31,17 +31,22 @@ fn compare(gpu: &Gpu, kernel: &ExactKernel) -> Vec<f64> {
     cases
 }
 
-/// Compares the kernel, and checks that each of the first `steps` steps decides some rays, and that some rays are left
-/// for dyadic arithmetic.
-fn compare_steps(kernel: &ExactKernel, steps: &[usize]) {
-    let cases = compare(&common::gpu(), kernel);
-    let mut decided = [0; 4];
+/// Counts the cases that each step decides: dyadic arithmetic, which only the CPU has, the plain formula, and the
+/// compensated one.
+fn decided(kernel: &ExactKernel, cases: &[f64]) -> [usize; 3] {
+    let mut decided = [0; 3];
     for case in cases.chunks(kernel.inputs) {
         decided[kernel.expected(case)[0] as usize] += 1;
     }
-    let [dyadic, plain, compensated, doubled] = decided;
-    println!("plain {plain}, compensated {compensated}, double-double {doubled}, left for dyadic {dyadic}");
-    assert!(steps.iter().all(|&step| decided[step] > 1000), "{decided:?}");
+    let [dyadic, plain, compensated] = decided;
+    println!("plain {plain}, compensated {compensated}, left for dyadic {dyadic}");
+    decided
+}
+
+/// Compares the kernel, and checks that each step decides some rays, and that some rays are left for dyadic arithmetic.
+fn compare_steps(kernel: &ExactKernel) {
+    let decided = decided(kernel, &compare(&common::gpu(), kernel));
+    assert!(decided.iter().all(|&count| count > 1000), "{decided:?}");
 }
 
 #[test]
@@ -51,25 +56,26 @@ fn products_and_multiply_adds_are_rounded_once() {
 
 #[test]
 fn every_step_for_spheres_has_the_bits_of_cpu() {
-    compare_steps(&SPHERE, &[0, 1, 2, 3]);
+    compare_steps(&SPHERE);
 }
 
 #[test]
 fn every_step_for_two_spheres_has_the_order_of_cpu() {
     let cases = compare(&common::gpu(), &ORDER);
-    let (mut plain, mut doubled) = ([0; 4], [0; 4]);
+    let mut orders = [0; 4];
     for case in cases.chunks(ORDER.inputs) {
-        let order = ORDER.expected(case);
-        plain[order[0] as usize] += 1;
-        doubled[order[1] as usize] += usize::from(order[0] == 0.0);
+        orders[ORDER.expected(case)[0] as usize] += 1;
     }
-    println!(
-        "plain: uncertain, first, second, not two hits: {plain:?}; double-double, where that is uncertain: {doubled:?}"
-    );
-    assert!(plain[..3].iter().chain(&doubled[..3]).all(|&count| count > 1000), "{plain:?}, {doubled:?}");
+    println!("uncertain, first, second, not two hits: {orders:?}");
+    assert!(orders[..3].iter().all(|&count| count > 1000), "{orders:?}");
 }
 
 #[test]
 fn every_step_for_cylinders_has_the_bits_of_cpu() {
-    compare_steps(&CYLINDER, &[0, 1, 2, 3]);
+    compare_steps(&CYLINDER);
+    for (name, cases) in compensated_cylinders(count(), SEED) {
+        println!("{name}:");
+        let [.., compensated] = decided(&CYLINDER, &cases);
+        assert!(compensated > count() / 10, "{name}: {compensated}");
+    }
 }

@@ -57,17 +57,15 @@ modules! {
     "exact/error_free" in "wgsl/exact/error_free.wgsl" needs ["exact"];
     "exact/error_bound" in "wgsl/exact/error_bound.wgsl" needs ["cylinder"];
     "exact/sphere" in "wgsl/exact/sphere.wgsl" needs ["sphere" "exact/error_bound"];
-    "exact/compensated" in "wgsl/exact/compensated.wgsl" needs ["exact/sphere" "exact/error_free"];
+    "exact/compensated_roots" in "wgsl/exact/compensated_roots.wgsl" needs ["exact/sphere"];
+    "exact/compensated_sphere" in "wgsl/exact/compensated_sphere.wgsl"
+        needs ["exact/compensated_roots" "exact/error_free"];
     "exact/cylinder_side" in "wgsl/exact/cylinder_side.wgsl" needs ["exact/error_bound"];
     "exact/cap" in "wgsl/exact/cap.wgsl" needs ["exact/cylinder_side"];
     "exact/cylinder" in "wgsl/exact/cylinder.wgsl" needs ["exact/cap"];
-    "exact/compensated_cylinder" in "wgsl/exact/compensated_cylinder.wgsl" needs ["exact/cylinder" "exact/error_free"];
-    "exact/double_double" in "wgsl/exact/double_double.wgsl" needs ["exact/error_free"];
-    "exact/precise_bound" in "wgsl/exact/precise_bound.wgsl" needs ["cylinder" "exact/double_double"];
-    "exact/precise_sphere" in "wgsl/exact/precise_sphere.wgsl" needs ["exact/precise_bound"];
-    "exact/precise_side" in "wgsl/exact/precise_side.wgsl" needs ["exact/precise_bound"];
-    "exact/precise_cylinder" in "wgsl/exact/precise_cylinder.wgsl" needs ["exact/precise_side"];
-    "exact/order" in "wgsl/exact/order.wgsl" needs ["exact/double_double"];
+    "exact/compensated_cylinder" in "wgsl/exact/compensated_cylinder.wgsl"
+        needs ["exact/cylinder" "exact/compensated_roots" "exact/error_free"];
+    "exact/order" in "wgsl/exact/order.wgsl" needs [];
     "kernels/hit_report" in "wgsl/kernels/hit_report.wgsl" needs ["layout"];
     "kernels/sphere" in "wgsl/kernels/sphere.wgsl" needs ["sphere" "kernels/hit_report"];
     "kernels/cylinder" in "wgsl/kernels/cylinder.wgsl" needs ["cylinder" "kernels/hit_report"];
@@ -81,13 +79,12 @@ modules! {
     "kernels/refraction" in "wgsl/kernels/refraction.wgsl" needs ["scatter" "layout"];
     "kernels/two_sum" in "wgsl/kernels/two_sum.wgsl" needs ["exact"];
     "kernels/mul_add" in "wgsl/kernels/mul_add.wgsl" needs ["exact/error_free"];
-    "kernels/exact_report" in "wgsl/kernels/exact_report.wgsl" needs ["exact/error_bound" "exact/precise_bound"];
+    "kernels/exact_report" in "wgsl/kernels/exact_report.wgsl" needs ["exact/error_bound"];
     "kernels/exact_sphere" in "wgsl/kernels/exact_sphere.wgsl"
-        needs ["layout" "exact/compensated" "exact/precise_sphere" "kernels/exact_report"];
+        needs ["layout" "exact/compensated_sphere" "kernels/exact_report"];
     "kernels/exact_cylinder" in "wgsl/kernels/exact_cylinder.wgsl"
-        needs ["layout" "exact/compensated_cylinder" "exact/precise_cylinder" "kernels/exact_report"];
-    "kernels/exact_order" in "wgsl/kernels/exact_order.wgsl"
-        needs ["layout" "exact/sphere" "exact/precise_sphere" "exact/order"];
+        needs ["layout" "exact/compensated_cylinder" "kernels/exact_report"];
+    "kernels/exact_order" in "wgsl/kernels/exact_order.wgsl" needs ["layout" "exact/sphere" "exact/order"];
     "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];
     "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["bounce"];
     "kernels/samples" in "wgsl/kernels/samples.wgsl" needs ["trace_samples"];

@@ -8,6 +8,8 @@ struct ExactPlane {
     fails: bool,
     steep: bool,
     accurate: bool,
+    // Twice the bound of the relative error of an accepted lambda, or more.
+    error: real,
 }
 
 // Plane::new: returns the plane of the cap around `center`.
@@ -41,7 +43,8 @@ fn exact_plane_at(
     let distance_error = size * real(1.7763568394002505e-15);
     let too_near = distance + distance_error < (steepness - slope_error) * real(1e-3);
     let accurate = size < distance * real(262144.0) && size_of_direction < steepness * real(524288.0);
-    return ExactPlane(center, to_plane, slope, parallel || (steep && too_near), steep, accurate);
+    let fails = parallel || (steep && too_near);
+    return ExactPlane(center, to_plane, slope, fails, steep, accurate, exact_cylinder_lambda_error());
 }
 
 // filtered_cap: returns the hit with the cap in `plane`, which has the name `part`, if rounding certainly has not
@@ -53,7 +56,7 @@ fn exact_cap_filtered(cylinder: CylinderRecord, ray: Ray, plane: ExactPlane, par
     let lambda = plane.to_plane / plane.slope;
     let is_in_range = plane.accurate && exact_cylinder_limits().most <= lambda;
     let from_center = vec3_length(ray_at(ray, lambda) - plane.center);
-    let margin = exact_cylinder_margin(cylinder, ray, lambda);
+    let margin = exact_cylinder_margin(cylinder, ray, lambda * plane.error);
     if plane.steep && is_in_range && from_center < cylinder.radius - margin {
         return decision_hit(lambda, part);
     }

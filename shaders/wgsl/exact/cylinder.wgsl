@@ -7,17 +7,13 @@ struct ExactWithoutCaps {
     decision: Decision,
 }
 
-// cylinder::decided, up to the caps.
-fn exact_cylinder_without_caps(cylinder: CylinderRecord, ray: Ray, side: ExactSide) -> ExactWithoutCaps {
-    if !exact_in_scale(side.length_squared) {
-        return ExactWithoutCaps(false, decision_uncertain());
-    }
-    if error_bound_misses(side.bound, side.discriminant) {
+// The part of cylinder::filtered and of SideLanes::without_caps that follows the crossings.
+fn exact_cylinder_without_caps(crossings: ExactCrossings) -> ExactWithoutCaps {
+    let entry = crossings.entry;
+    let leaving = crossings.leaving;
+    if crossings.misses {
         return ExactWithoutCaps(false, decision_miss());
     }
-    let root = sqrt(side.discriminant);
-    let entry = exact_side_crossing(side, cylinder, ray, -side.h - root, root);
-    let leaving = exact_side_crossing(side, cylinder, ray, -side.h + root, root);
     if entry.behind && leaving.straight {
         return ExactWithoutCaps(false, decision_hit(leaving.lambda, SIDE));
     }
@@ -36,8 +32,8 @@ fn exact_cylinder_without_caps(cylinder: CylinderRecord, ray: Ray, side: ExactSi
     return ExactWithoutCaps(true, decision_miss());
 }
 
-// cylinder::decided, the caps. The cap that faces the ray is hit first. The other one counts only if nothing else is
-// hit. `leaving` is the hit where the ray leaves the side, or a miss.
+// The end of cylinder::filtered and of SideLanes::with_caps. The cap that faces the ray is hit first. The other cap
+// counts only if nothing else is hit. `leaving` is the hit where the ray leaves the side, or a miss.
 fn exact_cylinder_with_caps(
     cylinder: CylinderRecord,
     ray: Ray,
@@ -59,7 +55,10 @@ fn exact_cylinder_with_caps(
 // cylinder::filtered: returns the hit, if rounding certainly has not changed it.
 fn exact_cylinder_filtered(cylinder: CylinderRecord, ray: Ray) -> Decision {
     let side = exact_side_new(cylinder, ray);
-    let decision = exact_cylinder_without_caps(cylinder, ray, side);
+    if !exact_in_scale(side.length_squared) {
+        return decision_uncertain();
+    }
+    let decision = exact_cylinder_without_caps(exact_side_crossings(side, cylinder, ray));
     if !decision.needs_caps {
         return decision.decision;
     }

@@ -17,11 +17,33 @@ fn exact_extent_of_axis(cylinder: CylinderRecord) -> real {
     return exact_magnitude(cylinder.center) + cylinder.half_height + EXTENT_UNDERFLOW;
 }
 
-// margin: returns a bound of the distance by which rounding moves the ray's point at an accepted lambda. The factors
-// are 512 * 65,536 * 2^-53 and 64 * 2^-53.
-fn exact_cylinder_margin(cylinder: CylinderRecord, ray: Ray, lambda: real) -> real {
-    let along = lambda * exact_magnitude(ray.direction) * real(3.725290298461914e-09);
-    return along + (exact_extent_of_axis(cylinder) + cylinder.radius) * real(7.105427357601002e-15);
+// margin: returns a bound of the distance by which rounding moves the ray's point. `error` is twice the bound of the
+// error of lambda, or more. The factor is 64 * 2^-53.
+fn exact_cylinder_margin(cylinder: CylinderRecord, ray: Ray, error: real) -> real {
+    let extent = exact_extent_of_axis(cylinder) + cylinder.radius;
+    return error * exact_magnitude(ray.direction) + extent * real(7.105427357601002e-15);
+}
+
+// Twice the bound of the relative error of an accepted lambda: 512 * 65,536 * 2^-53.
+fn exact_cylinder_lambda_error() -> real {
+    return real(3.725290298461914e-09);
+}
+
+// is_long: returns whether rays may run nearly along the axis from one side to the other.
+fn exact_is_long(cylinder: CylinderRecord) -> bool {
+    return cylinder.radius * real(8.0) < cylinder.half_height;
+}
+
+// size: returns the size of the terms that cancel in the discriminant. `squares` is the square of the distance from the
+// ray's origin to the centre plus that of the radius. The share is 2^-44.
+fn exact_side_size(cylinder: CylinderRecord, c: real, squares: real, a: real, length_squared: real) -> real {
+    let whole = length_squared * squares;
+    if !exact_is_long(cylinder) {
+        return whole;
+    }
+    let across = c + cylinder.radius_squared + cylinder.radius_squared;
+    let product = a * (across * (length_squared * across + a * squares));
+    return sqrt(product + product) + whole * real(5.684341886080802e-14) + LEAST_SIZE;
 }
 
 // Side: the quadratic of one ray and an infinite cylinder, with its bound.
@@ -40,14 +62,16 @@ struct ExactSide {
 // Side::new
 fn exact_side_new(cylinder: CylinderRecord, ray: Ray) -> ExactSide {
     let from_center = ray.origin - cylinder.center;
-    let quadratic = cylinder_quadratic(cylinder, cylinder_seen_from(cylinder, ray.origin), ray.direction);
+    let view = cylinder_seen_from(cylinder, ray.origin);
+    let quadratic = cylinder_quadratic(cylinder, view, ray.direction);
     let length_squared = vec3_dot(ray.direction, ray.direction);
     let squares = vec3_dot(from_center, from_center) + cylinder.radius_squared;
-    let bound = error_bound_new(exact_cylinder_limits(), length_squared, squares);
+    let size = exact_side_size(cylinder, view.c, squares, quadratic.a, length_squared);
+    let bound = error_bound_of_size(exact_cylinder_limits(), size);
     let along = vec3_dot(from_center, cylinder.axis);
     let slope = vec3_dot(ray.direction, cylinder.axis);
-    // The limit of `a` is 64 * 65,536^2.
-    let a_is_accurate = length_squared <= quadratic.a * real(274877906944.0);
+    // The limit of `a` is 4 * 65,536^2.
+    let a_is_accurate = length_squared <= quadratic.a * real(17179869184.0);
     let discriminant = quadratic.discriminant;
     return ExactSide(bound, length_squared, quadratic.a, a_is_accurate, quadratic.h, discriminant, along, slope);
 }
@@ -63,6 +87,25 @@ struct ExactCrossing {
     below: bool,
 }
 
+// Crossing::new: returns the crossing at `lambda`. `start` and `slope` are `along` and `slope` of ExactSide. `accurate`
+// and `behind` tell whether lambda certainly is in range and accurate, or certainly below the smallest lambda.
+fn exact_crossing_new(
+    cylinder: CylinderRecord,
+    start: real,
+    slope: real,
+    lambda: real,
+    margin: real,
+    accurate: bool,
+    behind: bool,
+) -> ExactCrossing {
+    let along = start + lambda * slope;
+    let within = cylinder.half_height - margin;
+    let beyond = cylinder.half_height + margin;
+    let hits = accurate && abs(along) < within;
+    let straight = hits && abs(start) < within;
+    return ExactCrossing(lambda, hits, straight, behind, accurate && beyond < along, accurate && beyond < -along);
+}
+
 // Side::crossing: returns the crossing at `numerator / a`.
 fn exact_side_crossing(
     side: ExactSide,
@@ -72,22 +115,25 @@ fn exact_side_crossing(
     root: real,
 ) -> ExactCrossing {
     let crossing = error_bound_root(side.bound, side.a, numerator, root);
-    let along = side.along + crossing.lambda * side.slope;
-    let margin = exact_cylinder_margin(cylinder, ray, crossing.lambda);
+    let margin = exact_cylinder_margin(cylinder, ray, crossing.lambda * exact_cylinder_lambda_error());
     let accurate = side.a_is_accurate && crossing.hits;
-    let within = cylinder.half_height - margin;
-    let beyond = cylinder.half_height + margin;
-    let hits = accurate && abs(along) < within;
-    let straight = hits && abs(side.along) < within;
     let behind = side.a_is_accurate && crossing.fails;
-    return ExactCrossing(
-        crossing.lambda,
-        hits,
-        straight,
-        behind,
-        accurate && beyond < along,
-        accurate && beyond < -along,
-    );
+    return exact_crossing_new(cylinder, side.along, side.slope, crossing.lambda, margin, accurate, behind);
+}
+
+// SideLanes: where the ray's line enters and leaves the infinite cylinder.
+struct ExactCrossings {
+    entry: ExactCrossing,
+    leaving: ExactCrossing,
+    misses: bool,
+}
+
+// SideLanes::new: returns the crossings by the plain formula.
+fn exact_side_crossings(side: ExactSide, cylinder: CylinderRecord, ray: Ray) -> ExactCrossings {
+    let root = sqrt(side.discriminant);
+    let entry = exact_side_crossing(side, cylinder, ray, -side.h - root, root);
+    let leaving = exact_side_crossing(side, cylinder, ray, -side.h + root, root);
+    return ExactCrossings(entry, leaving, error_bound_misses(side.bound, side.discriminant));
 }
 
 // Crossing::fails: returns whether the ray certainly does not hit the side at this point.

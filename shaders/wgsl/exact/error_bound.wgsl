@@ -45,9 +45,8 @@ struct ErrorBound {
     error: real,
 }
 
-// ErrorBound::new: `squares` is the square of the distance from the origin to the centre plus that of the radius.
-fn error_bound_new(limits: Limits, length_squared: real, squares: real) -> ErrorBound {
-    let size = length_squared * squares;
+// ErrorBound::of_size: returns the bound of a discriminant whose terms have this size.
+fn error_bound_of_size(limits: Limits, size: real) -> ErrorBound {
     return ErrorBound(limits, size, size * limits.error + ERROR_UNDERFLOW);
 }
 

@@ -52,18 +52,18 @@ fn exact_mul_add(a: real, b: real, c: real) -> real {
     return select(sum.sum, neighbor, is_tie && same_side);
 }
 
-// difference: a rounded vector, and its rounding error.
-struct ExactDifference {
+// A rounded vector, and its rounding error.
+struct ExactVector {
     rounded: vec3<real>,
     error: vec3<real>,
 }
 
 // difference: returns `a - b`.
-fn exact_difference(a: vec3<real>, b: vec3<real>) -> ExactDifference {
+fn exact_difference(a: vec3<real>, b: vec3<real>) -> ExactVector {
     let x = exact_two_sum(a.x, -b.x);
     let y = exact_two_sum(a.y, -b.y);
     let z = exact_two_sum(a.z, -b.z);
-    return ExactDifference(vec3<real>(x.sum, y.sum, z.sum), vec3<real>(x.error, y.error, z.error));
+    return ExactVector(vec3<real>(x.sum, y.sum, z.sum), vec3<real>(x.error, y.error, z.error));
 }
 
 // difference_of_products: returns `a b - c d` by Kahan's algorithm.
@@ -80,4 +80,22 @@ fn exact_cross(a: vec3<real>, b: vec3<real>) -> vec3<real> {
         exact_difference_of_products(a.z, b.x, a.x, b.z),
         exact_difference_of_products(a.x, b.y, a.y, b.x),
     );
+}
+
+// difference_with_error: returns `a b - c d + more`, rounded, and its rounding error.
+fn exact_difference_with_error(a: real, b: real, c: real, d: real, more: real) -> ExactSum {
+    let left = exact_two_product(a, b);
+    let right = exact_two_product(c, d);
+    let difference = exact_two_sum(left.sum, -right.sum);
+    return exact_two_sum(difference.sum, difference.error + (left.error - right.error) + more);
+}
+
+// cross_with_error: returns the cross product of `a` with its rounding error and `b`, rounded, and its rounding error.
+fn exact_cross_with_error(a: ExactVector, b: vec3<real>) -> ExactVector {
+    let v = a.rounded;
+    let more = exact_cross(a.error, b);
+    let x = exact_difference_with_error(v.y, b.z, v.z, b.y, more.x);
+    let y = exact_difference_with_error(v.z, b.x, v.x, b.z, more.y);
+    let z = exact_difference_with_error(v.x, b.y, v.y, b.x, more.z);
+    return ExactVector(vec3<real>(x.sum, y.sum, z.sum), vec3<real>(x.error, y.error, z.error));
 }

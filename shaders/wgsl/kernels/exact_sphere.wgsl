@@ -15,10 +15,6 @@ fn exact_sphere(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let ray = ray_load(cases[id.x].ray);
-    let center = vec3_load(cases[id.x].center);
-    let radius = cases[id.x].radius;
-    let record = sphere_new(center, radius);
-    let plain = exact_sphere_filtered(record, ray);
-    let compensated = exact_sphere_compensated(record, ray);
-    reports[id.x] = exact_report(plain, compensated, precise_sphere_filtered(center, radius, ray));
+    let record = sphere_new(vec3_load(cases[id.x].center), cases[id.x].radius);
+    reports[id.x] = exact_report(exact_sphere_filtered(record, ray), exact_sphere_compensated(record, ray));
 }

@@ -140,6 +140,12 @@ impl Bounded {
         self
     }
 
+    /// Returns the one of two numbers that was computed later.
+    #[must_use]
+    pub fn later(self, other: Self) -> Self {
+        Self(self.0.max(other.0))
+    }
+
     /// Returns how the number has been computed.
     pub(super) fn operation(self) -> Operation {
         TABLE.with_borrow(|table| table.numbers[self.0 as usize].0)

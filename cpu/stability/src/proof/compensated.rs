@@ -2,28 +2,28 @@
 //!
 //! Underflow is left out: it adds at most 2^-1074 to a number, and the code requires numbers far above that.
 
-use cpu::internals::exact::cylinder_compensated::{self, SHARE_OF_DISTANCE, SHARE_OF_SIZE};
-use cpu::internals::exact::cylinder_parts::LIMITS;
-use cpu::internals::exact::sphere_compensated::{self, Discriminant, ERROR_OF_C, Terms};
+use cpu::Ray;
+use cpu::internals::exact::compensated_roots::{self, Discriminant, ERROR_OF_C};
+use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
+use cpu::internals::exact::sphere_compensated::{self, Terms};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::internals::math::error_free::{self, cross};
+use cpu::internals::math::error_free::{self, cross, cross_with_error};
 use cpu::internals::math::real::Real as _;
-use cpu::{Ray, Vec3};
 
 use super::bounded::{Bounded, Operation, begin, compared, forget_later};
 use super::bounds::Arithmetic;
 use super::direction::hardens;
 use super::parts::{FILE_AXIS, record};
 use super::polynomial::{Polynomial, Variable};
-use super::quadratic::Quadratic;
 use super::row::{Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, squared, sum};
 use super::signed::{Signed, difference};
 
 const WITHOUT_UNDERFLOW: Arithmetic = Arithmetic { underflow: 0.0, ..Arithmetic::F64 };
 
-const FILE: &str = "exact/cylinder_compensated.rs";
+pub const FILE: &str = "exact/cylinder_compensated.rs";
 const SPHERE: &str = "exact/sphere_compensated.rs";
+pub const ROOTS: &str = "exact/compensated_roots.rs";
 const SPHERE_MARGIN: f64 = sphere_filter::LIMITS.error_constant * U;
 
 /// The families of `d x V` and `(O - C) x V`, for the axis `V` of the file, and of a number that cancels.
@@ -33,6 +33,10 @@ const CANCELS: u8 = DERIVED + 4;
 /// The families of `sqrt(q + R^2)` and of `h`.
 const SIZE: u8 = DERIVED + 5;
 const OF_H: u8 = DERIVED + 6;
+/// The family of the terms of `c`.
+const TERMS: u8 = DERIVED + 7;
+
+type Roots = compensated_roots::Quadratic<Bounded>;
 
 fn component(family: u8, component: u8) -> Polynomial {
     Polynomial::of([(family, component)])
@@ -67,79 +71,92 @@ fn products(number: Bounded) -> [Bounded; 4] {
 }
 
 /// Returns the constant and the need of a discriminant with this value and size, which is compared with its error.
-fn of_discriminant(terms: &Terms<Bounded>, of: Discriminant<Bounded>, size: &Polynomial, need: f64) -> [f64; 2] {
+fn of_discriminant(quadratic: &Roots, of: Discriminant<Bounded>, size: &Polynomial, need: f64) -> [f64; 2] {
     let from = compared().len();
-    _ = terms.hits(of);
+    _ = quadratic.roots(of);
     let errors = compared().split_off(from).into_iter().filter(|pair| pair[1] == of.value || pair[1] == -of.value);
     let constants = errors.map(|[error, _]| added(error, size, SPHERE_MARGIN, U)).collect::<Vec<_>>();
     let [accepts, misses] = constants[..] else { panic!("the discriminant is compared twice") };
     [accepts.min(misses), need]
 }
 
-/// Returns the rows of a sphere: `c`, and its discriminant in two forms.
-pub fn sphere_rows() -> [Row; 3] {
+/// Returns the constant and the need of `c`, with these terms and this bound of its error. The bound consists of one
+/// rounding, and of the rest, in which `|O - C|^2` has this share of the terms.
+fn of_c(quadratic: &Roots, error: &Polynomial, terms: &Polynomial, share: f64) -> [f64; 2] {
     const MARGIN: f64 = ERROR_OF_C * U * U;
-    begin(WITHOUT_UNDERFLOW, MARGIN);
+    let unit = |polynomial: &Polynomial| polynomial.clone().scaled_by(TO_CENTER, 1.0 / share.sqrt());
+    let [relative, need] = factors(&unit(error), 0.0, &[length(CANCELS), unit(terms)], 1.0)[..] else {
+        unreachable!("there are two sizes")
+    };
+    assert!(relative < 1.001, "c is rounded once");
+    let from = compared().len();
+    _ = quadratic.roots(quadratic.near());
+    let uses: Vec<_> = compared().split_off(from).into_iter().filter(|&pair| hardens(pair) == Some(1)).collect();
+    // `c` must be accurate, or its root too small.
+    let [_, [too_small, _]] = uses[..] else { panic!("the error of c is compared twice") };
+    [added(too_small, terms, MARGIN, U * U), need / U]
+}
+
+/// Returns the constant and the need of `h^2 - a c`. The error of `c` is one rounding and `of_c u^2` times its terms.
+/// `run` computes the quadratic anew, `direction` is the family of the root of `a`, and `to_size` replaces the vectors
+/// of the terms of `h` by the root of these terms.
+fn near_discriminant(
+    run: impl Fn() -> Roots,
+    of_c: f64,
+    direction: u8,
+    to_size: impl Fn(&Polynomial) -> Polynomial,
+) -> ([f64; 2], f64) {
+    // Each lemma is about a number that comes after the ones before it.
+    let [.., c] = products(run().near().value);
+    let error = length(CANCELS).scaled(1.001).plus(&length(TERMS).scaled(of_c * U));
+    c.assume_error(length(CANCELS), error);
+    forget_later(c);
+    let h = run().h;
+    let error = h.raw().error.in_lengths();
+    let of_h = relative_to_sizes(&to_size(&error), 0.0, &[length(direction).times(&length(SIZE))], 1.0);
+    h.assume_error(length(OF_H), error);
+    forget_later(h);
+    let root = run().terms_of_h;
+    let relative = root.raw().relative;
+    root.assume_relative(length(direction).times(&length(SIZE)), relative);
+    _ = root.of_squares();
+    let terms = run().terms_of_c;
+    let relative = terms.raw().relative;
+    terms.assume_relative(length(TERMS), relative);
+    c.abs().assume(length(CANCELS));
+    h.abs().assume(length(OF_H));
+    forget_later(root.later(terms));
+    let quadratic = run();
+    let near = quadratic.near();
+    let a = squared(direction);
+    let first = length(OF_H).times(&length(direction)).times(&length(SIZE)).plus(&a.times(&length(CANCELS)));
+    let size = first.clone().plus(&a.times(&length(TERMS)).scaled(ERROR_OF_C * U));
+    // `h^2` is at most the first term.
+    let need = relative_to_sizes(&to_size(&near.value.bounds().error), 0.0, &[size, squared(OF_H)], 1.0);
+    (of_discriminant(&quadratic, near, &first, need), of_h)
+}
+
+/// Returns the rows of a sphere: `c`, and its discriminant in two forms. Then returns the need of `h`.
+pub fn sphere_rows() -> ([Row; 3], f64) {
+    begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
     let (_, terms, inputs) = sphere();
-    let near = terms.near();
-    let [.., c] = products(near.value);
+    let c = terms.quadratic.c;
     let known = [(difference(&dot(TO_CENTER, TO_CENTER), &squared(RADIUS)), length(CANCELS))];
     let [exact, error] = Signed::new(&inputs, &known).of(c);
     assert_eq!(exact, known[0].0, "c has another formula");
     let squares = squared(TO_CENTER).plus(&squared(RADIUS));
-    let [relative, of_c] = factors(&error.in_lengths(), 0.0, &[length(CANCELS), squares.clone()], 1.0)[..] else {
-        unreachable!("there are two sizes")
-    };
-    assert!(relative < 1.001, "c is rounded once");
-    _ = terms.hits(near);
-    let uses: Vec<_> = compared().into_iter().filter(|&pair| hardens(pair) == Some(1)).collect();
-    // `c` must be accurate, or its root too small.
-    let [_, [too_small, _]] = uses[..] else { panic!("the error of c is compared twice") };
-    let constant = added(too_small, &squares, MARGIN, U * U);
-    let row = |what, [constant, need]: [f64; 2], unit| Row { what, file: SPHERE, constant, need, unit };
-    [
-        row("c of a compensated root", [constant, of_c / U], "u^2 (q + R^2)"),
-        row("discriminant of a sphere, near", near_discriminant(error.in_lengths()), "u M"),
-        row("discriminant of a sphere, far", far_discriminant(), "u M"),
-    ]
-}
-
-/// Returns the constant and the need of `h^2 - a c`, for this error of `c`.
-fn near_discriminant(of_c: Polynomial) -> [f64; 2] {
+    let of_c = of_c(&terms.quadratic, &error.in_lengths(), &squares, 1.0);
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
-    // Each lemma is about a number that comes after the ones before it.
-    let [.., c] = products(sphere().1.near().value);
-    c.assume_error(length(CANCELS), of_c);
-    forget_later(c);
-    let [h, ..] = products(sphere().1.near().value);
-    let error = h.raw().error.in_lengths();
-    h.assume_error(length(OF_H), error);
-    forget_later(h);
-    let (_, terms, _) = sphere();
-    let Operation::Sum(first, _) = terms.near().size.operation() else { panic!("the size is a sum") };
-    let Operation::Product(magnitude, root) = first.operation() else { panic!("the size has h times a root") };
-    assert_eq!(magnitude, h.abs());
-    let relative = root.raw().relative;
-    root.assume_relative(length(DIRECTION).times(&length(SIZE)), relative);
-    _ = root.of_squares();
-    c.abs().assume(length(CANCELS));
-    h.abs().assume(length(OF_H));
-    forget_later(root);
-    let (_, terms, _) = sphere();
-    let near = terms.near();
     // `|C - O|` and the radius are at most `sqrt(q + R^2)`.
-    let to_size = [TO_CENTER, RADIUS].map(|family| (family, Some(SIZE)));
-    let a = squared(DIRECTION);
-    let size = sum(&[
-        length(OF_H).times(&length(DIRECTION)).times(&length(SIZE)),
-        a.times(&length(CANCELS)),
-        a.times(&squared(SIZE)).scaled(ERROR_OF_C * U),
-    ]);
-    let error = near.value.bounds().error.enlarged(&to_size);
-    // `h^2` is at most the first term.
-    let need = relative_to_sizes(&error, 0.0, &[size, squared(OF_H)], 1.0);
-    let size = length(OF_H).times(&length(DIRECTION)).times(&length(SIZE)).plus(&a.times(&length(CANCELS)));
-    of_discriminant(&terms, near, &size, need)
+    let to_size = |polynomial: &Polynomial| polynomial.enlarged(&[TO_CENTER, RADIUS].map(|of| (of, Some(SIZE))));
+    let (near, of_h) = near_discriminant(|| sphere().1.quadratic, of_c[1], DIRECTION, to_size);
+    let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
+    let rows = [
+        row("c of a sphere, compensated", ROOTS, of_c, "u^2 (q + R^2)"),
+        row("discriminant of a sphere, near", ROOTS, near, "u M"),
+        row("discriminant of a sphere, far", SPHERE, far_discriminant(), "u M"),
+    ];
+    (rows, of_h)
 }
 
 /// Returns the constant and the need of `a r^2 - |(C - O) x d|^2`.
@@ -149,34 +166,32 @@ fn far_discriminant() -> [f64; 2] {
     let (to_center, rounded_off) = error_free::difference(center, ray.origin);
     is(to_center, TO_CENTER);
     let inputs = origin(|axis| difference(&component(CENTER, axis), &component(TO_CENTER, axis)));
-    assume_cross(to_center, rounded_off, ray.direction, DIRECTION, &inputs);
+    let known = known_cross(DIRECTION);
+    let mut signed = Signed::new(&inputs, &known);
+    let across = cross(to_center, ray.direction) + cross(rounded_off, ray.direction);
+    for (number, known) in across.to_array().into_iter().zip(&known) {
+        assume_known(&mut signed, number, known);
+    }
     let (_, terms, _) = sphere();
     let far = terms.far();
     let [distance, radius] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(DIRECTION)));
     let size = |share| sum(&[squared(TO_CENTER_CROSS), radius.clone(), distance.clone().scaled(share)]);
     let share = sphere_compensated::SHARE_OF_DISTANCE;
-    of_discriminant(&terms, far, &size(share), relative_in(far.value, share, &[size(1.0)]))
+    of_discriminant(&terms.quadratic, far, &size(share), relative_in(far.value, share, &[size(1.0)]))
 }
 
-/// Computes `vector x axis`, where `vector` comes with its rounding error, and states what is known of it: the exact
-/// product has the family [`TO_CENTER_CROSS`].
-fn assume_cross(
-    vector: Vec3<Bounded>,
-    rounded_off: Vec3<Bounded>,
-    axis: Vec3<Bounded>,
-    family: u8,
-    inputs: &[(Variable, Polynomial)],
-) {
+/// Returns the components of the cross product of [`TO_CENTER`] and another vector, with their names.
+fn known_cross(family: u8) -> [(Polynomial, Polynomial); 3] {
     let product = |a: u8, b: u8| component(TO_CENTER, a).times(&component(family, b));
-    let known = [(1, 2, 0), (2, 0, 1), (0, 1, 2)]
-        .map(|(a, b, of)| (difference(&product(a, b), &product(b, a)), component(TO_CENTER_CROSS, of)));
-    let mut signed = Signed::new(inputs, &known);
-    let across = cross(vector, axis) + cross(rounded_off, axis);
-    for (number, (formula, name)) in across.to_array().into_iter().zip(&known) {
-        let [exact, error] = signed.of(number);
-        assert_eq!(exact, *formula, "the cross product has another formula");
-        number.assume_error(name.clone(), error.in_lengths());
-    }
+    [(1, 2, 0), (2, 0, 1), (0, 1, 2)]
+        .map(|(a, b, of)| (difference(&product(a, b), &product(b, a)), component(TO_CENTER_CROSS, of)))
+}
+
+/// States what is known of a number: its formula, whose magnitude has a name, and its error.
+fn assume_known(signed: &mut Signed, number: Bounded, (formula, name): &(Polynomial, Polynomial)) {
+    let [exact, error] = signed.of(number);
+    assert_eq!(exact, *formula, "the cross product has another formula");
+    number.assume_error(name.clone(), error.in_lengths());
 }
 
 /// Returns the error of a number relative to `sizes`, with `|O - C|` in units that make this share of its square 1.
@@ -186,40 +201,107 @@ fn relative_in(number: Bounded, share: f64, sizes: &[Polynomial]) -> f64 {
     relative_to_sizes(&error, 0.0, sizes, 1.0)
 }
 
-/// Returns the quadratic of the side of a cylinder.
+/// Runs the formulas of the side of a cylinder, after the lemmas about `d x V` and `(O - C) x V`. Returns them with
+/// bounds of the errors of `c` and of `(O - C).p`.
 ///
 /// The errors of `d x V` are those of Kahan's algorithm (the head of the module in `cpu` names the article). Where it
 /// computes `(O - C) x V`, the operands have errors too, so it is treated like other formulas.
-pub fn side() -> Quadratic {
-    begin(WITHOUT_UNDERFLOW, LIMITS.error_constant * U);
+fn side() -> (impl Fn() -> cylinder_compensated::Terms<Bounded>, [Polynomial; 2]) {
     let (ray, record, axis) = (ray(), record(), Bounded::vector(FILE_AXIS, 0.0));
     let (from_center, rounded_off) = error_free::difference(ray.origin, record.center);
     is(from_center, TO_CENTER);
     let inputs = origin(|axis| component(CENTER, axis).plus(&component(TO_CENTER, axis)));
-    assume_cross(from_center, rounded_off, axis, FILE_AXIS, &inputs);
+    let mut known = known_cross(FILE_AXIS).to_vec();
+    let inner = [0, 1, 2].map(|of| Polynomial::of([(TO_CENTER_CROSS, of); 2]));
+    let rim = dot(FILE_AXIS, FILE_AXIS).times(&squared(RADIUS));
+    known.push((difference(&sum(&inner), &rim), length(CANCELS)));
+    let mut signed = Signed::new(&inputs, &known);
+    let (q, rest) = cross_with_error((from_center, rounded_off), axis);
+    for ((number, rest), known) in q.to_array().into_iter().zip(rest.to_array()).zip(&known) {
+        assume_known(&mut signed, number, known);
+        // The rounding error of the number is known before the number has another name.
+        _ = signed.of(rest);
+        signed.rename(number, &known.1);
+    }
     for (axis, number) in (0..).zip(cross(ray.direction, axis).to_array()) {
         number.assume_relative(component(DIRECTION_CROSS, axis), 2.0);
+        signed.take(number, &component(DIRECTION_CROSS, axis), 2.0);
     }
-    let side = cylinder_compensated::side(&record, axis, &ray);
-    let from = compared().len();
-    _ = side.bound.misses(side.discriminant);
-    let [error, _] = compared()[from];
-    let Operation::Difference(_, product) = side.discriminant.operation() else { unreachable!("D is h^2 - a c") };
-    let Operation::Product(_, c) = product.operation() else { unreachable!("D is h^2 - a c") };
-    let relative = |number, sizes: &[Polynomial]| relative_in(number, SHARE_OF_DISTANCE, sizes);
-    let [far, radius] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(FILE_AXIS)));
-    let squares = |far| sum(&[squared(TO_CENTER_CROSS), far, radius.clone()]);
-    let lengths = [length(TO_CENTER_CROSS), length(TO_CENTER).times(&length(FILE_AXIS))];
-    let a = squared(DIRECTION_CROSS);
-    Quadratic {
-        limits: LIMITS,
-        constant: added(error, &a.times(&squares(far.clone().scaled(SHARE_OF_DISTANCE))), LIMITS.error_constant * U, U),
-        file: FILE,
-        a: relative(side.a, std::slice::from_ref(&a)),
-        h: relative(side.h, &lengths.map(|size| size.times(&length(DIRECTION_CROSS)))),
-        c: [relative(c, &[squares(far.clone())]); 2],
-        discriminant: relative(side.discriminant, &[a.times(&squares(far))]),
-    }
+    let run = move || cylinder_compensated::Terms::new(&record, axis, &ray);
+    let [exact, error] = signed.of(run().quadratic.c);
+    assert_eq!(exact, known[3].0, "c has another formula");
+    let [exact, of_aside] = signed.of(aside(&run()));
+    assert_eq!(exact, dot(TO_CENTER, DIRECTION_CROSS), "the discriminant has another formula");
+    (run, [error.in_lengths(), of_aside.in_lengths()])
+}
+
+/// Returns the number `(O - C).p`.
+fn aside(terms: &cylinder_compensated::Terms<Bounded>) -> Bounded {
+    let Operation::Product(_, rest) = terms.far.value.operation() else { panic!("it is no product") };
+    let Operation::Difference(_, square) = rest.operation() else { panic!("it is no difference") };
+    let Operation::Product(aside, same) = square.operation() else { panic!("it is no product") };
+    assert_eq!(aside, same);
+    aside
+}
+
+/// Returns the rows of the side of a cylinder: `c`, and its discriminant in two forms. Then returns the needs of `a`
+/// and of `h`.
+pub fn side_rows() -> ([Row; 3], [f64; 2]) {
+    begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
+    let (run, [error, _]) = side();
+    let [far, rim] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(FILE_AXIS)));
+    let terms = sum(&[squared(TO_CENTER_CROSS), rim, far.scaled(SHARE_IN_C)]);
+    let of_c = of_c(&run().quadratic, &error, &terms, SHARE_IN_C);
+    begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
+    let (run, _) = side();
+    let a = relative_in(run().quadratic.a, 1.0, &[squared(DIRECTION_CROSS)]);
+    let to_size = |polynomial: &Polynomial| {
+        let same = (DIRECTION_CROSS, Some(DIRECTION_CROSS));
+        let sizes = [TO_CENTER_CROSS, RADIUS, TO_CENTER].map(|family| (family, Some(SIZE)));
+        let families = [sizes[0], sizes[1], sizes[2], (FILE_AXIS, None), same];
+        polynomial.clone().scaled_by(TO_CENTER, 1.0 / SHARE_IN_H.sqrt()).enlarged(&families)
+    };
+    let (near, of_h) = near_discriminant(|| run().quadratic, of_c[1], DIRECTION_CROSS, to_size);
+    let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
+    let rows = [
+        row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + D / 64)"),
+        row("discriminant of a side, near", ROOTS, near, "u M"),
+        row("discriminant of a side, far", FILE, far_discriminant_of_side(), "u M"),
+    ];
+    (rows, [a, of_h])
+}
+
+/// Returns the constant and the need of `V.V (a r^2 - ((O - C).p)^2)`.
+fn far_discriminant_of_side() -> [f64; 2] {
+    const ASIDE: u8 = CANCELS;
+    begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
+    let (run, [_, error]) = side();
+    let aside = aside(&run());
+    aside.assume_error(length(ASIDE), error);
+    forget_later(aside);
+    aside.abs().assume(length(ASIDE));
+    let reach = [length(TO_CENTER), length(DIRECTION_CROSS)];
+    let Operation::Product(_, rest) = run().far.size.operation() else { panic!("it is a product") };
+    let Operation::Sum(_, rest) = rest.operation() else { panic!("it is a sum") };
+    let Operation::Sum(first, _) = rest.operation() else { panic!("it is a sum") };
+    let Operation::Product(_, root) = first.operation() else { panic!("it is a product") };
+    let relative = root.raw().relative;
+    root.assume_relative(reach[0].times(&reach[1]), relative);
+    _ = root.of_squares();
+    forget_later(root);
+    let terms = run();
+    let share = cylinder_compensated::SHARE_OF_DISTANCE;
+    let size = |share: f64, aside: Polynomial| {
+        let of_radius = squared(DIRECTION_CROSS).times(&squared(RADIUS));
+        let far = squared(DIRECTION_CROSS).times(&squared(TO_CENTER)).scaled(share);
+        sum(&[of_radius, aside, far]).times(&squared(FILE_AXIS))
+    };
+    let aside = length(ASIDE).times(&reach[0]).times(&reach[1]);
+    let error = terms.far.value.bounds().error;
+    // `((O - C).p)^2` is at most the second term.
+    let sizes = [size(share, aside.clone()), squared(ASIDE).times(&squared(FILE_AXIS))];
+    let need = relative_to_sizes(&error, 0.0, &sizes, 1.0);
+    of_discriminant(&terms.quadratic, terms.far, &size(share, aside), need)
 }
 
 /// Returns the row of the distance of a cap's plane.
@@ -239,7 +321,8 @@ fn constant_and_need(is_top: bool) -> [f64; 2] {
     let (ray, record, axis) = (ray(), record(), Bounded::vector(FILE_AXIS, 0.0));
     let cap = if is_top { record.top } else { record.bottom };
     is(cap - ray.origin, TO_CENTER);
-    let run = || cylinder_compensated::plane(&record, axis, &ray, cap, is_top).to_plane;
+    let to_cap = if is_top { axis } else { -axis };
+    let run = || cylinder_compensated::plane(&record, axis, &ray, cap, to_cap).to_plane;
     let to_plane = run();
     let Operation::Product(numerator, reciprocal) = to_plane.operation() else { unreachable!("it is a quotient") };
     // The cap's exact centre is `C + V / 2` or `C - V / 2`.

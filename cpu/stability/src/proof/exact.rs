@@ -1,44 +1,37 @@
 //! The margins of the exact intersections: quadratics of spheres and cylinders, and the planes of caps.
 
+use cpu::internals::exact::compensated_roots::{ACCURACY_OF_C, CONDITION_LIMIT, ERROR_OF_C, ERROR_OF_ROOT};
 use cpu::internals::exact::cylinder::SideLanes;
-use cpu::internals::exact::cylinder_parts;
-use cpu::internals::exact::sphere_compensated::{ACCURACY_OF_C, CONDITION_LIMIT};
+use cpu::internals::exact::cylinder_compensated::ERROR_OF_CAP;
+use cpu::internals::exact::cylinder_parts::{self, SHARE_OF_WHOLE};
 use cpu::internals::exact::{error_bound::Limits, error_bound::UNDERFLOW, sphere_filter};
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
 use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
 
-use super::bounded::{Bounded, begin, compared};
+use super::bounded::{Bounded, Operation, begin, compared, forget_later};
 use super::bounds::Arithmetic;
 use super::compensated;
 use super::parts::{self, record};
 use super::polynomial::Polynomial;
 use super::quadratic::Quadratic;
-use super::row::{IN_SCALE, Row, U, added, enlarged, family::*, is, length, ray, squared, uses_of_margin};
+use super::row::{
+    IN_SCALE, Row, U, added, enlarged, family::*, is, length, ray, relative_to_sizes, squared, uses_of_margin,
+};
 
 /// Returns the rows of all margins.
 #[must_use]
 pub fn rows() -> Vec<Row> {
     let sphere = quadratic(sphere_filter::LIMITS, "exact/sphere_filter.rs", sphere);
-    let cylinder = quadratic(cylinder_parts::LIMITS, "exact/cylinder_parts.rs", cylinder);
-    let compensated = compensated::side();
+    let cylinder = quadratic(cylinder_parts::LIMITS, "exact/cylinder_parts.rs", || cylinder(false));
     let [sphere_lambda, side_lambda] = [sphere.lambda(0.0), cylinder.lambda(cylinder.a / 2.0 * 2.0_f64.sqrt())];
     let mut rows = Vec::new();
     for (quadratic, lambda, names) in [
         (&sphere, sphere_lambda, ["discriminant of a sphere", "numerator of a sphere's root", "lambda of a sphere"]),
         (&cylinder, side_lambda, ["discriminant of a cylinder", "numerator of a side's root", "lambda of a side"]),
-        (
-            &compensated,
-            compensated.lambda(0.0),
-            [
-                "discriminant of a side, compensated",
-                "numerator of a side's root, compensated",
-                "lambda of a side, compensated",
-            ],
-        ),
     ] {
         let Quadratic { limits, constant, file, discriminant, .. } = *quadratic;
         // A third of the margin of lambda is for lambda's own error.
-        let of_lambda = limits.lambda_error::<f64>() / 3.0 / U;
+        let of_lambda = limits.lambda_error() / 3.0 / U;
         let margins = [
             (constant, discriminant, "u M"),
             (constant, quadratic.numerator(), "u M / sqrt(D)"),
@@ -47,31 +40,122 @@ pub fn rows() -> Vec<Row> {
         let named = names.into_iter().zip(margins);
         rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
     }
-    let of_sphere = compensated::sphere_rows();
-    // As docs/accuracy.md derives. The discriminant exceeds the error that the code takes, so its root is far above 0.
-    let [c, near, far] = of_sphere.each_ref().map(|row| row.need / row.constant);
-    let error_constant = sphere_filter::LIMITS.error_constant;
-    let of_root = near.max(far) * error_constant / (1.0 + (1.0 - near.max(far)).sqrt());
-    let compensated = (of_root + sphere.h) * CONDITION_LIMIT + c * ACCURACY_OF_C + 6.0;
-    let (what, file) = ("lambda of a compensated root", "exact/sphere_compensated.rs");
-    let constant = sphere.limits.lambda_error::<f64>() / 3.0 / U;
-    rows.push(Row { what, file, constant, need: compensated, unit: "u lambda" });
+    rows.extend(long_cylinder(cylinder.a));
+    let (of_sphere, sphere_h) = compensated::sphere_rows();
+    let (of_side, [side_a, side_h]) = compensated::side_rows();
+    let constant = sphere.limits.lambda_error() / 3.0 / U;
+    let names = ["lambda of a sphere, compensated", "lambda of a side, compensated"];
+    for ((what, rows_of), [a, h]) in
+        names.into_iter().zip([&of_sphere, &of_side]).zip([[3.0, sphere_h], [side_a, side_h]])
+    {
+        let need = of_w(rows_of, h) * CONDITION_LIMIT + rows_of[0].need / ERROR_OF_C * ACCURACY_OF_C + a + 5.0;
+        rows.push(Row { what, file: compensated::ROOTS, constant, need, unit: "u lambda" });
+    }
+    let crossing = of_w(&of_side, side_h) + side_a + 5.0;
     rows.extend(of_sphere);
+    rows.extend(of_side);
     rows.push(compensated::plane());
-    // A ray is steep enough if `|d|^2 <= 64 k^2 |d'|^2`, with 64 for the constant of the code.
+    // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
     let steep = cylinder_parts::STEEPNESS.sqrt() * cylinder.limits.condition_limit;
-    let constant = cylinder.limits.lambda_error::<f64>() / U;
+    let constant = cylinder.limits.lambda_error() / U;
     let (what, file) = ("a of a steep ray and a side", cylinder.file);
     rows.push(Row { what, file, constant, need: cylinder.a * steep, unit: "u a" });
     let (what, file, constant) = ("all rays miss, in lanes", "render/hit_lanes.rs", DISCRIMINANT_ERROR / U);
     rows.push(Row { what, file, constant, need: cylinder.discriminant, unit: "u M" });
-    rows.extend(parts::rows(side_lambda));
+    let of_parts = parts::rows(side_lambda);
+    // What the heights and the distances need beside the error of lambda.
+    let beside =
+        |what: &str, of: f64| of_parts.iter().find(|row| row.what == what).map_or(f64::NAN, |row| row.need - of);
+    let height = beside("height of a hit, due to lambda", side_lambda);
+    let of_cap = of_parts.iter().find(|row| row.what == "lambda of a cap").map_or(f64::NAN, |row| row.need);
+    let distance = beside("distance from a cap's centre, due to lambda", of_cap);
+    for (what, constant, need) in [
+        ("height of a crossing, compensated", ERROR_OF_ROOT, crossing + height),
+        ("distance from a cap's centre, compensated", ERROR_OF_CAP, distance + 1.0),
+    ] {
+        let file = if constant == ERROR_OF_ROOT { compensated::ROOTS } else { compensated::FILE };
+        rows.push(Row { what, file, constant, need, unit: "u lambda abs(d)" });
+    }
+    rows.extend(of_parts);
     rows
+}
+
+/// The family of `m`; see [`long_cylinder`].
+const LONG: u8 = DERIVED + 10;
+
+/// Returns the rows of the side of a long cylinder. `of_a` is the error of `a`, relative to `|d| |d'|`.
+///
+/// The size is `m = |d'| S (|d| S + |d'| |O - C|)`, and a share of `M` covers the terms of second order. As `sqrt(D) <=
+/// |d'| S` and `n^2 <= 2 |d'|^2 S^2`, the argument is that of [`Quadratic`] with `m` in place of `M`. For lambda,
+/// `n^2 Ea / a` is at most `2 Ea S^2`. All terms are at most a multiple of `m`.
+fn long_cylinder(of_a: f64) -> [Row; 3] {
+    let limits = cylinder_parts::LIMITS;
+    let margin = limits.error_constant * U;
+    begin(Arithmetic::F64, margin);
+    let run = || {
+        let [_, h, c, discriminant] = cylinder(true);
+        let [error, _] = *compared().iter().find(|pair| pair[1] == -discriminant).expect("a filter compares it");
+        ([h, c, discriminant], error)
+    };
+    // The error is a multiple of the size, which is the sum of a root, the share and underflow, and underflow.
+    let (Operation::Sum(of_size, _), [h, c, discriminant]) = (run().1.operation(), run().0) else { unreachable!() };
+    let Operation::Product(size, _) = of_size.operation() else { unreachable!() };
+    let Operation::Sum(size, _) = size.operation() else { unreachable!() };
+    let Operation::Sum(root, _) = size.operation() else { unreachable!() };
+    root.assume_relative(length(LONG), 0.0);
+    _ = root.of_squares();
+    forget_later(root);
+    let [across, whole] = [squared(DIRECTION_ACROSS), squared(DIRECTION).times(&squared(TO_CENTER))];
+    let constant = added(run().1, &length(LONG).plus(&whole.scaled(SHARE_OF_WHOLE)), margin, U);
+    let needs = [
+        h.bounds().error.times(&length(DIRECTION_ACROSS)).times(&length(RADIUS)),
+        c.bounds().error.times(&across),
+        discriminant.bounds().error,
+    ];
+    let [of_h, of_c, of_discriminant] = needs.map(|error| relative_to_long(&error));
+    let lambda = (of_a + 2.0_f64.sqrt() * of_h + of_c / 2.0 + 2.5) * limits.condition_limit + 2.0;
+    let row = |what, constant, need, unit| Row { what, file: "exact/cylinder_parts.rs", constant, need, unit };
+    [
+        row("discriminant of a long cylinder", constant, of_discriminant, "u m"),
+        row("numerator of a long side's root", constant, of_discriminant + 1.0 + of_h + 2.0, "u m / sqrt(D)"),
+        row("lambda of a long side", limits.lambda_error() / 3.0 / U, lambda, "u lambda"),
+    ]
+}
+
+/// Returns an error relative to `m` and the share of `M`. Lengths across the axis and the radius are at most `S`.
+fn relative_to_long(error: &Polynomial) -> f64 {
+    const ACROSS: u8 = DERIVED + 8;
+    const S: u8 = DERIVED + 9;
+    let named = |polynomial: &Polynomial| {
+        let families =
+            [(DIRECTION_ACROSS, ACROSS), (TO_CENTER_ACROSS, S), (RADIUS, S)].map(|(old, new)| (old, Some(new)));
+        polynomial.enlarged(&families).enlarged(&[(AXIS, None)])
+    };
+    let inner = squared(ACROSS).times(&squared(S));
+    let size = length(ACROSS).times(&length(DIRECTION)).times(&squared(S));
+    let size = size.plus(&squared(ACROSS).times(&length(S)).times(&length(TO_CENTER)));
+    let (mut first, mut rest) = (Polynomial::default(), Polynomial::default());
+    for (monomial, &coefficient) in &error.0 {
+        let one = Polynomial::of(monomial.clone()).scaled(coefficient);
+        let is_first = named(&one).0.keys().all(|name| inner.0.contains_key(name) || size.0.contains_key(name));
+        let part = if is_first { &mut first } else { &mut rest };
+        *part = part.clone().plus(&one);
+    }
+    let whole = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
+    let rest = IN_SCALE.relative(&rest, &whole, LAMBDA_MIN);
+    relative_to_sizes(&named(&first), 0.0, &[size, inner], 1.0) + rest / SHARE_OF_WHOLE
+}
+
+/// Returns the error of `w`, relative to `w` and in units of `u` times its condition, as docs/accuracy.md derives.
+/// `of_h` is the need of `h`. The discriminant exceeds the error that the code takes, so its root is far above 0.
+fn of_w([_, near, far]: &[Row; 3], of_h: f64) -> f64 {
+    let share = near.need.max(far.need) / near.constant;
+    share * sphere_filter::LIMITS.error_constant / (1.0 + (1.0 - share).sqrt()) + of_h
 }
 
 /// Returns the errors of the quadratic whose `a`, `h`, `c` and discriminant `run` computes, together with its filter.
 fn quadratic(limits: Limits, file: &'static str, run: impl Fn() -> [Bounded; 4]) -> Quadratic {
-    begin(Arithmetic::F64, LAMBDA_MIN * limits.lambda_error::<f64>());
+    begin(Arithmetic::F64, LAMBDA_MIN * limits.lambda_error());
     run();
     // Both roots are compared with the smallest lambda from both sides.
     assert_eq!(uses_of_margin(), 4, "{file}: the margin of lambda is not used, or on the wrong side");
@@ -106,13 +190,13 @@ fn sphere() -> [Bounded; 4] {
     [a, h, view.c, discriminant]
 }
 
-fn cylinder() -> [Bounded; 4] {
+fn cylinder(is_long: bool) -> [Bounded; 4] {
     let (ray, record) = (ray(), record());
     is(ray.origin - record.center, TO_CENTER);
     is((ray.origin - record.center).perpendicular_to(record.axis), TO_CENTER_ACROSS);
     is(ray.direction.perpendicular_to(record.axis), DIRECTION_ACROSS);
     let view = record.seen_from(ray.origin);
     let (a, h, discriminant) = record.quadratic(&view, ray.direction);
-    _ = SideLanes::new(&record, &view, &ray);
+    _ = SideLanes::new(&record, &view, &ray, is_long);
     [a, h, view.c, discriminant]
 }

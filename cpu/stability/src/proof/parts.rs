@@ -27,7 +27,7 @@ const LAMBDA: u8 = DERIVED;
 pub const FILE_AXIS: u8 = DERIVED + 1;
 
 /// The part of a distance that the error of lambda moves, as a multiple of `u lambda |d|_1`.
-const MOVED: f64 = 2.0 * LIMITS.lambda_error::<f64>() / U;
+const MOVED: f64 = 2.0 * LIMITS.lambda_error() / U;
 /// The part of a distance that other errors move, as a multiple of `u X`.
 const FIXED: f64 = 64.0;
 
@@ -55,7 +55,7 @@ pub fn rows(of_side: f64) -> Vec<Row> {
     vec![
         row("slope of a ray along an axis", slope[0], slope[1], "u abs(d)"),
         row("distance of a cap's plane", constant, need, "u X"),
-        row("lambda of a cap", LIMITS.lambda_error::<f64>() / 3.0 / U, of_cap, "u lambda"),
+        row("lambda of a cap", LIMITS.lambda_error() / 3.0 / U, of_cap, "u lambda"),
         row("height of a hit, due to lambda", side[0], to_side[0], "u lambda abs(d)"),
         row("height of a hit, due to the extent", side[1], to_side[1], "u X"),
         row("distance from a cap's centre, due to lambda", cap[0], to_cap[0], "u lambda abs(d)"),
@@ -67,7 +67,7 @@ pub fn rows(of_side: f64) -> Vec<Row> {
 
 /// Returns the row of the order of two hits, each with this relative error of lambda.
 fn order(of_lambda: f64) -> Row {
-    let (margin, size) = (LIMITS.lambda_error::<f64>(), length(LAMBDA));
+    let (margin, size) = (LIMITS.lambda_error(), length(LAMBDA));
     begin(Arithmetic::F64, margin);
     let lambda = Bounded::number(LAMBDA, of_lambda);
     _ = is_certainly_closer(lambda, lambda);
@@ -183,7 +183,7 @@ fn height(of_side: f64) -> [[f64; 2]; 2] {
         for numerator in [-h - root, -h + root] {
             accepted(numerator / a, of_side);
         }
-        _ = SideLanes::new(&record, &view, &ray);
+        _ = SideLanes::new(&record, &view, &ray, false);
         // Five comparisons of the root come before those of the height, at the entry and at the exit.
         let ([[along, within], _, [beyond, _]], exit) = (first(5), first::<3>(14));
         let error = along.bounds().error.plus(&within.bounds().error);

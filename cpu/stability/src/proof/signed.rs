@@ -66,6 +66,19 @@ impl<'a> Signed<'a> {
         [exact, errors.scaled(1.0 / arithmetic().roundoff)]
     }
 
+    /// Writes the exact value of a number as `name` from now on.
+    pub fn rename(&mut self, number: Bounded, name: &Polynomial) {
+        let value = self.value(number);
+        let renamed = sum(name, &difference(&value, &exact(&value)));
+        self.values.insert(number, renamed);
+    }
+
+    /// Takes a number as `name`, with a relative error of at most `relative u`.
+    pub fn take(&mut self, number: Bounded, name: &Polynomial, relative: f64) {
+        let error = self.error(name.clone().scaled(relative * arithmetic().roundoff), true);
+        self.values.insert(number, name.clone().plus(&error));
+    }
+
     fn value(&mut self, number: Bounded) -> Polynomial {
         if let Some(value) = self.values.get(&number) {
             return value.clone();
@@ -112,10 +125,15 @@ impl<'a> Signed<'a> {
         {
             return value;
         }
-        let index = u8::try_from(self.errors.len()).expect("there are few operations");
         let bound = self.magnitude(&value).scaled(arithmetic().roundoff);
+        value.plus(&self.error(bound, is_number))
+    }
+
+    /// Returns a new rounding error with this bound.
+    fn error(&mut self, bound: Polynomial, is_number: bool) -> Polynomial {
+        let index = u8::try_from(self.errors.len()).expect("there are few operations");
         self.errors.push((bound, is_number));
-        value.plus(&Polynomial::of([(ERROR, index)]))
+        Polynomial::of([(ERROR, index)])
     }
 
     /// Returns a bound of the magnitude.

@@ -1,6 +1,7 @@
 //! Tests that rays in lanes get the answers that each ray gets alone, and that certain answers are those of the plain
 //! formulas.
 
+use cpu::internals::exact::{cylinder::PlainPlanes, cylinder_parts::is_long};
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::simd::{Simd, SimdF64};
 
@@ -21,8 +22,9 @@ fn vectors(vectors: [Vec3; LANES]) -> Vec3<Lanes> {
     Vec3::from([0, 1, 2].map(|axis| lanes(vectors.map(|vector| vector.to_array()[axis]))))
 }
 
-/// Returns the answers of the filter in lanes. The objects must be all spheres or all cylinders.
-fn filtered_in_lanes(cases: [Case; LANES]) -> [Decision<Found>; LANES] {
+/// Returns the answers of the filter in lanes, for long cylinders or others. The objects must be all spheres or all
+/// cylinders.
+fn filtered_in_lanes(cases: [Case; LANES], is_long: bool) -> [Decision<Found>; LANES] {
     let center = vectors(cases.map(|case| case.center()));
     let ray = Ray {
         origin: vectors(cases.map(|case| case.ray.origin)),
@@ -40,8 +42,8 @@ fn filtered_in_lanes(cases: [Case; LANES]) -> [Decision<Found>; LANES] {
         (hits.lambda, hits.certain, none, none)
     } else {
         let record = CylinderRecord::new(center, radius, vectors(parts.map(|(_, axis)| axis)));
-        let side = exact::cylinder::SideLanes::new(&record, &record.seen_from(ray.origin), &ray);
-        let hits = side.with_caps(&record, &ray);
+        let side = exact::cylinder::SideLanes::new(&record, &record.seen_from(ray.origin), &ray, is_long);
+        let hits = side.with_caps(&record, &ray, &PlainPlanes);
         (hits.lambda, hits.certain, hits.bottom, hits.top)
     };
     let mut lambdas = [0.0; LANES];
@@ -63,8 +65,10 @@ fn filtered_in_lanes(cases: [Case; LANES]) -> [Decision<Found>; LANES] {
 fn check(regimes: &[Regime]) {
     let mut certain = [0; 2];
     for cases in regimes.iter().flat_map(|regime| regime.cases(SEED, CASES).as_chunks().0.to_vec()) {
-        for (case, in_lanes) in cases.iter().zip(filtered_in_lanes(cases)) {
+        let either = [false, true].map(|is_long| filtered_in_lanes(cases, is_long));
+        for (lane, case) in cases.iter().enumerate() {
             let (record, ray) = case.of();
+            let in_lanes = either[usize::from(matches!(&record, Record::Cylinder(record, _) if is_long(record)))][lane];
             assert_eq!(in_lanes, record.filtered(&ray), "{case:?}");
             if let Decision::Certain(answer) = in_lanes {
                 assert_eq!(answer, record.plain(&ray), "{case:?}");

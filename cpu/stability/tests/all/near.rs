@@ -5,13 +5,11 @@
 use cpu::internals::accel::closest_hit::ClosestHit;
 use cpu::internals::accel::every_object::intersect_every_object;
 use cpu::internals::accel::object::order_of;
-use cpu::internals::exact::error_bound::Decision;
 use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::geometry::tie::{Place, is_closer};
 use cpu::internals::input::scene::Object;
 use cpu::internals::layout::{Objects, aos::AosObjects};
-use cpu::internals::math::double_double::DoubleDouble;
 use cpu::{Material, Scene, Vec3};
 use stability::case::Case;
 use stability::oracle;
@@ -45,24 +43,16 @@ fn found_by_rounded_lambdas(NearCase { shapes, ray }: &NearCase) -> Option<(usiz
     closest.map(|((_, place), part)| (place.order as usize, part))
 }
 
-/// Returns the step that decides which of the first two objects is closer: 0 if the lambdas decide as they are, 1 for
-/// double-double, and 2 for exact arithmetic. The result is `None` unless the ray hits both.
-fn step(NearCase { shapes, ray }: &NearCase) -> Option<usize> {
+/// Whether the lambdas decide as they are which of the first two objects is closer. The result is `None` unless the ray
+/// hits both.
+fn lambdas_decide(NearCase { shapes, ray }: &NearCase) -> Option<bool> {
     let case = |index: usize| Case { shape: shapes[index], ray: *ray };
     let lambdas = [0, 1].map(|index| {
         let (record, ray) = case(index).of();
         record.exact(&ray).map(|(lambda, _)| lambda)
     });
     let [Some(first), Some(second)] = lambdas else { return None };
-    if is_certainly_closer(first, second) || is_certainly_closer(second, first) {
-        return Some(0);
-    }
-    let doubled = [0, 1].map(|index| {
-        let (record, ray) = case(index).of::<DoubleDouble>();
-        record.filtered(&ray)
-    });
-    let [Decision::Certain(Some((first, _))), Decision::Certain(Some((second, _)))] = doubled else { return Some(2) };
-    Some(if is_certainly_closer(first, second) || is_certainly_closer(second, first) { 1 } else { 2 })
+    Some(is_certainly_closer(first, second) || is_certainly_closer(second, first))
 }
 
 #[test]
@@ -70,20 +60,20 @@ fn the_closest_of_near_surfaces_is_the_closest() {
     let (cases, seed) = (number("RENDER_NEAR_CASES", CASES), number("RENDER_REGIME_SEED", 3));
     for (name, draw) in REGIMES {
         let mut random = Random::new(seed);
-        let (mut hits, mut wrong, mut steps) = (0, 0, [0; 3]);
+        let (mut hits, mut wrong, mut decided) = (0, 0, [0; 2]);
         for _ in 0..cases {
             let case = draw(&mut random);
             let closest = oracle::closest(&case.shapes, &case.ray);
             assert_eq!(found(&case), closest, "{name}: {case:?}");
             hits += u64::from(closest.is_some());
             wrong += u64::from(found_by_rounded_lambdas(&case) != closest);
-            if let Some(step) = step(&case) {
-                steps[step] += 1;
+            if let Some(decides) = lambdas_decide(&case) {
+                decided[usize::from(decides)] += 1;
             }
         }
-        let [plain, doubled, exact] = steps;
+        let [later, plainly] = decided;
         println!("{name}: {hits} hits of {cases}, rounded lambdas are wrong in {wrong}");
-        println!("the first two objects: compared as they are {plain}, in double-double {doubled}, exactly {exact}");
+        println!("the first two objects: compared as they are {plainly}, in other steps {later}");
         assert!(3 * hits > cases && 50 * wrong > hits, "{name} is not hard: {hits} hits of {cases}, {wrong} wrong");
     }
 }

@@ -1,0 +1,127 @@
+//! The roots of the quadratic `a lambda^2 - 2 h lambda + c` of a ray and a surface, by formulas in which less cancels
+//! than in the plain ones. Spheres and the sides of cylinders use them. The discriminant is `D = h^2 - a c`.
+//!
+//! If the ray starts near the surface, one of the roots `(h -+ sqrt(D)) / a` cancels. With `w = |h| + sqrt(D)`, which
+//! does not, the roots are `w / a` and `c / w`, both with the sign of `h`. Only `c` still cancels. So its products and
+//! sums are computed together with their rounding errors (Ogita, Rump and Oishi, "Accurate sum and dot product", SIAM
+//! J. Sci. Comput. 26, 2005).
+//!
+//! If the surface is far away, `h^2 - a c` is the small difference of two large numbers. Each shape has another formula
+//! for it. The bounds are derived in `docs/accuracy.md`.
+
+use crate::exact::{error_bound::OVERFLOW, error_bound::UNDERFLOW, sphere_filter::LIMITS};
+use crate::geometry::ray::LAMBDA_MIN;
+use crate::math::rounding::MulAdd;
+
+/// Limits the relative error of lambda to 4.6e-12. A root is accepted only if the [terms](Discriminant::size) of `D`
+/// are below `CONDITION_LIMIT w sqrt(D)`, and those of `h` below `CONDITION_LIMIT w`.
+pub const CONDITION_LIMIT: f64 = 4096.0;
+/// The bound of the error of `c`, in units of `u^2` and its [terms](Quadratic::terms_of_c), beside one rounding of `c`.
+/// `u` is the unit roundoff.
+pub const ERROR_OF_C: f64 = 64.0;
+/// The largest relative error of `c` with which its root is accepted, in units of `u`.
+pub const ACCURACY_OF_C: f64 = 4096.0;
+
+/// The coefficients of the quadratic.
+#[derive(Clone, Copy, Debug)]
+pub struct Quadratic<T> {
+    /// See the module.
+    pub a: T,
+    /// See the module.
+    pub h: T,
+    /// See the module.
+    pub c: T,
+    /// The size of the terms of `c`.
+    pub terms_of_c: T,
+    /// The size of the terms of `h`.
+    pub terms_of_h: T,
+}
+
+/// A discriminant, and the size of its terms. Its error is at most the error constant of spheres times `u` and the
+/// size.
+#[derive(Clone, Copy, Debug)]
+pub struct Discriminant<T> {
+    /// The discriminant.
+    pub value: T,
+    /// The size.
+    pub size: T,
+}
+
+/// What is certain about the two roots. One is `w / a` with the sign of `h`, and is called the large one. The other is
+/// `|c| / w` with the sign of `h c`, and is called the small one.
+pub struct Roots<T: MulAdd> {
+    /// See the module.
+    pub w: T,
+    /// The size of the terms of `w`, relative to `w`.
+    pub condition: T,
+    /// The bound of the error of `c` that is not relative to `c`.
+    pub error_of_c: T,
+    /// The ray's line misses the surface.
+    pub misses: T::Mask,
+    /// Both magnitudes are accurate, but for the error of `c`.
+    pub accurate: T::Mask,
+    /// The small root is positive and accurate.
+    pub small_is_ahead: T::Mask,
+    /// The small root is below [`LAMBDA_MIN`].
+    pub small_fails: T::Mask,
+    /// The large root is.
+    pub large_fails: T::Mask,
+}
+
+/// Bounds the error of a root, as a multiple of `u lambda` and of the [condition](Roots::condition). It is twice the
+/// error or more.
+pub const ERROR_OF_ROOT: f64 = 64.0;
+
+impl<T: MulAdd> Roots<T> {
+    /// Returns the magnitudes of the small and of the large root of `quadratic`, each with twice the bound of its
+    /// error.
+    #[inline(always)]
+    pub fn magnitudes(&self, &Quadratic { a, c, .. }: &Quadratic<T>) -> [(T, T); 2] {
+        let relative = self.condition * T::of(ERROR_OF_ROOT * T::UNIT_ROUNDOFF);
+        let (small, large) = (c.abs() / self.w, self.w / a);
+        let of_c = (self.error_of_c + self.error_of_c) / self.w;
+        [(small, small * relative + of_c), (large, large * relative)]
+    }
+}
+
+impl<T: MulAdd> Quadratic<T> {
+    /// Returns `h^2 - a c`, which is accurate if the ray starts near the surface.
+    #[inline(always)]
+    pub fn near(&self) -> Discriminant<T> {
+        let &Self { a, h, c, terms_of_c, terms_of_h } = self;
+        // The size is multiplied by `u` later, so this is the error of `c` divided by `u`.
+        let lost = terms_of_c * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF);
+        Discriminant { value: h * h - a * c, size: h.abs() * terms_of_h + a * (c.abs() + lost) }
+    }
+
+    /// Returns what is certain about the roots with this discriminant, for any number of lanes.
+    #[inline(always)]
+    pub fn roots(&self, Discriminant { value, size }: Discriminant<T>) -> Roots<T> {
+        let root = value.sqrt();
+        let w = self.h.abs() + root;
+        let error = size * T::of(LIMITS.error_constant * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
+        let h_is_accurate = self.terms_of_h.less(w * T::of(CONDITION_LIMIT));
+        let root_is_accurate = error.less(value) & size.less(root * w * T::of(CONDITION_LIMIT));
+        let accurate = h_is_accurate & root_is_accurate & size.less(T::of(OVERFLOW));
+        let error_of_c = self.terms_of_c * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
+        let c_is_accurate = (error_of_c * T::of(1.0 / (ACCURACY_OF_C * T::UNIT_ROUNDOFF))).less(self.c.abs());
+        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * LIMITS.lambda_error());
+        let (sign, zero) = (self.h * self.c, T::of(0.0));
+        Roots {
+            w,
+            condition: (size / root + self.terms_of_h) / w,
+            error_of_c,
+            misses: error.less(-value),
+            accurate,
+            small_is_ahead: c_is_accurate & zero.less(sign),
+            small_fails: (c_is_accurate & sign.less(zero)) | (self.c.abs() + error_of_c).less(w * least),
+            large_fails: self.h.less(zero) | w.less(self.a * least),
+        }
+    }
+}
+
+/// Whether an accurate lambda certainly is in range, and has not overflowed.
+#[inline(always)]
+pub fn is_in_range<T: MulAdd>(lambda: T) -> T::Mask {
+    LIMITS.in_range(lambda) & lambda.less(T::of(OVERFLOW))
+}

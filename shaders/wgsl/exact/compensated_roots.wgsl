@@ -1,0 +1,77 @@
+// The roots of a quadratic by formulas in which less cancels; twin of cpu/src/exact/compensated_roots.rs.
+
+// difference_of_squares: `c` with its error added, and the size of its terms. They are the difference and the sum of
+// the same squares.
+struct SquareTerms {
+    difference: real,
+    sum: real,
+}
+
+// Quadratic: the coefficients of `a lambda^2 - 2 h lambda + c`, and the sizes of the terms of `c` and of `h`.
+struct CompensatedQuadratic {
+    a: real,
+    h: real,
+    c: real,
+    terms_of_c: real,
+    terms_of_h: real,
+}
+
+// Discriminant: the discriminant, and the size of its terms.
+struct CompensatedDiscriminant {
+    value: real,
+    size: real,
+}
+
+// Roots: what is certain about the two roots. The magnitude of the large root is `w / a`, that of the small root is
+// `|c| / w`.
+struct CompensatedRoots {
+    w: real,
+    // The size of the terms of `w`, relative to `w`.
+    condition: real,
+    error_of_c: real,
+    misses: bool,
+    accurate: bool,
+    small_is_ahead: bool,
+    small_fails: bool,
+    large_fails: bool,
+}
+
+// Quadratic::near: returns `h^2 - a c`. The bound of the error of `c` is 64 times 2^-53 of its terms.
+fn compensated_near(quadratic: CompensatedQuadratic) -> CompensatedDiscriminant {
+    let lost = quadratic.terms_of_c * real(7.105427357601002e-15);
+    let size = abs(quadratic.h) * quadratic.terms_of_h + quadratic.a * (abs(quadratic.c) + lost);
+    return CompensatedDiscriminant(quadratic.h * quadratic.h - quadratic.a * quadratic.c, size);
+}
+
+// Quadratic::roots: returns what is certain about the roots with this discriminant. The constants are the condition
+// limit 4,096, 64 times 2^-106, and the reciprocal of 4,096 times 2^-53.
+fn compensated_roots(quadratic: CompensatedQuadratic, discriminant: CompensatedDiscriminant) -> CompensatedRoots {
+    let limits = exact_sphere_limits();
+    let zero = real(0.0);
+    let h = quadratic.h;
+    let c = abs(quadratic.c);
+    let size = discriminant.size;
+    let root = sqrt(discriminant.value);
+    let w = abs(h) + root;
+    let error = size * limits.error + ERROR_UNDERFLOW;
+    let h_is_accurate = quadratic.terms_of_h < w * real(4096.0);
+    let root_is_accurate = error < discriminant.value && size < root * w * real(4096.0);
+    let error_of_c = quadratic.terms_of_c * real(7.888609052210118e-31) + ERROR_UNDERFLOW;
+    let c_is_accurate = error_of_c * real(2199023255552.0) < c;
+    let sign = h * quadratic.c;
+    return CompensatedRoots(
+        w,
+        (size / root + quadratic.terms_of_h) / w,
+        error_of_c,
+        error < -discriminant.value,
+        h_is_accurate && root_is_accurate && size < ERROR_OVERFLOW,
+        c_is_accurate && zero < sign,
+        (c_is_accurate && sign < zero) || c + error_of_c < w * limits.least,
+        h < zero || w < quadratic.a * limits.least,
+    );
+}
+
+// is_in_range: returns whether an accurate lambda certainly is in range, and has not overflowed.
+fn compensated_is_in_range(lambda: real) -> bool {
+    return exact_sphere_limits().most <= lambda && lambda < ERROR_OVERFLOW;
+}
