@@ -13,6 +13,8 @@ use cpu::internals::simd::{Simd, SimdF64};
 use cpu::internals::{InstructionSet, exact};
 use cpu::{Config, Ray, Vec3};
 
+use stability::regimes::{EXTREMES, Regime, SPHERES};
+
 use super::{Kernel, Work, plain};
 
 pub const KERNELS: &[Kernel] = &[
@@ -26,8 +28,19 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "sphere-exact", new: || spheres(Vec3::ONE, exact::sphere::precise) },
     Kernel { name: "cylinder", new: || cylinders(false, exact::cylinder::intersect) },
     Kernel { name: "cylinder-compensated", new: || cylinders(false, exact::cylinder::compensated_or_precise) },
+    Kernel { name: "sphere-dearest", new: || dearest(&SPHERES, "everything at once", 1425) },
+    Kernel { name: "cylinder-dearest", new: || dearest(&EXTREMES, "axes whose square underflows", 1881) },
     Kernel { name: "cylinder-exact", new: || cylinders(true, exact::cylinder::precise) },
 ];
+
+/// Returns work that is one exact intersection: the dearest one that `steps` finds, by its regime and number there.
+fn dearest(regimes: &[Regime], name: &str, number: usize) -> Box<dyn Work> {
+    let regime = regimes.iter().find(|regime| regime.name == name).expect("there is such a regime");
+    let (record, ray) = regime.cases(1, number + 1)[number].of();
+    plain(1, move || {
+        black_box(black_box(&record).exact(black_box(&ray)));
+    })
+}
 
 /// Number of rays, directions or means in one turn.
 const COUNT: usize = 1024;

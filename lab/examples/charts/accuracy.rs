@@ -1,5 +1,7 @@
 //! The charts of the stress test: wrong decisions and errors of lambda in every regime, and wrong decisions over the
 //! radius of a sphere. The implementations in WGSL are left out, because they have the figures of those in Rust.
+//!
+//! Also the charts of `steps`: what the steps of the exact intersection cost, and how often each of them decides.
 
 use std::path::Path;
 
@@ -27,17 +29,34 @@ struct Large {
     wrong_share: f64,
 }
 
-/// Returns the five charts of the tables in `folder`.
+/// The columns of `step-times.csv` that are drawn.
+#[derive(Deserialize)]
+struct StepTime {
+    object: String,
+    step: String,
+    difficulty: f64,
+    nanoseconds: f64,
+}
+
+/// The columns of `step-shares.csv`.
+#[derive(Deserialize)]
+struct StepShare {
+    scene: String,
+    step: String,
+    share: f64,
+}
+
+/// Returns the eight charts of the tables in `folder`.
 pub fn charts(folder: &Path) -> Result<Vec<Chart>, String> {
     let rows: Vec<Row> = read(&folder.join("errors.csv"))?;
     let mut charts = Vec::new();
     for object in ["sphere", "cylinder"] {
         let its = || rows.iter().filter(|row| row.object == object);
         let title = format!("Wrong decisions of {object}s (no mark: none)");
-        let wrong = its().map(|row| (row, row.wrong / row.cases));
+        let wrong = its().map(|row| (&*row.regime, &*row.implementation, row.wrong / row.cases));
         charts.push(by_regime(format!("{object}-wrong"), title, "share of rays", wrong));
         let title = format!("Largest error of lambda of {object}s, decided rightly");
-        let errors = its().map(|row| (row, row.lambda_max));
+        let errors = its().map(|row| (&*row.regime, &*row.implementation, row.lambda_max));
         charts.push(by_regime(format!("{object}-lambda"), title, "relative error", errors));
     }
     let large: Vec<Large> = read(&folder.join("large-spheres.csv"))?;
@@ -53,28 +72,48 @@ pub fn charts(folder: &Path) -> Result<Vec<Chart>, String> {
         series,
         rows: Vec::new(),
     });
+    let times: Vec<StepTime> = read(&folder.join("step-times.csv"))?;
+    for object in ["sphere", "cylinder"] {
+        let mut series = Vec::new();
+        for row in times.iter().filter(|row| row.object == object) {
+            add(&mut series, &row.step, row.difficulty, row.nanoseconds);
+        }
+        charts.push(Chart {
+            name: format!("{object}-steps"),
+            title: format!("Time of an intersection with a {object}, by the step that decides"),
+            x: Axis { label: "condition number of the discriminant", format: power_of_ten },
+            y: Axis { label: "ns a ray", format: short },
+            series,
+            rows: Vec::new(),
+        });
+    }
+    let shares: Vec<StepShare> = read(&folder.join("step-shares.csv"))?;
+    let shares = shares.iter().map(|row| (&*row.scene, &*row.step, row.share));
+    let title = "Intersections that each step decides (no mark: none)".to_owned();
+    charts.push(by_regime("step-shares".to_owned(), title, "share of intersections", shares));
     Ok(charts)
 }
 
-/// Returns a chart with a row for each regime, and a dot for each implementation that has a positive figure there.
+/// Returns a chart with a row for each regime or scene, and a dot for each implementation or step that has a positive
+/// figure there.
 fn by_regime<'a>(
     name: String,
     title: String,
     label: &'static str,
-    figures: impl Iterator<Item = (&'a Row, f64)>,
+    figures: impl Iterator<Item = (&'a str, &'a str, f64)>,
 ) -> Chart {
     let (mut rows, mut series) = (Vec::new(), Vec::new());
-    for (row, figure) in figures {
-        if rows.last() != Some(&row.regime) {
-            rows.push(row.regime.clone());
+    for (regime, implementation, figure) in figures {
+        if rows.last().is_none_or(|last| last != regime) {
+            rows.push(regime.to_owned());
         }
-        add(&mut series, &row.implementation, figure, rows.len() as f64);
+        add(&mut series, implementation, figure, rows.len() as f64);
     }
     let (x, y) = (Axis { label, format: power_of_ten }, Axis { label: "", format: short });
     Chart { name, title, x, y, series, rows }
 }
 
-/// Adds a point to the series of an implementation in Rust, unless one of its coordinates is 0.
+/// Adds a point to the series of an implementation in Rust or of a step, unless one of its coordinates is 0.
 fn add(series: &mut Vec<Series>, implementation: &str, x: f64, y: f64) {
     if implementation.starts_with("WGSL") {
         return;

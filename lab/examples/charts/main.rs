@@ -1,5 +1,5 @@
-//! Draws the charts of the documents from the tables of `stress`: `cargo run --release -p lab --example charts
-//! docs/accuracy`.
+//! Draws the charts of the documents from the tables of `stress` and `steps`: `cargo run --release -p lab --example
+//! charts docs/accuracy`.
 
 mod accuracy;
 
@@ -11,7 +11,7 @@ use output::{Options, Output};
 
 const USAGE: &str = "\
 charts FOLDER
-Draws the tables that stress --out wrote into FOLDER, and writes five charts beside them.
+Draws the tables that stress --out and steps wrote into FOLDER, and writes eight charts beside them.
 
 Example:
   cargo run --release -p lab --example charts docs/accuracy";
