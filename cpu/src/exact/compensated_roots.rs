@@ -25,11 +25,11 @@ pub const ACCURACY_OF_C: f64 = 4096.0;
 /// The coefficients of the quadratic.
 #[derive(Clone, Copy, Debug)]
 pub struct Quadratic<T> {
-    /// See the module.
+    /// The coefficient of `lambda^2`.
     pub a: T,
-    /// See the module.
+    /// Half of the negative linear coefficient.
     pub h: T,
-    /// See the module.
+    /// The constant coefficient, which is negative if the ray starts inside.
     pub c: T,
     /// The size of the terms of `c`.
     pub terms_of_c: T,
@@ -50,7 +50,7 @@ pub struct Discriminant<T> {
 /// What is certain about the two roots. One is `w / a` with the sign of `h`, and is called the large one. The other is
 /// `|c| / w` with the sign of `h c`, and is called the small one.
 pub struct Roots<T: MulAdd> {
-    /// See the module.
+    /// `|h| + sqrt(D)`.
     pub w: T,
     /// The size of the terms of `w`, relative to `w`.
     pub condition: T,

@@ -277,6 +277,7 @@ impl<T: Rounding> SideLanes<T> {
 mod tests {
     use super::*;
     use crate::geometry::cap::PARALLEL;
+    use crate::sampling::uniform::Uniform;
 
     fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
         Ray { origin: origin.into(), direction: direction.into() }
@@ -288,6 +289,27 @@ mod tests {
     }
 
     const UPRIGHT: [f64; 3] = [0.0, 4.0, 0.0];
+
+    #[test]
+    fn a_size_whose_square_underflows_makes_no_wrong_answer_certain() {
+        let mut draws = Uniform::new(8);
+        let (direction_size, across_size) = (2.0_f64.powi(-123), 2.0_f64.powi(-139));
+        for _ in 0..2000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (unit, other) = (vector().unit(), vector());
+            let out = other.perpendicular_to(unit).unit();
+            // The ray runs nearly along the axis, and touches the side but for rounding.
+            let direction = unit * direction_size + unit.cross(out) * across_size;
+            let (axis, radius) = (unit * 2.0_f64.powi(-117), across_size * draws.draw(0.5, 2.0));
+            let lambda = draws.draw(0.1, 1.0);
+            // The ray starts beside the middle. A larger distance would have a larger error bound.
+            let record = CylinderRecord::new(unit * (direction_size * -lambda), radius, axis);
+            let ray = Ray { origin: out * radius - direction * lambda, direction };
+            if let Decision::Certain(hit) = filtered(&record, &ray) {
+                assert_eq!(hit.is_some(), precise(&record, &axis, &ray).is_some(), "{record:?}, {ray:?}");
+            }
+        }
+    }
 
     #[test]
     fn ordinary_rays_are_certain_and_have_the_plain_formulas_hits() {

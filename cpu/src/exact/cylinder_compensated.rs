@@ -25,7 +25,7 @@ pub const ERROR_OF_CAP: f64 = 16.0;
 /// starts farther away along the axis than 2^40 radii.
 pub const SHARE_IN_H: f64 = f64::from_bits((1023 - 90) << 52);
 /// The share of `|O - C|^2` in the terms of `c`.
-pub const SHARE_IN_C: f64 = 1.0 / 64.0;
+pub const SHARE_IN_C: f64 = 4.0;
 /// The share of `a |O - C|^2` in the terms of the discriminant by Lagrange's identity, 2^-52. It covers the square of
 /// the error of `(O - C).p`.
 pub const SHARE_OF_DISTANCE: f64 = f64::EPSILON;

@@ -121,9 +121,10 @@ pub fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
     let (near, far) = (terms.near(), terms.far());
     let roots = terms.quadratic.roots(if near.size < far.size { near } else { far });
     let [small, large] = roots.magnitudes(&terms.quadratic);
-    let root = if roots.small_is_ahead && is_in_range(small.0) { small } else { large };
-    let is_first = root == small || roots.small_fails && terms.quadratic.h > 0.0;
-    (in_scale(terms.quadratic.a) && roots.accurate && is_first).then_some(root)
+    let small_hits = roots.small_is_ahead && is_in_range(small.0);
+    let large_hits = roots.small_fails && terms.quadratic.h > 0.0;
+    let is_certain = in_scale(terms.quadratic.a) && roots.accurate && (small_hits || large_hits);
+    is_certain.then_some(if small_hits { small } else { large })
 }
 
 /// Returns `|C - O|^2 - r^2`, as accurate as if it were computed with twice the digits and then rounded, and

@@ -38,7 +38,7 @@ struct ExactSideTerms {
     in_scale: bool,
 }
 
-// Terms::new: returns the terms. `axis` is that of the scene file. The shares are 2^-90, 2^-52 and 1/64.
+// Terms::new: returns the terms. `axis` is that of the scene file. The shares are 2^-90, 2^-52 and 4.
 fn exact_side_terms(cylinder: CylinderRecord, axis: vec3<real>, ray: Ray) -> ExactSideTerms {
     let difference = exact_difference(ray.origin, cylinder.center);
     let from_center = difference.rounded;
@@ -55,7 +55,7 @@ fn exact_side_terms(cylinder: CylinderRecord, axis: vec3<real>, ray: Ray) -> Exa
     let reach = a * distance_squared;
     let size = of_radius + (abs(aside) * sqrt(reach) + reach * real(2.220446049250313e-16));
     let h = -vec3_dot(q.rounded, p);
-    let terms_of_c = squares.sum + far * real(0.015625);
+    let terms_of_c = squares.sum + far * real(4.0);
     return ExactSideTerms(
         CompensatedQuadratic(a, h, squares.difference, terms_of_c, terms_of_h),
         CompensatedDiscriminant(axis_squared * (of_radius - aside * aside), axis_squared * size),

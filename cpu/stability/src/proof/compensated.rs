@@ -84,7 +84,9 @@ fn of_discriminant(quadratic: &Roots, of: Discriminant<Bounded>, size: &Polynomi
 /// rounding, and of the rest, in which `|O - C|^2` has this share of the terms.
 fn of_c(quadratic: &Roots, error: &Polynomial, terms: &Polynomial, share: f64) -> [f64; 2] {
     const MARGIN: f64 = ERROR_OF_C * U * U;
-    let unit = |polynomial: &Polynomial| polynomial.clone().scaled_by(TO_CENTER, 1.0 / share.sqrt());
+    // No component is longer than its vector.
+    let lengths = [TO_CENTER, TO_CENTER_CROSS, FILE_AXIS].map(|family| (family, Some(family)));
+    let unit = |polynomial: &Polynomial| polynomial.enlarged(&lengths).scaled_by(TO_CENTER, 1.0 / share.sqrt());
     let [relative, need] = factors(&unit(error), 0.0, &[length(CANCELS), unit(terms)], 1.0)[..] else {
         unreachable!("there are two sizes")
     };
@@ -99,10 +101,11 @@ fn of_c(quadratic: &Roots, error: &Polynomial, terms: &Polynomial, share: f64) -
 
 /// Returns the constant and the need of `h^2 - a c`. The error of `c` is one rounding and `of_c u^2` times its terms.
 /// `run` computes the quadratic anew, `direction` is the family of the root of `a`, and `to_size` replaces the vectors
-/// of the terms of `h` by the root of these terms.
+/// of the terms of `h`, which are the root of `a terms_of_h`, by the root of `terms_of_h`.
 fn near_discriminant(
     run: impl Fn() -> Roots,
     of_c: f64,
+    terms_of_h: &Polynomial,
     direction: u8,
     to_size: impl Fn(&Polynomial) -> Polynomial,
 ) -> ([f64; 2], f64) {
@@ -117,6 +120,9 @@ fn near_discriminant(
     h.assume_error(length(OF_H), error);
     forget_later(h);
     let root = run().terms_of_h;
+    let Operation::Root(product) = root.operation() else { panic!("it is no root") };
+    let Operation::Product(_, squares) = product.operation() else { panic!("it is no product") };
+    assert!(squares.raw().is_positive && squares.bounds().size.covers(terms_of_h), "the terms of h lack a part");
     let relative = root.raw().relative;
     root.assume_relative(length(direction).times(&length(SIZE)), relative);
     _ = root.of_squares();
@@ -130,9 +136,10 @@ fn near_discriminant(
     let near = quadratic.near();
     let a = squared(direction);
     let first = length(OF_H).times(&length(direction)).times(&length(SIZE)).plus(&a.times(&length(CANCELS)));
-    let size = first.clone().plus(&a.times(&length(TERMS)).scaled(ERROR_OF_C * U));
-    // `h^2` is at most the first term.
-    let need = relative_to_sizes(&to_size(&near.value.bounds().error), 0.0, &[size, squared(OF_H)], 1.0);
+    let [lost, of_second_order] = [length(TERMS), squared(SIZE)].map(|terms| a.times(&terms).scaled(ERROR_OF_C * U));
+    // `h^2` is at most the first term, and the terms of `h^2 / a` are at most those of `c`.
+    let sizes = [first.clone().plus(&lost), squared(OF_H), of_second_order];
+    let need = relative_to_sizes(&to_size(&near.value.bounds().error), 0.0, &sizes, 1.0);
     (of_discriminant(&quadratic, near, &first, need), of_h)
 }
 
@@ -149,7 +156,7 @@ pub fn sphere_rows() -> ([Row; 3], f64) {
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     // `|C - O|` and the radius are at most `sqrt(q + R^2)`.
     let to_size = |polynomial: &Polynomial| polynomial.enlarged(&[TO_CENTER, RADIUS].map(|of| (of, Some(SIZE))));
-    let (near, of_h) = near_discriminant(|| sphere().1.quadratic, of_c[1], DIRECTION, to_size);
+    let (near, of_h) = near_discriminant(|| sphere().1.quadratic, of_c[1], &squares, DIRECTION, to_size);
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
         row("c of a sphere, compensated", ROOTS, of_c, "u^2 (q + R^2)"),
@@ -250,7 +257,8 @@ pub fn side_rows() -> ([Row; 3], [f64; 2]) {
     begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
     let (run, [error, _]) = side();
     let [far, rim] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(FILE_AXIS)));
-    let terms = sum(&[squared(TO_CENTER_CROSS), rim, far.scaled(SHARE_IN_C)]);
+    let terms = |share| sum(&[squared(TO_CENTER_CROSS), rim.clone(), far.clone().scaled(share)]);
+    let (terms, terms_of_h) = (terms(SHARE_IN_C), terms(SHARE_IN_H));
     let of_c = of_c(&run().quadratic, &error, &terms, SHARE_IN_C);
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     let (run, _) = side();
@@ -261,10 +269,10 @@ pub fn side_rows() -> ([Row; 3], [f64; 2]) {
         let families = [sizes[0], sizes[1], sizes[2], (FILE_AXIS, None), same];
         polynomial.clone().scaled_by(TO_CENTER, 1.0 / SHARE_IN_H.sqrt()).enlarged(&families)
     };
-    let (near, of_h) = near_discriminant(|| run().quadratic, of_c[1], DIRECTION_CROSS, to_size);
+    let (near, of_h) = near_discriminant(|| run().quadratic, of_c[1], &terms_of_h, DIRECTION_CROSS, to_size);
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
-        row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + D / 64)"),
+        row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + 4 D)"),
         row("discriminant of a side, near", ROOTS, near, "u M"),
         row("discriminant of a side, far", FILE, far_discriminant_of_side(), "u M"),
     ];

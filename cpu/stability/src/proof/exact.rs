@@ -69,17 +69,18 @@ pub fn rows() -> Vec<Row> {
     let height = beside("height of a hit, due to lambda", side_lambda);
     let of_cap = of_parts.iter().find(|row| row.what == "lambda of a cap").map_or(f64::NAN, |row| row.need);
     let distance = beside("distance from a cap's centre, due to lambda", of_cap);
-    for (what, constant, need) in [
-        ("height of a crossing, compensated", ERROR_OF_ROOT, crossing + height),
-        ("distance from a cap's centre, compensated", ERROR_OF_CAP, distance + 1.0),
+    for (what, file, constant, need) in [
+        ("height of a crossing, compensated", compensated::ROOTS, ERROR_OF_ROOT, crossing + height),
+        ("distance from a cap's centre, compensated", compensated::FILE, ERROR_OF_CAP, distance + 1.0),
     ] {
-        let file = if constant == ERROR_OF_ROOT { compensated::ROOTS } else { compensated::FILE };
         rows.push(Row { what, file, constant, need, unit: "u lambda abs(d)" });
     }
     rows.extend(of_parts);
     rows
 }
 
+/// The family of `S`; see [`long_cylinder`].
+const S: u8 = DERIVED + 9;
 /// The family of `m`; see [`long_cylinder`].
 const LONG: u8 = DERIVED + 10;
 
@@ -97,14 +98,22 @@ fn long_cylinder(of_a: f64) -> [Row; 3] {
         let [error, _] = *compared().iter().find(|pair| pair[1] == -discriminant).expect("a filter compares it");
         ([h, c, discriminant], error)
     };
-    // The error is a multiple of the size, which is the sum of a root, the share and underflow, and underflow.
-    let (Operation::Sum(of_size, _), [h, c, discriminant]) = (run().1.operation(), run().0) else { unreachable!() };
-    let Operation::Product(size, _) = of_size.operation() else { unreachable!() };
-    let Operation::Sum(size, _) = size.operation() else { unreachable!() };
-    let Operation::Sum(root, _) = size.operation() else { unreachable!() };
+    // `m^2` is at most `2 |d'|^2 S^2 (|d|^2 S^2 + |d'|^2 |O - C|^2)`.
+    let [_, twice] = root_of_long(run().1);
+    let Operation::Sum(product, _) = twice.operation() else { unreachable!() };
+    let [_, [across, _]] = [product, factors_of(product)[1]].map(factors_of);
+    across.assume_relative(squared(S), 0.0);
+    _ = across.of_squares();
+    forget_later(across);
+    let [root, twice] = root_of_long(run().1);
+    let of_center = squared(DIRECTION_ACROSS).times(&squared(TO_CENTER));
+    let inner = squared(DIRECTION).times(&squared(S)).plus(&of_center);
+    let square = squared(DIRECTION_ACROSS).times(&squared(S)).times(&inner).scaled(2.0);
+    assert!(twice.bounds().size.covers(&square), "the size of a long cylinder lacks a part");
     root.assume_relative(length(LONG), 0.0);
     _ = root.of_squares();
     forget_later(root);
+    let [h, c, discriminant] = run().0;
     let [across, whole] = [squared(DIRECTION_ACROSS), squared(DIRECTION).times(&squared(TO_CENTER))];
     let constant = added(run().1, &length(LONG).plus(&whole.scaled(SHARE_OF_WHOLE)), margin, U);
     let needs = [
@@ -122,10 +131,26 @@ fn long_cylinder(of_a: f64) -> [Row; 3] {
     ]
 }
 
+fn factors_of(product: Bounded) -> [Bounded; 2] {
+    let Operation::Product(a, b) = product.operation() else { panic!("it is no product") };
+    [a, b]
+}
+
+/// Returns the root in the size of a long cylinder, and the number of which it is the root. The error of the
+/// discriminant is a multiple of this size, which is a sum of the root, the share and underflow, and then underflow.
+fn root_of_long(error: Bounded) -> [Bounded; 2] {
+    let first_term = |sum: Bounded| {
+        let Operation::Sum(first, _) = sum.operation() else { panic!("it is no sum") };
+        first
+    };
+    let root = first_term(first_term(factors_of(first_term(error))[0]));
+    let Operation::Root(square) = root.operation() else { panic!("it is no root") };
+    [root, square]
+}
+
 /// Returns an error relative to `m` and the share of `M`. Lengths across the axis and the radius are at most `S`.
 fn relative_to_long(error: &Polynomial) -> f64 {
     const ACROSS: u8 = DERIVED + 8;
-    const S: u8 = DERIVED + 9;
     let named = |polynomial: &Polynomial| {
         let families =
             [(DIRECTION_ACROSS, ACROSS), (TO_CENTER_ACROSS, S), (RADIUS, S)].map(|(old, new)| (old, Some(new)));

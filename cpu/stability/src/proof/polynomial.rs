@@ -85,6 +85,12 @@ impl Polynomial {
         self
     }
 
+    /// Whether each coefficient is at least that of `other`, up to the rounding of coefficients.
+    #[must_use]
+    pub fn covers(&self, other: &Self) -> bool {
+        other.0.iter().all(|(monomial, &most)| self.0.get(monomial).is_some_and(|&own| own * OUTWARD >= most))
+    }
+
     /// Returns the coefficient of a polynomial that is one monomial.
     #[must_use]
     pub fn coefficient(&self, of: &Self) -> f64 {

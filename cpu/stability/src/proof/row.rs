@@ -4,7 +4,7 @@ use cpu::internals::exact::error_bound::UNDERFLOW;
 use cpu::{Ray, Vec3};
 
 use super::bounded::{Bounded, LOST_MARGIN, MARGIN, compared};
-use super::bounds::Arithmetic;
+use super::bounds::{Arithmetic, arithmetic};
 use super::direction::hardens;
 use super::polynomial::{LENGTH, Polynomial};
 
@@ -181,6 +181,9 @@ pub fn factors(error: &Polynomial, margin: f64, sizes: &[Polynomial], least: f64
         (factor, rest) = rest.relative_to(&size.enlarged(&LARGER));
         factors.push(factor);
     }
+    // What is left must come from underflow or from a constant of the code. Else it is a product that has no bound.
+    let from_underflow = arithmetic().underflow * 1e9;
+    assert!(rest.0.iter().all(|(of, &rest)| of.is_empty() || rest <= from_underflow), "no size bounds {rest:?}");
     let most = rest.sum() / least;
     assert!(most < 1e-9, "underflow adds {most:e} u: {rest:?}");
     factors[0] += most;

@@ -99,7 +99,7 @@ mutants! {
         "+ vec3_dot(difference.error, p)" => "",
         "abs(aside) * sqrt(reach)" => "abs(aside)",
         "-vec3_dot(q.rounded, p)" => "vec3_dot(q.rounded, p)",
-        "far * real(0.015625)" => "far",
+        "far * real(4.0)" => "far * real(1e30)",
         "(of_radius - aside * aside)" => "(of_radius + aside * aside)",
         "!(discriminant.size < terms.far.size)" => "terms.far.size < real(0.0)",
         "!(discriminant.size < terms.far.size)" => "true",
