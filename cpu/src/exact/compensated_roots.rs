@@ -11,7 +11,8 @@
 
 use crate::exact::{error_bound::OVERFLOW, error_bound::UNDERFLOW, sphere_filter::LIMITS};
 use crate::geometry::ray::LAMBDA_MIN;
-use crate::math::rounding::MulAdd;
+use crate::math::error_free::{two_product, two_sum};
+use crate::math::{rounding::MulAdd, vec3::Vec3};
 
 /// Limits the relative error of lambda to 4.6e-12. A root is accepted only if the [terms](Discriminant::size) of `D`
 /// are below `CONDITION_LIMIT w sqrt(D)`, and those of `h` below `CONDITION_LIMIT w`.
@@ -106,18 +107,36 @@ impl<T: MulAdd> Quadratic<T> {
         let error_of_c = self.terms_of_c * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
         let c_is_accurate = (error_of_c * T::of(1.0 / (ACCURACY_OF_C * T::UNIT_ROUNDOFF))).less(self.c.abs());
         let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * LIMITS.lambda_error());
-        let (sign, zero) = (self.h * self.c, T::of(0.0));
+        // A zero `h` counts as positive: a ray from the middle has two roots of the same size.
+        let (backward, zero) = (self.h.less(T::of(0.0)), T::of(0.0));
+        let signed_c = T::select(backward, -self.c, self.c);
         Roots {
             w,
             condition: (size / root + self.terms_of_h) / w,
             error_of_c,
             misses: error.less(-value),
             accurate,
-            small_is_ahead: c_is_accurate & zero.less(sign),
-            small_fails: (c_is_accurate & sign.less(zero)) | (self.c.abs() + error_of_c).less(w * least),
-            large_fails: self.h.less(zero) | w.less(self.a * least),
+            small_is_ahead: c_is_accurate & zero.less(signed_c),
+            small_fails: (c_is_accurate & signed_c.less(zero)) | (self.c.abs() + error_of_c).less(w * least),
+            large_fails: backward | w.less(self.a * least),
         }
     }
+}
+
+/// Returns `|q|^2 - s`, as accurate as if it were computed with twice the digits and then rounded, and `|q|^2 + s` with
+/// the usual accuracy. `q` and `s` are given rounded, each with its error.
+#[inline(always)]
+pub fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>), (s, s_error): (T, T)) -> (T, T) {
+    let (xx, xx_error) = two_product(q.x, q.x);
+    let (yy, yy_error) = two_product(q.y, q.y);
+    let (zz, zz_error) = two_product(q.z, q.z);
+    // These sums do not wait for each other.
+    let ((first, first_error), (second, second_error)) = (two_sum(xx, yy), two_sum(zz, -s));
+    let (difference, third_error) = two_sum(first, second);
+    let across = q.x.mul_add(q_error.x, q.y.mul_add(q_error.y, q.z * q_error.z));
+    let error =
+        (first_error + second_error + third_error) + ((xx_error + yy_error) + (zz_error - s_error)) + (across + across);
+    (difference + error, (xx + yy) + (zz + s))
 }
 
 /// Whether an accurate lambda certainly is in range, and has not overflowed.

@@ -4,22 +4,18 @@
 //! whether a point of a cap's plane is on the disc. Each margin covers the error of lambda, converted to a length, and
 //! the rounding of the points. Two other decisions have bounds of their own: whether a cap's plane is parallel to the
 //! ray, and whether it is too near. No lambdas of two parts are compared, because their order follows from the shape
-//! (see [`filtered`]).
+//! (`exact/cylinder_decision.rs`).
 //!
 //! [`filtered`] serves one ray. [`SideLanes`] intersects several rays or cylinders at once, without a branch.
 
 use crate::counters::{Counter, add};
-use crate::exact::cylinder_parts::{Crossing, Plane, Side, filtered_cap, is_long};
-use crate::exact::{
-    cylinder_compensated, cylinder_compensated::Crossings, cylinder_compensated::Terms, cylinder_exact,
-    error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite,
-};
+use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
+use crate::exact::cylinder_decision::{Hit, PlainCaps, PlainSide, decide, with_caps};
+use crate::exact::cylinder_parts::{Crossing, Plane, Side, is_inside, is_long};
+use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
-use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding, vec3::Vec3};
+use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
-
-/// The lambda and the part of a hit, or `None` for a miss.
-type Hit<T> = Option<(T, CylinderPart)>;
 
 /// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
 /// misses all three. Of parts at the same lambda, the first in this order counts. [`CylinderRecord::intersect`] follows
@@ -56,58 +52,13 @@ fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
 
 /// Computes the plain formulas in the arithmetic `T`. Returns `Certain(Some((lambda, part)))` for a hit,
 /// `Certain(None)` for a miss, and `Uncertain` if rounding may have changed a decision.
-///
-/// The cylinder is convex, so the ray's line crosses its surface only where it enters and where it leaves. If the ray
-/// enters through the side, no cap is nearer. If it leaves through the side, only the cap that faces the ray can be
-/// nearer. The other cap counts only if nothing else is hit. For rays that start inside, or go inward from the surface,
-/// the exit through the side mostly decides alone.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
-    let side = Side::new(record, &record.seen_from(ray.origin), ray.direction, is_long(record));
-    if !in_scale(side.length_squared) {
-        return Decision::Uncertain;
-    }
-    if side.bound.misses(side.discriminant) {
-        return Decision::Certain(None);
-    }
-    if !side.a_is_accurate {
-        return Decision::Uncertain;
-    }
-    let root = side.discriminant.sqrt();
-    let (near, far) = (-side.h - root, -side.h + root);
-    if side.is_behind(near, root) {
-        let exit = side.crossing(record, ray, far, root);
-        if exit.straight {
-            return Decision::Certain(Some((exit.lambda, CylinderPart::Side)));
-        }
-    }
-    let entry = side.crossing(record, ray, near, root);
-    if entry.hits {
-        return Decision::Certain(Some((entry.lambda, CylinderPart::Side)));
-    }
-    let exit = side.crossing(record, ray, far, root);
-    if !(entry.fails() && (exit.hits || exit.fails())) {
-        return Decision::Uncertain;
-    }
-    if entry.passes_by(&exit) {
-        return Decision::Certain(None);
-    }
-    // Here `facing` is the centre of the cap that faces the ray. A branch that chooses it would be mispredicted, and a
-    // selection would become a branch. So it is computed by the formula of `record.top` and `record.bottom`.
-    let slope = ray.direction.dot(record.axis);
-    let along = record.axis * record.half_height.flipped_by(slope);
-    let (facing, other) = (record.center - along, record.center + along);
-    let part = |is_top: bool| if is_top { CylinderPart::Top } else { CylinderPart::Bottom };
-    let down = slope.less(T::of(0.0));
-    match filtered_cap(record, ray, &Plane::new(record, ray, facing), part(down)) {
-        Decision::Certain(None) if exit.hits => Decision::Certain(Some((exit.lambda, CylinderPart::Side))),
-        Decision::Certain(None) => filtered_cap(record, ray, &Plane::new(record, ray, other), part(!down)),
-        decision => decision,
-    }
+    decide(record, ray, &PlainSide::new(record, ray, is_long(record)), &PlainCaps)
 }
 
-/// Intersects a ray for which [`filtered`] is uncertain. The [compensated](cylinder_compensated) formulas are tried
-/// first. If they are uncertain too, [`precise`] gives the result. `axis` is the axis of the scene file.
+/// Intersects a ray for which [`filtered`] is uncertain. The [compensated](crate::exact::cylinder_compensated) formulas
+/// are tried first. If they are uncertain too, [`precise`] gives the result. `axis` is the axis of the scene file.
 #[cold]
 #[inline(never)]
 pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
@@ -120,20 +71,19 @@ pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -
     }
 }
 
-/// Returns the hit by the [compensated](cylinder_compensated) formulas, if rounding certainly has not changed it.
+/// Returns the hit by the [compensated](crate::exact::cylinder_compensated) formulas, if rounding certainly has not
+/// changed it.
 pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<f64>> {
     run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<f64>> {
-        // Many rays are uncertain only because of a cap, but few rays of a long cylinder are.
-        let plain = SideLanes::new(record, &record.seen_from(ray.origin), ray, false);
-        let side =
-            if is_long(record) || !plain.is_certain() { SideLanes::compensated(record, *axis, ray) } else { plain };
-        let hits = if side.open { side.with_caps(record, ray, &CompensatedPlanes(*axis)) } else { side.without_caps() };
-        if !(hits.certain && in_scale(ray.direction.dot(ray.direction))) {
-            return Decision::Uncertain;
+        let caps = CompensatedCaps(*axis);
+        // Most rays from inside a wide cylinder are uncertain only because of a cap.
+        if !is_long(record) && is_inside(&record.seen_from(ray.origin)) && in_scale(ray.direction.dot(ray.direction)) {
+            let decision = with_caps(record, ray, &caps, Decision::Uncertain);
+            if decision != Decision::Uncertain {
+                return decision;
+            }
         }
-        let over = if hits.top { CylinderPart::Top } else { CylinderPart::Side };
-        let part = if hits.bottom { CylinderPart::Bottom } else { over };
-        Decision::Certain((hits.lambda < f64::INFINITY).then_some((hits.lambda, part)))
+        decide(record, ray, &CompensatedSide::new(record, *axis, ray), &caps)
     })
 }
 
@@ -145,32 +95,6 @@ pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, 
     add(Counter::Fallbacks, 1);
     cylinder_exact::intersect(record.center, record.radius, *axis, ray)
         .unwrap_or_else(|NotFinite| record.intersect(ray))
-}
-
-/// A way to compute the plane of a cap. It is a trait and no closure; see [`crate::simd::Kernel::call`].
-pub trait Planes<T: Rounding> {
-    /// Returns the plane of the cap around `center`.
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T>;
-}
-
-/// Planes by the plain formula.
-pub struct PlainPlanes;
-
-/// Planes by the [compensated](cylinder_compensated) formula. It holds the axis of the scene file.
-pub struct CompensatedPlanes<T>(pub Vec3<T>);
-
-impl<T: Rounding> Planes<T> for PlainPlanes {
-    #[inline(always)]
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, _: T::Mask) -> Plane<T> {
-        Plane::new(record, ray, center)
-    }
-}
-
-impl<T: MulAdd> Planes<T> for CompensatedPlanes<T> {
-    #[inline(always)]
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T> {
-        cylinder_compensated::plane(record, self.0, ray, center, Vec3::select(is_top, self.0, -self.0))
-    }
 }
 
 /// The hits of several rays or cylinders at once, one in each lane.
@@ -195,6 +119,8 @@ pub struct SideLanes<T: Real> {
     nothing: T::Mask,
     /// The lanes whose ray certainly starts between the caps' planes and hits the side from inside.
     through: T::Mask,
+    /// The lanes whose ray certainly starts inside the infinite cylinder.
+    inside: T::Mask,
     /// The lanes that the side alone does not decide.
     pub open: T::Mask,
 }
@@ -207,25 +133,10 @@ impl<T: Rounding> SideLanes<T> {
         let root = side.discriminant.sqrt();
         let entry = side.crossing(record, ray, -side.h - root, root);
         let exit = side.crossing(record, ray, -side.h + root, root);
-        Self::of(entry, exit, side.bound.misses(side.discriminant))
-    }
-
-    /// Intersects the rays with the side by the [compensated](cylinder_compensated) formulas. `axis` is the axis of the
-    /// scene file.
-    #[inline(always)]
-    pub fn compensated(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self
-    where
-        T: MulAdd,
-    {
-        let Crossings { entry, exit, misses } = Terms::new(record, axis, ray).crossings(record, ray);
-        Self::of(entry, exit, misses)
-    }
-
-    #[inline(always)]
-    fn of(entry: Crossing<T>, exit: Crossing<T>, misses: T::Mask) -> Self {
+        let misses = side.bound.misses(side.discriminant);
         let nothing = misses | (entry.fails() & entry.passes_by(&exit));
         let through = entry.behind & exit.straight & !nothing;
-        Self { entry, exit, nothing, through, open: !(nothing | entry.hits | through) }
+        Self { entry, exit, nothing, through, inside: side.inside, open: !(nothing | entry.hits | through) }
     }
 
     /// The lanes in which it certainly is decided where the ray crosses the side. Caps may still be open.
@@ -249,13 +160,13 @@ impl<T: Rounding> SideLanes<T> {
 
     /// Intersects the rays with the caps too, and returns the hits.
     #[inline(always)]
-    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>, planes: &impl Planes<T>) -> CylinderHits<T> {
-        let Self { entry, exit, nothing, through, open } = *self;
+    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
+        let Self { entry, exit, nothing, through, inside, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
         let (near, far) =
             (Vec3::select(down, record.top, record.bottom), Vec3::select(down, record.bottom, record.top));
-        let facing = planes.plane(record, ray, near, down).disc(record, ray);
-        let other = planes.plane(record, ray, far, !down).disc(record, ray);
+        let facing = Plane::new(record, ray, near).disc(record, ray);
+        let other = Plane::new(record, ray, far).disc(record, ray);
         let by_facing = open & facing.hits;
         let by_exit = through | (open & !facing.hits & exit.hits);
         let by_other = open & !facing.hits & !exit.hits & other.hits;
@@ -263,12 +174,14 @@ impl<T: Rounding> SideLanes<T> {
         lambda = T::select(by_exit, exit.lambda, lambda);
         lambda = T::select(by_facing, facing.lambda, lambda);
         lambda = T::select(entry.hits & !nothing, entry.lambda, lambda);
-        let facing_fails = facing.fails & (exit.hits | other.hits | other.fails);
+        let side_is_certain = self.is_certain();
+        let by_cap = facing.hits | (facing.fails & other.hits);
+        let by_side = facing.fails & (exit.hits | other.fails);
         CylinderHits {
             lambda,
             top: (by_facing & down) | (by_other & !down),
             bottom: (by_facing & !down) | (by_other & down),
-            certain: !open | (self.is_certain() & (facing.hits | facing_fails)),
+            certain: !open | (by_cap & (side_is_certain | inside)) | (by_side & side_is_certain),
         }
     }
 }
@@ -289,6 +202,17 @@ mod tests {
     }
 
     const UPRIGHT: [f64; 3] = [0.0, 4.0, 0.0];
+
+    #[test]
+    fn the_plain_formulas_decide_rays_from_cap_to_cap_that_run_along_the_axis() {
+        let axis = Vec3::from(UPRIGHT);
+        let record = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
+        for (height, up) in [(-2.0, 1.0), (0.0, 1.0), (1.0, -1.0), (3.0, -1.0)] {
+            let ray = ray([0.3, height, 0.2], [1e-7, up, 1e-9]);
+            let hit = filtered(&record, &ray);
+            assert_eq!(hit, Decision::Certain(precise(&record, &axis, &ray)), "{ray:?}");
+        }
+    }
 
     #[test]
     fn a_size_whose_square_underflows_makes_no_wrong_answer_certain() {

@@ -11,7 +11,8 @@
 //! `a = p.p`, `h = -q.p` and `c = q.q - r^2 V.V`. By Lagrange's identity the discriminant equals
 //! `V.V (a r^2 - ((O - C).p)^2)`, whose terms do not grow with the distance along the axis.
 
-use crate::exact::compensated_roots::{Discriminant, Quadratic, is_in_range};
+use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
+use crate::exact::cylinder_decision::{CapFormulas, SideFormulas};
 use crate::exact::cylinder_parts::{Crossing, Plane, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
@@ -29,16 +30,6 @@ pub const SHARE_IN_C: f64 = 4.0;
 /// The share of `a |O - C|^2` in the terms of the discriminant by Lagrange's identity, 2^-52. It covers the square of
 /// the error of `(O - C).p`.
 pub const SHARE_OF_DISTANCE: f64 = f64::EPSILON;
-
-/// What is certain about the two points where the ray crosses the infinite cylinder.
-pub struct Crossings<T: MulAdd> {
-    /// Where it enters.
-    pub entry: Crossing<T>,
-    /// Where it leaves.
-    pub exit: Crossing<T>,
-    /// The ray's line misses the infinite cylinder.
-    pub misses: T::Mask,
-}
 
 /// The quadratic of a ray and the side of a cylinder.
 pub struct Terms<T: MulAdd> {
@@ -61,7 +52,8 @@ impl<T: MulAdd> Terms<T> {
         let p = cross(ray.direction, axis);
         let (axis_squared, distance_squared) = (axis.dot(axis), from_center.dot(from_center));
         let a = p.dot(p);
-        let (c, squares) = difference_of_squares((q, rest), axis, record.radius);
+        let (c, squares) = difference_of_squares((q, rest), rim(record.radius, axis));
+        let q = q + rest;
         let far = distance_squared * axis_squared;
         let terms_of_h = (a * (squares + far * T::of(SHARE_IN_H))).sqrt();
         let aside = from_center.dot(p) + error.dot(p);
@@ -74,53 +66,95 @@ impl<T: MulAdd> Terms<T> {
             in_scale: in_scale(axis_squared) & in_scale(a) & in_scale(squares),
         }
     }
+}
 
-    /// Returns the crossings, by the discriminant whose terms are smaller.
+/// The points where a ray crosses the infinite cylinder.
+pub struct CompensatedSide<'a> {
+    record: &'a CylinderRecord,
+    ray: &'a Ray,
+    terms: Terms<f64>,
+    /// What is certain about the two roots, if the numbers are in scale.
+    pub roots: Roots<f64>,
+    /// The line certainly misses the infinite cylinder.
+    pub misses: bool,
+    /// The large root is where the line enters, and it is negative. Otherwise it is where the line leaves.
+    pub backward: bool,
+}
+
+impl<'a> CompensatedSide<'a> {
+    /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file.
     #[inline(always)]
-    pub fn crossings(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Crossings<T> {
-        let Self { quadratic, far, from_center, in_scale } = self;
-        let (near, h) = (quadratic.near(), quadratic.h);
-        let is_near = near.size.less(far.size);
-        let value = T::select(is_near, near.value, far.value);
-        let roots = quadratic.roots(Discriminant { value, size: T::select(is_near, near.size, far.size) });
-        let [small, large] = roots.magnitudes(quadratic);
-        let start = [from_center.dot(record.axis), ray.direction.dot(record.axis)];
-        let accurate = *in_scale & roots.accurate;
-        // If `h` is negative, the large root is the one where the ray enters, and it is negative.
-        let backward = h.less(T::of(0.0));
-        let hits = accurate & roots.small_is_ahead & is_in_range(small.0);
-        let small = Crossing::new(record, ray, start, small, hits, accurate & roots.small_fails);
-        let hits = accurate & !backward & is_in_range(large.0);
-        let large = Crossing::new(record, ray, start, large, hits, accurate & roots.large_fails);
-        Crossings {
-            entry: Crossing::select(backward, &large, &small),
-            exit: Crossing::select(backward, &small, &large),
-            misses: *in_scale & roots.misses,
-        }
+    pub fn new(record: &'a CylinderRecord, axis: Vec3, ray: &'a Ray) -> Self {
+        let terms = Terms::new(record, axis, ray);
+        let near = terms.quadratic.near();
+        let roots = terms.quadratic.roots(if near.size < terms.far.size { near } else { terms.far });
+        let accurate = terms.in_scale && roots.accurate;
+        let [small_is_ahead, small_fails, large_fails] =
+            [roots.small_is_ahead, roots.small_fails, roots.large_fails].map(|is_certain| accurate && is_certain);
+        let roots = Roots { accurate, small_is_ahead, small_fails, large_fails, ..roots };
+        let (misses, backward) = (terms.in_scale && roots.misses, terms.quadratic.h < 0.0);
+        Self { record, ray, terms, roots, misses, backward }
+    }
+
+    #[inline(always)]
+    fn crossing(&self, root: (f64, f64), hits: bool, fails: bool) -> Crossing<f64> {
+        let start = [self.terms.from_center.dot(self.record.axis), self.ray.direction.dot(self.record.axis)];
+        Crossing::new(self.record, self.ray, start, root, hits && is_in_range(root.0), fails)
+    }
+
+    /// Returns the crossing at the small root.
+    #[inline(always)]
+    pub fn small(&self) -> Crossing<f64> {
+        let [small, _] = self.roots.magnitudes(&self.terms.quadratic);
+        self.crossing(small, self.roots.small_is_ahead, self.roots.small_fails)
+    }
+
+    /// Returns the crossing at the large root.
+    #[inline(always)]
+    pub fn large(&self) -> Crossing<f64> {
+        let [_, large] = self.roots.magnitudes(&self.terms.quadratic);
+        self.crossing(large, self.roots.accurate && !self.backward, self.roots.large_fails)
     }
 }
 
-/// Returns `q^2 - (r v)^2` as a rounded number and its rounding error, and `q^2 + (r v)^2`, for a component `v` of the
-/// axis. `rest` is the error of `q`.
-#[inline(always)]
-fn squares_of_component<T: MulAdd>(q: T, rest: T, radius: T, v: T) -> [T; 3] {
-    let (rim, rim_rest) = two_product(radius, v);
-    let ((inner, inner_error), (outer, outer_error)) = (two_product(q, q), two_product(rim, rim));
-    let (difference, error) = two_sum(inner, -outer);
-    let half = q * rest - rim * rim_rest;
-    [difference, error + (inner_error - outer_error) + (half + half), inner + outer]
+impl SideFormulas<f64> for CompensatedSide<'_> {
+    #[inline(always)]
+    fn misses(&self) -> bool {
+        self.misses
+    }
+
+    #[inline(always)]
+    fn inside(&self) -> bool {
+        // Rays from inside have been decided by the caps, if they decide alone.
+        false
+    }
+
+    #[inline(always)]
+    fn enters_behind(&self) -> bool {
+        if self.backward { self.roots.large_fails } else { self.roots.small_fails }
+    }
+
+    #[inline(always)]
+    fn entry(&self) -> Crossing<f64> {
+        if self.backward { self.large() } else { self.small() }
+    }
+
+    #[inline(always)]
+    fn exit(&self) -> Crossing<f64> {
+        if self.backward { self.small() } else { self.large() }
+    }
 }
 
-/// Returns `|q|^2 - r^2 V.V`, as accurate as if it were computed with twice the digits and then rounded, and `|q|^2 +
-/// r^2 V.V` with the usual accuracy. `q` is given rounded, with its error.
+/// Returns `r^2 V.V`, rounded, and a rounding error.
 #[inline(always)]
-fn difference_of_squares<T: MulAdd>((q, rest): (Vec3<T>, Vec3<T>), axis: Vec3<T>, radius: T) -> (T, T) {
-    let x = squares_of_component(q.x, rest.x, radius, axis.x);
-    let y = squares_of_component(q.y, rest.y, radius, axis.y);
-    let z = squares_of_component(q.z, rest.z, radius, axis.z);
-    let (sum, first) = two_sum(x[0], y[0]);
-    let (sum, second) = two_sum(sum, z[0]);
-    (sum + ((first + second) + (x[1] + y[1] + z[1])), x[2] + y[2] + z[2])
+fn rim<T: MulAdd>(radius: T, axis: Vec3<T>) -> (T, T) {
+    let ((rr, rr_error), (xx, xx_error)) = (two_product(radius, radius), two_product(axis.x, axis.x));
+    let ((yy, yy_error), (zz, zz_error)) = (two_product(axis.y, axis.y), two_product(axis.z, axis.z));
+    let (sum, first) = two_sum(xx, yy);
+    let (sum, second) = two_sum(sum, zz);
+    let (product, error) = two_product(rr, sum);
+    let sum_error = (first + second) + (xx_error + yy_error + zz_error);
+    (product, error + (rr * sum_error + rr_error * sum))
 }
 
 /// The share of the size of the plain terms in the size of the distance of a plane, 2^-40. It covers the roundings of
@@ -158,13 +192,24 @@ pub fn plane<T: MulAdd>(
     Plane { error, fails: plane.fails & in_scale, accurate: plane.accurate & in_scale, ..plane }
 }
 
+/// The caps by the compensated formula. This holds the axis of the scene file.
+pub(super) struct CompensatedCaps(pub Vec3);
+
+impl CapFormulas<f64> for CompensatedCaps {
+    #[inline(always)]
+    fn plane(&self, record: &CylinderRecord, ray: &Ray, center: Vec3, is_top: bool) -> Plane<f64> {
+        plane(record, self.0, ray, center, if is_top { self.0 } else { -self.0 })
+    }
+}
+
 /// Returns the lambda of the ray's hit on a part of the cylinder, with twice the bound of its error, or `None` if that
 /// is uncertain. `axis` is the axis of the scene file.
 #[inline(always)]
 pub fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
     let (center, to_cap) = match part {
         CylinderPart::Side => {
-            let Crossings { entry, exit, .. } = Terms::new(record, axis, ray).crossings(record, ray);
+            let side = CompensatedSide::new(record, axis, ray);
+            let [entry, exit] = if side.backward { [side.large(), side.small()] } else { [side.small(), side.large()] };
             let crossing = if entry.hits { entry } else { exit };
             return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error));
         }

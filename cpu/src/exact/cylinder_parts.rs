@@ -35,11 +35,19 @@ pub fn is_long<T: Real>(record: &CylinderRecord<T>) -> T::Mask {
     (record.radius * T::of(8.0)).less(record.half_height)
 }
 
+/// Whether the rays from `view` certainly start inside the infinite cylinder. The error of `c` is part of that of the
+/// discriminant.
+#[inline(always)]
+pub fn is_inside<T: Rounding>(view: &CylinderView<T>) -> T::Mask {
+    ErrorBound::of_size(LIMITS, view.squares).misses(view.c)
+}
+
 /// The quadratic of one ray and an infinite cylinder, with its error bound.
 pub struct Side<T: Real> {
     /// The bound of its rounding errors.
     pub bound: ErrorBound<T>,
-    pub(super) length_squared: T,
+    /// Whether the ray certainly starts inside the infinite cylinder.
+    pub inside: T::Mask,
     /// With `h`, the coefficients of `a lambda^2 + 2 h lambda + c`.
     pub a: T,
     /// Whether the relative error of `a` is smaller than that of an accepted lambda.
@@ -106,21 +114,6 @@ impl<T: Rounding> Crossing<T> {
         }
     }
 
-    /// Returns `yes` where `mask` holds, and `no` elsewhere.
-    #[inline(always)]
-    pub(super) fn select(mask: T::Mask, yes: &Self, no: &Self) -> Self {
-        let either = |yes: T::Mask, no: T::Mask| (mask & yes) | (!mask & no);
-        Self {
-            lambda: T::select(mask, yes.lambda, no.lambda),
-            error: T::select(mask, yes.error, no.error),
-            hits: either(yes.hits, no.hits),
-            straight: either(yes.straight, no.straight),
-            behind: either(yes.behind, no.behind),
-            above: either(yes.above, no.above),
-            below: either(yes.below, no.below),
-        }
-    }
-
     /// Whether the ray certainly does not hit the side at this point.
     #[inline(always)]
     pub fn fails(&self) -> T::Mask {
@@ -155,11 +148,12 @@ impl<T: Rounding> Side<T> {
         let length_squared = direction.dot(direction);
         let (a, h, discriminant) = record.quadratic(view, direction);
         let bound = ErrorBound::of_size(LIMITS, size(record, view, a, length_squared, is_long));
+        let inside = is_inside(view);
         let slope = direction.dot(record.axis);
         // If a ray is nearly parallel to the axis, the terms of `a` cancel.
         let condition = LIMITS.condition_limit;
         let a_is_accurate = length_squared.less_equal(a * T::of(STEEPNESS * condition * condition));
-        Self { bound, length_squared, a, a_is_accurate, h, discriminant, along: view.along, slope }
+        Self { bound, inside, a, a_is_accurate, h, discriminant, along: view.along, slope }
     }
 
     /// Whether the lambda `numerator / a` certainly is below the smallest lambda in range. `root` is the square root of

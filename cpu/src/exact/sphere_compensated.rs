@@ -5,10 +5,10 @@
 //! By Lagrange's identity the discriminant equals `a r^2 - |(C - O) x d|^2`. If the ray passes near the sphere, both
 //! terms are about `a r^2`, however far away the sphere is. Kahan's algorithm computes the [cross product](cross).
 
-use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, is_in_range};
+use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
 use crate::exact::{error_bound::Decision, error_bound::in_scale, sphere_filter::SphereHits};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
-use crate::math::error_free::{cross, difference, two_product, two_sum};
+use crate::math::error_free::{cross, difference, two_product};
 use crate::math::{rounding::MulAdd, vec3::Vec3};
 
 /// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers errors of second
@@ -34,7 +34,7 @@ impl<T: MulAdd> Terms<T> {
         let direction = ray.direction;
         let a = direction.dot(direction);
         let (r_c, error) = difference(record.center, ray.origin);
-        let (c, squares) = difference_of_squares(r_c, error, record.radius);
+        let (c, squares) = difference_of_squares((r_c, error), two_product(record.radius, record.radius));
         let h = direction.dot(r_c);
         let quadratic = Quadratic { a, h, c, terms_of_c: squares, terms_of_h: (a * squares).sqrt() };
         Self { direction, r_c, error, radius_squared: record.radius_squared, quadratic }
@@ -63,7 +63,7 @@ impl<T: MulAdd> Terms<T> {
         let roots = self.quadratic.roots(discriminant);
         let (small, large) = (c.abs() / roots.w, roots.w / a);
         let small_hits = roots.small_is_ahead & is_in_range(small);
-        let large_hits = roots.small_fails & T::of(0.0).less(h) & is_in_range(large);
+        let large_hits = roots.small_fails & T::of(0.0).less_equal(h) & is_in_range(large);
         let misses = roots.misses | (roots.accurate & roots.small_fails & roots.large_fails);
         SphereHits {
             lambda: T::select(misses, T::of(f64::INFINITY), T::select(small_hits, small, large)),
@@ -96,7 +96,7 @@ impl Terms<f64> {
                 return Decision::Certain(None);
             }
             let large = roots.w / a;
-            if h > 0.0 && is_in_range(large) {
+            if h >= 0.0 && is_in_range(large) {
                 return Decision::Certain(Some(large));
             }
         }
@@ -122,27 +122,9 @@ pub fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
     let roots = terms.quadratic.roots(if near.size < far.size { near } else { far });
     let [small, large] = roots.magnitudes(&terms.quadratic);
     let small_hits = roots.small_is_ahead && is_in_range(small.0);
-    let large_hits = roots.small_fails && terms.quadratic.h > 0.0;
+    let large_hits = roots.small_fails && terms.quadratic.h >= 0.0;
     let is_certain = in_scale(terms.quadratic.a) && roots.accurate && (small_hits || large_hits);
     is_certain.then_some(if small_hits { small } else { large })
-}
-
-/// Returns `|C - O|^2 - r^2`, as accurate as if it were computed with twice the digits and then rounded, and
-/// `|C - O|^2 + r^2` with the usual accuracy. `C - O` is given rounded, with its error.
-#[inline(always)]
-pub fn difference_of_squares<T: MulAdd>(Vec3 { x, y, z }: Vec3<T>, error: Vec3<T>, radius: T) -> (T, T) {
-    let (xx, xx_error) = two_product(x, x);
-    let (yy, yy_error) = two_product(y, y);
-    let (zz, zz_error) = two_product(z, z);
-    let (rr, rr_error) = two_product(radius, radius);
-    let (sum, first_error) = two_sum(xx, yy);
-    let (sum, second_error) = two_sum(sum, zz);
-    let (difference, third_error) = two_sum(sum, -rr);
-    let across = x.mul_add(error.x, y.mul_add(error.y, z * error.z));
-    let error = (first_error + second_error + third_error)
-        + ((xx_error + yy_error) + (zz_error - rr_error))
-        + (across + across);
-    (difference + error, sum + rr)
 }
 
 #[cfg(test)]

@@ -36,7 +36,8 @@ pub fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     )
 }
 
-/// Returns the cross product of `a` with its rounding error and `b`, rounded, and its rounding error.
+/// Returns the cross product of `a` with its rounding error and `b`, in two parts. The second one is as small as the
+/// rounding errors of the products.
 #[inline(always)]
 pub fn cross_with_error<T: MulAdd>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     let more = cross(a_error, b);
@@ -46,12 +47,12 @@ pub fn cross_with_error<T: MulAdd>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>)
     (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
 }
 
-/// Returns `a b - c d + more`, rounded, and its rounding error. `more` must be as small as a rounding error.
+/// Returns `a b - c d + more` in two parts. `more` must be as small as a rounding error.
 #[inline(always)]
 fn difference_with_error<T: MulAdd>([a, b, c, d]: [T; 4], more: T) -> (T, T) {
     let ((left, left_error), (right, right_error)) = (two_product(a, b), two_product(c, d));
     let (difference, error) = two_sum(left, -right);
-    two_sum(difference, error + (left_error - right_error) + more)
+    (difference, error + (left_error - right_error) + more)
 }
 
 /// Returns `a b - c d` by Kahan's algorithm.

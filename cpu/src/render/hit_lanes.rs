@@ -182,11 +182,7 @@ impl<V: SimdF64> HitLanes<V> {
         let side = exact::cylinder::SideLanes::new(&lanes_record, view, ray, exact::cylinder_parts::is_long(record));
         // For most groups of rays the side alone decides, so the caps need no test.
         let needs_caps = V::bits(side.open) & valid != 0;
-        let lanes = if needs_caps {
-            side.with_caps(&lanes_record, ray, &exact::cylinder::PlainPlanes)
-        } else {
-            side.without_caps()
-        };
+        let lanes = if needs_caps { side.with_caps(&lanes_record, ray) } else { side.without_caps() };
         let over = V::select(lanes.top, CylinderPart::Top.number(), CylinderPart::Side.number());
         let mut hits = (lanes.lambda, V::select(lanes.bottom, CylinderPart::Bottom.number(), over));
         let certain = lanes.certain & in_scale(a);

@@ -1,33 +1,16 @@
 // The hit of ray and cylinder by formulas in which less cancels; twin of cpu/src/exact/cylinder_compensated.rs.
 
-// squares_of_component: `q^2 - (r v)^2` with its rounding error, and `q^2 + (r v)^2`.
-struct ComponentSquares {
-    difference: real,
-    error: real,
-    sum: real,
-}
-
-// squares_of_component: returns the squares for a component `v` of the axis. `rest` is the error of `q`.
-fn exact_squares_of_component(q: real, rest: real, radius: real, v: real) -> ComponentSquares {
-    let rim = exact_two_product(radius, v);
-    let inner = exact_two_product(q, q);
-    let outer = exact_two_product(rim.sum, rim.sum);
-    let difference = exact_two_sum(inner.sum, -outer.sum);
-    let half = q * rest - rim.sum * rim.error;
-    let error = difference.error + (inner.error - outer.error) + (half + half);
-    return ComponentSquares(difference.sum, error, inner.sum + outer.sum);
-}
-
-// difference_of_squares: returns `|q|^2 - r^2 V.V`, nearly as accurate as if it were rounded once, and
-// `|q|^2 + r^2 V.V`.
-fn exact_cylinder_squares(q: ExactVector, axis: vec3<real>, radius: real) -> SquareTerms {
-    let x = exact_squares_of_component(q.rounded.x, q.error.x, radius, axis.x);
-    let y = exact_squares_of_component(q.rounded.y, q.error.y, radius, axis.y);
-    let z = exact_squares_of_component(q.rounded.z, q.error.z, radius, axis.z);
-    let first = exact_two_sum(x.difference, y.difference);
-    let second = exact_two_sum(first.sum, z.difference);
-    let rest = (first.error + second.error) + (x.error + y.error + z.error);
-    return SquareTerms(second.sum + rest, x.sum + y.sum + z.sum);
+// rim: returns `r^2 V.V` with a rounding error.
+fn exact_rim(radius: real, axis: vec3<real>) -> ExactSum {
+    let rr = exact_two_product(radius, radius);
+    let xx = exact_two_product(axis.x, axis.x);
+    let yy = exact_two_product(axis.y, axis.y);
+    let zz = exact_two_product(axis.z, axis.z);
+    let first = exact_two_sum(xx.sum, yy.sum);
+    let second = exact_two_sum(first.sum, zz.sum);
+    let product = exact_two_product(rr.sum, second.sum);
+    let sum_error = (first.error + second.error) + (xx.error + yy.error + zz.error);
+    return ExactSum(product.sum, product.error + (rr.sum * sum_error + rr.error * second.sum));
 }
 
 // Terms: the quadratic of a ray and the side, the discriminant by Lagrange's identity, and `O - C`.
@@ -42,19 +25,20 @@ struct ExactSideTerms {
 fn exact_side_terms(cylinder: CylinderRecord, axis: vec3<real>, ray: Ray) -> ExactSideTerms {
     let difference = exact_difference(ray.origin, cylinder.center);
     let from_center = difference.rounded;
-    let q = exact_cross_with_error(difference, axis);
+    let parts = exact_cross_with_error(difference, axis);
+    let q = parts.rounded + parts.error;
     let p = exact_cross(ray.direction, axis);
     let axis_squared = vec3_dot(axis, axis);
     let distance_squared = vec3_dot(from_center, from_center);
     let a = vec3_dot(p, p);
-    let squares = exact_cylinder_squares(q, axis, cylinder.radius);
+    let squares = exact_difference_of_squares(parts, exact_rim(cylinder.radius, axis));
     let far = distance_squared * axis_squared;
     let terms_of_h = sqrt(a * (squares.sum + far * real(8.077935669463161e-28)));
     let aside = vec3_dot(from_center, p) + vec3_dot(difference.error, p);
     let of_radius = a * cylinder.radius_squared;
     let reach = a * distance_squared;
     let size = of_radius + (abs(aside) * sqrt(reach) + reach * real(2.220446049250313e-16));
-    let h = -vec3_dot(q.rounded, p);
+    let h = -vec3_dot(q, p);
     let terms_of_c = squares.sum + far * real(4.0);
     return ExactSideTerms(
         CompensatedQuadratic(a, h, squares.difference, terms_of_c, terms_of_h),
@@ -131,23 +115,26 @@ fn exact_plane_compensated(
 
 // cylinder::compensated: returns the hit, if rounding certainly has not changed it. `axis` is that of the scene file.
 fn exact_cylinder_compensated(cylinder: CylinderRecord, axis: vec3<real>, ray: Ray) -> Decision {
-    let side = exact_side_new(cylinder, ray);
-    if !exact_in_scale(side.length_squared) {
+    if !exact_in_scale(vec3_dot(ray.direction, ray.direction)) {
         return decision_uncertain();
     }
-    // Many rays are uncertain only because of a cap, but few rays of a long cylinder are.
-    var decision = exact_cylinder_without_caps(exact_side_crossings(side, cylinder, ray));
-    if exact_is_long(cylinder) || !decision.decision.certain {
-        let terms = exact_side_terms(cylinder, axis, ray);
-        decision = exact_cylinder_without_caps(exact_crossings(terms, cylinder, ray));
-    }
-    if !decision.needs_caps {
-        return decision.decision;
-    }
-    let down = side.slope < real(0.0);
+    let down = vec3_dot(ray.direction, cylinder.axis) < real(0.0);
     let near = select(cylinder.bottom, cylinder.top, down);
     let far = select(cylinder.top, cylinder.bottom, down);
     let facing = exact_plane_compensated(cylinder, axis, ray, near, down);
     let other = exact_plane_compensated(cylinder, axis, ray, far, !down);
-    return exact_cylinder_with_caps(cylinder, ray, decision.decision, facing, other, down);
+    // Most rays from inside a wide cylinder are uncertain only because of a cap.
+    let view = cylinder_seen_from(cylinder, ray.origin);
+    if !exact_is_long(cylinder) && exact_is_inside(view.c, exact_squares(cylinder, ray.origin)) {
+        let decision = exact_cylinder_with_caps(cylinder, ray, decision_uncertain(), facing, other, down);
+        if decision.certain {
+            return decision;
+        }
+    }
+    let terms = exact_side_terms(cylinder, axis, ray);
+    let side = exact_cylinder_without_caps(exact_crossings(terms, cylinder, ray), false);
+    if !side.needs_caps {
+        return side.decision;
+    }
+    return exact_cylinder_with_caps(cylinder, ray, side.decision, facing, other, down);
 }

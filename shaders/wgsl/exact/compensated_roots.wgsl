@@ -36,6 +36,22 @@ struct CompensatedRoots {
     large_fails: bool,
 }
 
+// difference_of_squares: returns `|q|^2 - s`, nearly as accurate as if it were rounded once, and `|q|^2 + s`. `q` and
+// `s` are given rounded, each with its error.
+fn exact_difference_of_squares(q: ExactVector, s: ExactSum) -> SquareTerms {
+    let v = q.rounded;
+    let xx = exact_two_product(v.x, v.x);
+    let yy = exact_two_product(v.y, v.y);
+    let zz = exact_two_product(v.z, v.z);
+    let first = exact_two_sum(xx.sum, yy.sum);
+    let second = exact_two_sum(zz.sum, -s.sum);
+    let difference = exact_two_sum(first.sum, second.sum);
+    let across = exact_mul_add(v.x, q.error.x, exact_mul_add(v.y, q.error.y, v.z * q.error.z));
+    let of_squares = (xx.error + yy.error) + (zz.error - s.error);
+    let error = (first.error + second.error + difference.error) + of_squares + (across + across);
+    return SquareTerms(difference.sum + error, (xx.sum + yy.sum) + (zz.sum + s.sum));
+}
+
 // Quadratic::near: returns `h^2 - a c`. The bound of the error of `c` is 64 times 2^-53 of its terms.
 fn compensated_near(quadratic: CompensatedQuadratic) -> CompensatedDiscriminant {
     let lost = quadratic.terms_of_c * real(7.105427357601002e-15);
@@ -58,16 +74,18 @@ fn compensated_roots(quadratic: CompensatedQuadratic, discriminant: CompensatedD
     let root_is_accurate = error < discriminant.value && size < root * w * real(4096.0);
     let error_of_c = quadratic.terms_of_c * real(7.888609052210118e-31) + ERROR_UNDERFLOW;
     let c_is_accurate = error_of_c * real(2199023255552.0) < c;
-    let sign = h * quadratic.c;
+    // A zero `h` counts as positive: a ray from the middle has two roots of the same size.
+    let backward = h < zero;
+    let signed_c = select(quadratic.c, -quadratic.c, backward);
     return CompensatedRoots(
         w,
         (size / root + quadratic.terms_of_h) / w,
         error_of_c,
         error < -discriminant.value,
         h_is_accurate && root_is_accurate && size < ERROR_OVERFLOW,
-        c_is_accurate && zero < sign,
-        (c_is_accurate && sign < zero) || c + error_of_c < w * limits.least,
-        h < zero || w < quadratic.a * limits.least,
+        c_is_accurate && zero < signed_c,
+        (c_is_accurate && signed_c < zero) || c + error_of_c < w * limits.least,
+        backward || w < quadratic.a * limits.least,
     );
 }
 

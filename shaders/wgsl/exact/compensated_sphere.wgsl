@@ -1,22 +1,5 @@
 // The hit of ray and sphere by formulas in which less cancels; twin of cpu/src/exact/sphere_compensated.rs.
 
-// difference_of_squares: returns `|C - O|^2 - r^2`, nearly as accurate as if it were rounded once, and
-// `|C - O|^2 + r^2`. `r_c` is `C - O` with its rounding error.
-fn exact_square_terms(r_c: ExactVector, radius: real) -> SquareTerms {
-    let v = r_c.rounded;
-    let xx = exact_two_product(v.x, v.x);
-    let yy = exact_two_product(v.y, v.y);
-    let zz = exact_two_product(v.z, v.z);
-    let rr = exact_two_product(radius, radius);
-    let first = exact_two_sum(xx.sum, yy.sum);
-    let second = exact_two_sum(first.sum, zz.sum);
-    let third = exact_two_sum(second.sum, -rr.sum);
-    let across = exact_mul_add(v.x, r_c.error.x, exact_mul_add(v.y, r_c.error.y, v.z * r_c.error.z));
-    let sums = first.error + second.error + third.error;
-    let products = (xx.error + yy.error) + (zz.error - rr.error);
-    return SquareTerms(third.sum + (sums + products + (across + across)), second.sum + rr.sum);
-}
-
 // Terms: the terms of a ray and a sphere from which both discriminants are computed.
 struct ExactTerms {
     direction: vec3<real>,
@@ -29,7 +12,7 @@ struct ExactTerms {
 fn exact_terms(sphere: SphereRecord, ray: Ray) -> ExactTerms {
     let a = vec3_dot(ray.direction, ray.direction);
     let r_c = exact_difference(sphere.center, ray.origin);
-    let squares = exact_square_terms(r_c, sphere.radius);
+    let squares = exact_difference_of_squares(r_c, exact_two_product(sphere.radius, sphere.radius));
     let h = vec3_dot(ray.direction, r_c.rounded);
     let quadratic = CompensatedQuadratic(a, h, squares.difference, squares.sum, sqrt(a * squares.sum));
     return ExactTerms(ray.direction, r_c, sphere.radius_squared, quadratic);
@@ -60,7 +43,7 @@ fn exact_terms_hit(terms: ExactTerms, discriminant: CompensatedDiscriminant) -> 
         return decision_hit(small, SIDE);
     }
     let large = roots.w / quadratic.a;
-    if roots.accurate && roots.small_fails && real(0.0) < quadratic.h && compensated_is_in_range(large) {
+    if roots.accurate && roots.small_fails && real(0.0) <= quadratic.h && compensated_is_in_range(large) {
         return decision_hit(large, SIDE);
     }
     return decision_uncertain();

@@ -1,14 +1,15 @@
 // The plain formulas of ray and cylinder with their error bounds; twin of cpu/src/exact/cylinder.rs.
 
 // What the side alone decides. If the caps are needed, the decision is the hit where the ray leaves the side, or a
-// miss.
+// miss. It is uncertain if only a hit with a cap is certain.
 struct ExactWithoutCaps {
     needs_caps: bool,
     decision: Decision,
 }
 
-// The part of cylinder::filtered and of SideLanes::without_caps that follows the crossings.
-fn exact_cylinder_without_caps(crossings: ExactCrossings) -> ExactWithoutCaps {
+// decide: returns what the crossings decide. `inside` tells whether the ray certainly starts inside the infinite
+// cylinder.
+fn exact_cylinder_without_caps(crossings: ExactCrossings, inside: bool) -> ExactWithoutCaps {
     let entry = crossings.entry;
     let leaving = crossings.leaving;
     if crossings.misses {
@@ -20,11 +21,12 @@ fn exact_cylinder_without_caps(crossings: ExactCrossings) -> ExactWithoutCaps {
     if entry.hits {
         return ExactWithoutCaps(false, decision_hit(entry.lambda, SIDE));
     }
-    if !(exact_crossing_fails(entry) && (leaving.hits || exact_crossing_fails(leaving))) {
-        return ExactWithoutCaps(false, decision_uncertain());
-    }
-    if exact_crossing_passes_by(entry, leaving) {
+    let fails = exact_crossing_fails(entry);
+    if fails && exact_crossing_passes_by(entry, leaving) {
         return ExactWithoutCaps(false, decision_miss());
+    }
+    if !(fails && (leaving.hits || exact_crossing_fails(leaving))) {
+        return ExactWithoutCaps(inside, decision_uncertain());
     }
     if leaving.hits {
         return ExactWithoutCaps(true, decision_hit(leaving.lambda, SIDE));
@@ -32,8 +34,9 @@ fn exact_cylinder_without_caps(crossings: ExactCrossings) -> ExactWithoutCaps {
     return ExactWithoutCaps(true, decision_miss());
 }
 
-// The end of cylinder::filtered and of SideLanes::with_caps. The cap that faces the ray is hit first. The other cap
-// counts only if nothing else is hit. `leaving` is the hit where the ray leaves the side, or a miss.
+// with_caps: returns the closest hit with a cap or with the side. The cap that faces the ray is hit first. The other
+// cap counts only if nothing else is hit. `leaving` is the hit where the ray leaves the side, or a miss. If it is
+// uncertain, only a hit with a cap is certain.
 fn exact_cylinder_with_caps(
     cylinder: CylinderRecord,
     ray: Ray,
@@ -49,7 +52,11 @@ fn exact_cylinder_with_caps(
     if leaving.some {
         return leaving;
     }
-    return exact_cap_filtered(cylinder, ray, other, select(TOP, BOTTOM, down));
+    let last = exact_cap_filtered(cylinder, ray, other, select(TOP, BOTTOM, down));
+    if last.certain && !last.some {
+        return leaving;
+    }
+    return last;
 }
 
 // cylinder::filtered: returns the hit, if rounding certainly has not changed it.
@@ -58,7 +65,7 @@ fn exact_cylinder_filtered(cylinder: CylinderRecord, ray: Ray) -> Decision {
     if !exact_in_scale(side.length_squared) {
         return decision_uncertain();
     }
-    let decision = exact_cylinder_without_caps(exact_side_crossings(side, cylinder, ray));
+    let decision = exact_cylinder_without_caps(exact_side_crossings(side, cylinder, ray), side.inside);
     if !decision.needs_caps {
         return decision.decision;
     }

@@ -34,6 +34,17 @@ fn exact_is_long(cylinder: CylinderRecord) -> bool {
     return cylinder.radius * real(8.0) < cylinder.half_height;
 }
 
+// is_inside: returns whether the ray certainly starts inside the infinite cylinder.
+fn exact_is_inside(c: real, squares: real) -> bool {
+    return error_bound_misses(error_bound_of_size(exact_cylinder_limits(), squares), c);
+}
+
+// Returns `|O - C|^2 + r^2`.
+fn exact_squares(cylinder: CylinderRecord, origin: vec3<real>) -> real {
+    let from_center = origin - cylinder.center;
+    return vec3_dot(from_center, from_center) + cylinder.radius_squared;
+}
+
 // size: returns the size of the terms that cancel in the discriminant. `squares` is the square of the distance from the
 // ray's origin to the centre plus that of the radius. The share is 2^-44.
 fn exact_side_size(cylinder: CylinderRecord, c: real, squares: real, a: real, length_squared: real) -> real {
@@ -50,6 +61,8 @@ fn exact_side_size(cylinder: CylinderRecord, c: real, squares: real, a: real, le
 struct ExactSide {
     bound: ErrorBound,
     length_squared: real,
+    // The ray certainly starts inside the infinite cylinder.
+    inside: bool,
     a: real,
     a_is_accurate: bool,
     h: real,
@@ -65,7 +78,8 @@ fn exact_side_new(cylinder: CylinderRecord, ray: Ray) -> ExactSide {
     let view = cylinder_seen_from(cylinder, ray.origin);
     let quadratic = cylinder_quadratic(cylinder, view, ray.direction);
     let length_squared = vec3_dot(ray.direction, ray.direction);
-    let squares = vec3_dot(from_center, from_center) + cylinder.radius_squared;
+    let squares = exact_squares(cylinder, ray.origin);
+    let inside = exact_is_inside(view.c, squares);
     let size = exact_side_size(cylinder, view.c, squares, quadratic.a, length_squared);
     let bound = error_bound_of_size(exact_cylinder_limits(), size);
     let along = vec3_dot(from_center, cylinder.axis);
@@ -73,7 +87,8 @@ fn exact_side_new(cylinder: CylinderRecord, ray: Ray) -> ExactSide {
     // The limit of `a` is 4 * 65,536^2.
     let a_is_accurate = length_squared <= quadratic.a * real(17179869184.0);
     let discriminant = quadratic.discriminant;
-    return ExactSide(bound, length_squared, quadratic.a, a_is_accurate, quadratic.h, discriminant, along, slope);
+    let a = quadratic.a;
+    return ExactSide(bound, length_squared, inside, a, a_is_accurate, quadratic.h, discriminant, along, slope);
 }
 
 // Crossing: what is certain about a point where the line crosses the infinite cylinder.

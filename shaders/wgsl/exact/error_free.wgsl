@@ -82,15 +82,15 @@ fn exact_cross(a: vec3<real>, b: vec3<real>) -> vec3<real> {
     );
 }
 
-// difference_with_error: returns `a b - c d + more`, rounded, and its rounding error.
+// difference_with_error: returns `a b - c d + more` in two parts.
 fn exact_difference_with_error(a: real, b: real, c: real, d: real, more: real) -> ExactSum {
     let left = exact_two_product(a, b);
     let right = exact_two_product(c, d);
     let difference = exact_two_sum(left.sum, -right.sum);
-    return exact_two_sum(difference.sum, difference.error + (left.error - right.error) + more);
+    return ExactSum(difference.sum, difference.error + (left.error - right.error) + more);
 }
 
-// cross_with_error: returns the cross product of `a` with its rounding error and `b`, rounded, and its rounding error.
+// cross_with_error: returns the cross product of `a` with its rounding error and `b`, in two parts.
 fn exact_cross_with_error(a: ExactVector, b: vec3<real>) -> ExactVector {
     let v = a.rounded;
     let more = exact_cross(a.error, b);

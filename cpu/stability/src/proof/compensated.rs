@@ -224,11 +224,13 @@ fn side() -> (impl Fn() -> cylinder_compensated::Terms<Bounded>, [Polynomial; 2]
     known.push((difference(&sum(&inner), &rim), length(CANCELS)));
     let mut signed = Signed::new(&inputs, &known);
     let (q, rest) = cross_with_error((from_center, rounded_off), axis);
-    for ((number, rest), known) in q.to_array().into_iter().zip(rest.to_array()).zip(&known) {
+    let wholes = (q + rest).to_array();
+    for (((number, rest), whole), known) in q.to_array().into_iter().zip(rest.to_array()).zip(wholes).zip(&known) {
         assume_known(&mut signed, number, known);
-        // The rounding error of the number is known before the number has another name.
+        // The second part is known before the first one has another name.
         _ = signed.of(rest);
         signed.rename(number, &known.1);
+        assume_known(&mut signed, whole, &(known.1.clone(), known.1.clone()));
     }
     for (axis, number) in (0..).zip(cross(ray.direction, axis).to_array()) {
         number.assume_relative(component(DIRECTION_CROSS, axis), 2.0);

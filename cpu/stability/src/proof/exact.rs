@@ -40,6 +40,7 @@ pub fn rows() -> Vec<Row> {
         let named = names.into_iter().zip(margins);
         rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
     }
+    rows.push(inside());
     rows.extend(long_cylinder(cylinder.a));
     let (of_sphere, sphere_h) = compensated::sphere_rows();
     let (of_side, [side_a, side_h]) = compensated::side_rows();
@@ -77,6 +78,18 @@ pub fn rows() -> Vec<Row> {
     }
     rows.extend(of_parts);
     rows
+}
+
+/// Returns the row of `c`, which shows that a ray starts inside an infinite cylinder.
+fn inside() -> Row {
+    let margin = cylinder_parts::LIMITS.error_constant * U;
+    begin(Arithmetic::F64, margin);
+    let [_, _, c, _] = cylinder(false);
+    let pairs = compared();
+    let [error, _] = pairs.iter().find(|pair| pair[1] == -c).expect("the code compares it");
+    let size = squared(TO_CENTER).plus(&squared(RADIUS));
+    let (constant, need) = (added(*error, &size, margin, U), IN_SCALE.relative(&c.bounds().error, &size, margin));
+    Row { what: "c of a cylinder", file: "exact/cylinder_parts.rs", constant, need, unit: "u (q + R^2)" }
 }
 
 /// The family of `S`; see [`long_cylinder`].

@@ -184,8 +184,8 @@ fn height(of_side: f64) -> [[f64; 2]; 2] {
             accepted(numerator / a, of_side);
         }
         _ = SideLanes::new(&record, &view, &ray, false);
-        // Five comparisons of the root come before those of the height, at the entry and at the exit.
-        let ([[along, within], _, [beyond, _]], exit) = (first(5), first::<3>(14));
+        // The comparison of `c` and five of the root come before those of the height, at the entry and at the exit.
+        let ([[along, within], _, [beyond, _]], exit) = (first(6), first::<3>(15));
         let error = along.bounds().error.plus(&within.bounds().error);
         (vec![within, beyond, exit[0][1], exit[2][0]], error)
     })

@@ -1,7 +1,7 @@
 //! Tests that rays in lanes get the answers that each ray gets alone, and that certain answers are those of the plain
 //! formulas.
 
-use cpu::internals::exact::{cylinder::PlainPlanes, cylinder_parts::is_long};
+use cpu::internals::exact::cylinder_parts::is_long;
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::simd::{Simd, SimdF64};
 
@@ -43,7 +43,7 @@ fn filtered_in_lanes(cases: [Case; LANES], is_long: bool) -> [Decision<Found>; L
     } else {
         let record = CylinderRecord::new(center, radius, vectors(parts.map(|(_, axis)| axis)));
         let side = exact::cylinder::SideLanes::new(&record, &record.seen_from(ray.origin), &ray, is_long);
-        let hits = side.with_caps(&record, &ray, &PlainPlanes);
+        let hits = side.with_caps(&record, &ray);
         (hits.lambda, hits.certain, hits.bottom, hits.top)
     };
     let mut lambdas = [0.0; LANES];

@@ -37,6 +37,8 @@ mutants! {
     ;
     "exact/compensated_roots":
         "quadratic.h * quadratic.h - quadratic.a" => "quadratic.h * quadratic.h + quadratic.a",
+        "(zz.error - s.error)" => "zz.error",
+        "second.error + difference.error) + of_squares" => "second.error + difference.error)",
         "(abs(quadratic.c) + lost)" => "abs(quadratic.c)",
         "abs(h) + root" => "abs(h) - root",
         "quadratic.terms_of_h < w * real(4096.0)" => "true",
@@ -45,14 +47,12 @@ mutants! {
         "error_of_c * real(2199023255552.0) < c" => "true",
         "(size / root + quadratic.terms_of_h)" => "(size / root)",
         "error < -discriminant.value" => "real(0.0) < -discriminant.value",
-        "zero < sign" => "zero < h",
+        "zero < signed_c" => "zero < h",
         "c + error_of_c < w * limits.least" => "false",
-        "h < zero || w" => "zero < h || w",
+        "let backward = h < zero" => "let backward = zero < h",
         "exact_sphere_limits().most <= lambda" => "true",
     ;
     "exact/compensated_sphere":
-        "(zz.error - rr.error)" => "zz.error",
-        "sums + products" => "products",
         "+ exact_cross(terms.r_c.error, terms.direction)" => "",
         "of_radius - of_distance" => "of_radius + of_distance",
         "if near.certain" => "if false",
@@ -69,6 +69,7 @@ mutants! {
         "accurate && beyond < -along" => "accurate && beyond < along",
         "crossing.behind || crossing.above" => "crossing.above",
         "cylinder.radius * real(8.0) < cylinder.half_height" => "false",
+        "error_bound_misses(error_bound_of_size(exact_cylinder_limits(), squares), c)" => "c < real(0.0)",
         "c + cylinder.radius_squared + cylinder.radius_squared" => "c + cylinder.radius_squared",
         "(length_squared * across + a * squares)" => "(length_squared * across)",
         "whole * real(5.684341886080802e-14)" => "whole",
@@ -87,18 +88,22 @@ mutants! {
     "exact/cylinder":
         "entry.behind && leaving.straight" => "leaving.straight",
         "if crossings.misses" => "if false",
+        "ExactWithoutCaps(inside, decision_uncertain())" => "ExactWithoutCaps(true, decision_uncertain())",
+        "ExactWithoutCaps(inside, decision_uncertain())" => "ExactWithoutCaps(false, decision_uncertain())",
+        "if last.certain && !last.some" => "if false",
         "cylinder.center - along" => "cylinder.center + along * real(2.0)",
         "select(BOTTOM, TOP, down)" => "select(TOP, BOTTOM, down)",
         "!first.certain || first.some" => "first.some",
     ;
     "exact/compensated_cylinder":
-        "q * rest - rim.sum * rim.error" => "q * rest",
-        "(inner.error - outer.error)" => "inner.error",
-        "(first.error + second.error) + (x.error" => "(x.error",
+        "rr.sum * sum_error + rr.error * second.sum" => "rr.sum * sum_error",
+        "product.error + (" => "(",
+        "(first.error + second.error) + (xx.error" => "(xx.error",
+        "parts.rounded + parts.error" => "parts.rounded",
         "far * real(8.077935669463161e-28)" => "far",
         "+ vec3_dot(difference.error, p)" => "",
         "abs(aside) * sqrt(reach)" => "abs(aside)",
-        "-vec3_dot(q.rounded, p)" => "vec3_dot(q.rounded, p)",
+        "-vec3_dot(q, p)" => "vec3_dot(q, p)",
         "far * real(4.0)" => "far * real(1e30)",
         "(of_radius - aside * aside)" => "(of_radius + aside * aside)",
         "!(discriminant.size < terms.far.size)" => "terms.far.size < real(0.0)",
@@ -113,8 +118,8 @@ mutants! {
         "/ (cylinder.half_height * real(4.0))" => "/ (cylinder.half_height * real(2.0))",
         "real(9.094947017729282e-13)" => "real(1.0)",
         "of_distance + of_slope" => "of_distance",
-        "exact_is_long(cylinder) ||" => "false ||",
-        "exact_is_long(cylinder) || !decision.decision.certain" => "exact_is_long(cylinder)",
+        "if !exact_is_long(cylinder) && exact_is_inside" => "if exact_is_inside",
+        "!exact_is_long(cylinder) && exact_is_inside(view.c, exact_squares(cylinder, ray.origin))" => "true",
         "select(cylinder.bottom, cylinder.top, down)" => "select(cylinder.top, cylinder.bottom, down)",
     ;
     "exact/order":
