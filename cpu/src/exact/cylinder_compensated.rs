@@ -124,6 +124,11 @@ impl SideFormulas<f64> for CompensatedSide<'_> {
     }
 
     #[inline(always)]
+    fn is_accurate(&self) -> bool {
+        self.roots.accurate
+    }
+
+    #[inline(always)]
     fn inside(&self) -> bool {
         // Rays from inside have been decided by the caps, if they decide alone.
         false

@@ -17,6 +17,8 @@ pub(super) type Hit<T> = Option<(T, CylinderPart)>;
 pub(super) trait SideFormulas<T: Rounding> {
     /// Whether the line certainly misses the infinite cylinder.
     fn misses(&self) -> bool;
+    /// Whether the crossings can be certain. If not, neither hits nor fails.
+    fn is_accurate(&self) -> bool;
     /// Whether the ray certainly starts inside.
     fn inside(&self) -> bool;
     /// Whether the [entry](Self::entry) certainly is behind. This is cheaper than the entry.
@@ -48,6 +50,11 @@ impl<T: Rounding<Mask = bool>> SideFormulas<T> for PlainSide<'_, T> {
     #[inline(always)]
     fn misses(&self) -> bool {
         self.side.bound.misses(self.side.discriminant)
+    }
+
+    #[inline(always)]
+    fn is_accurate(&self) -> bool {
+        self.side.a_is_accurate
     }
 
     #[inline(always)]
@@ -101,6 +108,9 @@ pub(super) fn decide<T: Rounding<Mask = bool>>(
     if side.misses() {
         return Decision::Certain(None);
     }
+    if !side.is_accurate() {
+        return caps_alone(record, ray, side, caps);
+    }
     if side.enters_behind() {
         let exit = side.exit();
         if exit.straight {
@@ -112,18 +122,24 @@ pub(super) fn decide<T: Rounding<Mask = bool>>(
         return Decision::Certain(Some((entry.lambda, CylinderPart::Side)));
     }
     let exit = side.exit();
-    let is_certain = entry.fails() && (exit.hits || exit.fails());
-    if entry.fails() && entry.passes_by(&exit) {
+    if !(entry.fails() && (exit.hits || exit.fails())) {
+        return caps_alone(record, ray, side, caps);
+    }
+    if entry.passes_by(&exit) {
         return Decision::Certain(None);
     }
-    let leaving = if is_certain {
-        Decision::Certain(exit.hits.then_some((exit.lambda, CylinderPart::Side)))
-    } else if side.inside() {
-        Decision::Uncertain
-    } else {
-        return Decision::Uncertain;
-    };
-    with_caps(record, ray, caps, leaving)
+    with_caps(record, ray, caps, Decision::Certain(exit.hits.then_some((exit.lambda, CylinderPart::Side))))
+}
+
+/// Returns the hit if the caps decide it alone, although it is uncertain where the ray crosses the side.
+#[inline(always)]
+fn caps_alone<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    side: &impl SideFormulas<T>,
+    caps: &impl CapFormulas<T>,
+) -> Decision<Hit<T>> {
+    if side.inside() { with_caps(record, ray, caps, Decision::Uncertain) } else { Decision::Uncertain }
 }
 
 /// Returns the closest hit with a cap or with the side. `leaving` is the hit where the ray leaves the side, or a miss.
