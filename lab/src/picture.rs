@@ -128,6 +128,9 @@ const PIECE: usize = 1 << 16;
 
 const NEITHER: &str = "neither PPM (P3 or P6) nor PNG";
 
+const CR_LF: &str = "the header of this P6 ends in CR LF, as the text mode of Windows writes it, and one byte belongs \
+                     there; write the file again in binary mode, with LF in the header, or as P3";
+
 /// Reads all bytes of a file that begins like a picture. Any other file, such as `/dev/zero`, is refused after four
 /// bytes, because it may have no end.
 fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
@@ -210,6 +213,9 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
         };
         let (colors, tail) = data.as_chunks::<3>();
         if colors.len() != count || !tail.is_empty() {
+            if rest.starts_with(b"\r\n") && data.len() > 3 * count {
+                return Err(CR_LF.to_owned());
+            }
             return Err(format!("{} bytes of pixels where {width} x {height} are announced", data.len()));
         }
         pixels = with_room(count)?;
@@ -235,7 +241,7 @@ fn number(rest: &mut &[u8]) -> Result<usize, String> {
     let before = rest.len();
     *rest = rest.trim_ascii_start();
     while rest.first() == Some(&b'#') {
-        let end = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+        let end = rest.iter().position(|byte| b"\r\n".contains(byte)).unwrap_or(rest.len());
         *rest = rest[end..].trim_ascii_start();
     }
     let length = rest.iter().position(|byte| !byte.is_ascii_digit()).unwrap_or(rest.len());

@@ -14,7 +14,8 @@ fn all_formats_hold_the_same_picture() {
     sample().write_png(&mut png).expect("memory takes all bytes");
     let raw = b"P6 2 2 255\n\0\0\0\x01\x02\x03\xff\xff\xff\x0a\x14\x1e";
     let free = b"P3 # made by hand\n2\t2 # size\n255 0 0 0 1 2 3\n\n255 255 255 10 20 30";
-    for bytes in [TEXT, &png, raw, free] {
+    let cr = b"P3 # ends in CR\r2 2\r255 # too\r0 0 0 1 2 3 255 255 255 10 20 30\r";
+    for bytes in [TEXT, &png, raw, free, cr] {
         assert_eq!(Picture::parse(bytes), Ok(sample()));
     }
 }
@@ -45,6 +46,10 @@ fn damaged_pictures_are_refused() {
     ];
     for bytes in texts {
         assert!(Picture::parse(bytes).is_err(), "{}", bytes.escape_ascii());
+    }
+    for crlf in [&b"P6\r\n1 1\r\n255\r\n\x01\x02\x03"[..], b"P6 1 1 255\r\n\x01\r\n\x03"] {
+        let message = Picture::parse(crlf).expect_err("netpbm would shift the pixels");
+        assert!(message.contains("ends in CR LF") && message.contains("binary mode"), "{message}");
     }
     assert!(Picture::parse(b"P3 99999999999 9999999 255 0").is_err(), "a size that lies takes no memory");
     assert!(Picture::parse(b"\x89PNG\r\n\x1a\nrest").is_err());

@@ -47,7 +47,7 @@ fn number(bytes: &[u8], at: &mut usize) -> Option<usize> {
     loop {
         match bytes.get(*at)? {
             b'#' => {
-                while *at < bytes.len() && bytes[*at] != b'\n' {
+                while *at < bytes.len() && !matches!(bytes[*at], b'\r' | b'\n') {
                     *at += 1;
                 }
             }
