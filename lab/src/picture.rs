@@ -11,6 +11,7 @@ use std::path::Path;
 use cpu::internals::input::reader::Input;
 use cpu::{Error, Image, Rgb, Size};
 
+use crate::format::unseen;
 use crate::{Failure, terminal};
 
 /// Largest size of a file that is read, in bytes. A P3 file of [`MAX_PIXELS`] pixels without comments is smaller: it
@@ -55,7 +56,7 @@ impl Picture {
         match bytes {
             [0x89, b'P', b'N', b'G', ..] => from_png(bytes),
             [b'P', b'3' | b'6', ..] => from_ppm(bytes),
-            _ => Err(NEITHER.to_owned()),
+            _ => Err(neither(bytes)),
         }
     }
 
@@ -126,7 +127,12 @@ impl Picture {
 /// Number of bytes of the compressed picture that are written at once.
 const PIECE: usize = 1 << 16;
 
-const NEITHER: &str = "neither PPM (P3 or P6) nor PNG";
+/// Returns the message for a file that begins with `bytes` and not as a picture does.
+fn neither(bytes: &[u8]) -> String {
+    let mark = unseen::find(bytes).filter(|unseen| unseen.span.start == 0 && unseen.character == '\u{feff}');
+    let cause = mark.map(|mark| format!(": it begins with {}; {}", mark.what[0], mark.remedy[0]));
+    format!("neither PPM (P3 or P6) nor PNG{}", cause.unwrap_or_default())
+}
 
 const CR_LF: &str = "the header of this P6 ends in CR LF, as the text mode of Windows writes it, and one byte belongs \
                      there; write the file again in binary mode, with LF in the header, or as P3";
@@ -141,7 +147,7 @@ fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     };
     read(4, &mut bytes)?;
     if !matches!(bytes[..], [0x89, b'P', b'N', b'G', ..] | [b'P', b'3' | b'6', ..]) {
-        return Err(NEITHER.to_owned());
+        return Err(neither(&bytes));
     }
     read(u64::MAX, &mut bytes)?;
     Ok(bytes)

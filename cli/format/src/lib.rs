@@ -2,9 +2,11 @@
 //!
 //! `cpu` decides which values are valid, and these tables explain it. `render-lab help config` and `help scene` print
 //! the tables, the page in `web/site` offers them as completions, and error messages use them to point at the wrong
-//! field ([`place`]). Tests check that the tables agree with the parsers of `cpu`.
+//! field ([`place`]) and to say what to write instead ([`hint`]). Tests check that the tables agree with the parsers of `cpu`.
 
+pub mod hint;
 pub mod place;
+pub mod unseen;
 
 use cpu::internals::input::text;
 
@@ -45,15 +47,15 @@ impl Field {
 
     /// Returns the description of the valid values, for an error message.
     #[must_use]
-    pub const fn wanted(self) -> &'static str {
+    pub const fn wanted(self) -> hint::Words {
         match self {
-            Self::Name => "a name",
-            Self::Count => "a whole number above 0",
-            Self::Real => "a number",
-            Self::Positive => "a number above 0",
-            Self::NotNegative => "a number that is not negative",
-            Self::Share => "a number from 0 to 1",
-            Self::Degrees => "an angle above 0 and below 180 degrees",
+            Self::Name => ["a name", "un nombre"],
+            Self::Count => ["a whole number above 0", "un número entero mayor que 0"],
+            Self::Real => ["a number", "un número"],
+            Self::Positive => ["a number above 0", "un número mayor que 0"],
+            Self::NotNegative => ["a number of at least 0", "un número de al menos 0"],
+            Self::Share => ["a number from 0 to 1", "un número de 0 a 1"],
+            Self::Degrees => ["an angle above 0 and below 180 degrees", "un ángulo mayor que 0 y menor que 180 grados"],
         }
     }
 }

@@ -51,6 +51,8 @@ fn damaged_pictures_are_refused() {
         let message = Picture::parse(crlf).expect_err("netpbm would shift the pixels");
         assert!(message.contains("ends in CR LF") && message.contains("binary mode"), "{message}");
     }
+    let message = Picture::parse(b"\xff\xfeP\x003\0").expect_err("PowerShell has changed it");
+    assert!(message.contains("the byte order mark of UTF-16; save"), "{message}");
     assert!(Picture::parse(b"P3 99999999999 9999999 255 0").is_err(), "a size that lies takes no memory");
     assert!(Picture::parse(b"\x89PNG\r\n\x1a\nrest").is_err());
 }
@@ -132,9 +134,9 @@ fn a_png_of_16_bits_is_refused_before_its_pixels_are_read() {
 
 #[test]
 fn an_endless_file_that_is_no_picture_is_not_read_to_its_end() {
-    assert_eq!(picture_bytes(io::repeat(0)), Err(NEITHER.to_owned()));
+    assert_eq!(picture_bytes(io::repeat(0)), Err(neither(b"")));
     assert_eq!(picture_bytes(&b"P3 x"[..]), Ok(b"P3 x".to_vec()));
-    assert_eq!(picture_bytes(&b"P"[..]), Err(NEITHER.to_owned()));
+    assert_eq!(picture_bytes(&b"P"[..]), Err(neither(b"")));
 }
 
 #[test]

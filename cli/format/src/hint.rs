@@ -1,0 +1,392 @@
+//! Says in plain words what is wrong in a line of an input file, and what to write instead. `render-lab` and the page
+//! print these words. `render-aos` and `render-soa` do not use them: the statement prescribes their messages.
+
+use std::ops::Range;
+
+use cpu::Error;
+use cpu::internals::input::text::{Tokens, parse_real, trim};
+
+use crate::unseen::{self, find};
+use crate::{CONFIG, Field, Line, SCENE, place};
+
+/// The kind of an input file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A configuration.
+    Config,
+    /// A scene.
+    Scene,
+}
+
+/// The language of a hint, with its index in [`Words`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    /// English.
+    #[default]
+    English,
+    /// Spanish.
+    Spanish,
+}
+
+/// A text in English and in Spanish. Each `{}` in it stands for a value.
+pub type Words = [&'static str; 2];
+
+/// What is wrong in a line, where, and what to write instead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hint {
+    /// The wrong bytes of the line. The range is empty where something is missing.
+    pub span: Range<usize>,
+    /// What is wrong.
+    pub problem: String,
+    /// What to do about it.
+    pub remedy: String,
+}
+
+impl Language {
+    /// Returns the text in this language, with `values` in the places of its `{}`.
+    fn say(self, words: Words, values: &[&str]) -> String {
+        let mut values = values.iter();
+        let mut pieces = words[self as usize].split("{}");
+        let first = pieces.next().unwrap_or_default().to_owned();
+        pieces.fold(first, |text, piece| text + values.next().unwrap_or(&"") + piece)
+    }
+}
+
+impl Hint {
+    /// Returns the hint for `error`, which occurred in the line `text` of a file of the kind `kind`. `names` are the
+    /// materials defined above the line. Returns `None` for an error that does not belong to a line.
+    #[must_use]
+    pub fn new(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>], language: Language) -> Option<Self> {
+        let (start, end) = place::span(text, place::wrong_token(error, text)?);
+        // An unseen character may have moved what is missing or too much, so then it is sought in the whole line.
+        let is_extra = matches!(error, Error::ExtraValue { .. } | Error::ExtraParameters { .. });
+        let part = if start == end || is_extra { 0..text.len() } else { start..end };
+        if let Some(unseen) = find(&text[part.clone()]) {
+            let code = format!("U+{:04X}", u32::from(unseen.character));
+            let what = unseen.what[language as usize];
+            let problem = language
+                .say(["{} ({}) stands here, and it is not seen", "aquí hay {} ({}), que no se ve"], &[what, &code]);
+            let span = part.start + unseen.span.start..part.start + unseen.span.end;
+            return Some(Self { span, problem, remedy: unseen.remedy[language as usize].to_owned() });
+        }
+        let (problem, remedy) = Writer { kind, text, names, language }.describe(error)?;
+        Some(Self { span: start..end, problem, remedy })
+    }
+}
+
+/// What a hint is made of.
+struct Writer<'a> {
+    kind: Kind,
+    text: &'a [u8],
+    names: &'a [Vec<u8>],
+    language: Language,
+}
+
+/// Length of the longest line that a hint repeats, in bytes.
+const LONGEST: usize = 200;
+
+const KEY: Words = ["a colon follows the key, and a blank the colon", "tras la clave va «:», y después un espacio"];
+const COMMENT: Words = ["the files have no comments, so leave it out", "los archivos no tienen comentarios; quítelo"];
+const BLANKS: Words = ["separate numbers by blanks alone", "separe los números solo con espacios"];
+
+/// What people often write instead of values, in the order in which it is tried: what to do instead, and a function
+/// that does so in the values of a line.
+const CHANGES: [(Words, fn(&str, &Line) -> String); 7] = [
+    (KEY, |values, _| values.to_owned()),
+    (BLANKS, |values, line| {
+        let is_config = line.fields.iter().all(|field| *field != Field::Name);
+        values.replace(|sign| ",;()[]{}<>\"'".contains(sign) || (is_config && ":/x×".contains(sign)), " ")
+    }),
+    (["write a decimal point, not a comma", "escriba un punto decimal, no una coma"], |values, _| {
+        let tokens = values.split_whitespace().map(|token| token.trim_end_matches([',', ';']).replace(',', "."));
+        tokens.collect::<Vec<_>>().join(" ")
+    }),
+    (
+        ["write digits without separators and exponent", "escriba cifras sin separadores ni exponente"],
+        |values, line| {
+            each(values, line, |field, token| {
+                let groups: Vec<_> = token.split([',', '_', '\'']).collect();
+                let token = Some(groups.concat()).filter(|_| groups.iter().skip(1).all(|group| group.len() == 3))?;
+                let value =
+                    parse_real(token.as_bytes()).filter(|value| field == Field::Count && value.fract() == 0.0)?;
+                Some(format!("{value:.0}"))
+            })
+        },
+    ),
+    (["the minus sign is -", "el signo menos es -"], |values, _| {
+        values.replace(['\u{2010}', '\u{2011}', '–', '—', '−'], "-")
+    }),
+    (["write a number without its unit", "escriba el número sin la unidad"], |values, line| {
+        each(values, line, |_, token| {
+            Some(token.trim_end_matches(|end: char| !end.is_ascii_digit() && end != '.').to_owned())
+        })
+    }),
+    (
+        ["channels go from 0 to 1, so divide those of 0 to 255 by 255", "los canales van de 0 a 1; divida entre 255"],
+        |values, line| {
+            each(values, line, |field, token| match token.parse::<u8>() {
+                Ok(channel) if field == Field::Share => {
+                    Some(format!("{}", (f64::from(channel) / 0.255).round() / 1000.0))
+                }
+                _ => None,
+            })
+        },
+    ),
+];
+
+/// Returns the values of a line after `change`, which gets the field and the token of each number. If it returns
+/// `None`, the token stays.
+fn each(values: &str, line: &Line, change: impl Fn(Field, &str) -> Option<String>) -> String {
+    let fields = line.fields.iter().copied().chain(std::iter::repeat(Field::Name));
+    let changed = values.split_whitespace().zip(fields).map(|(token, field)| {
+        let number = Some(token).filter(|_| field != Field::Name);
+        number.and_then(|token| change(field, token)).unwrap_or_else(|| token.to_owned())
+    });
+    changed.collect::<Vec<_>>().join(" ")
+}
+
+/// Whether `values` are valid values of `line`, except that a material may be unknown.
+fn is_valid(line: &Line, values: &str) -> bool {
+    let tokens: Vec<_> = Tokens::new(values.as_bytes()).collect();
+    tokens.len() == line.fields.len() && line.fields.iter().zip(tokens).all(|(field, token)| field.accepts(token))
+}
+
+impl Writer<'_> {
+    fn say(&self, words: Words, values: &[&str]) -> String {
+        self.language.say(words, values)
+    }
+
+    /// Returns the formats of this kind of file, and those of the other kind.
+    const fn lines(&self) -> [&'static [Line]; 2] {
+        match self.kind {
+            Kind::Config => [&CONFIG, &SCENE],
+            Kind::Scene => [&SCENE, &CONFIG],
+        }
+    }
+
+    /// Returns what is wrong and what to do. Returns `None` for an error that does not belong to a line.
+    fn describe(&self, error: &Error) -> Option<(String, String)> {
+        Some(match error {
+            Error::UnknownKey { key } => (
+                self.say(["there is no configuration key [{}]", "no hay ninguna clave [{}]"], &[&shown(key)]),
+                self.unknown(key),
+            ),
+            Error::UnknownEntity { name } => (
+                self.say(["there is no scene entity [{}]", "no hay ninguna entidad [{}]"], &[&shown(name)]),
+                self.unknown(name),
+            ),
+            Error::InvalidValue { .. } | Error::InvalidParameters { .. } => {
+                let line = place::line_of(error)?;
+                self.about_line(line, self.wrong_field(line))
+            }
+            Error::ExtraValue { .. } | Error::ExtraParameters { .. } => {
+                let line = place::line_of(error)?;
+                let problem = match line.fields.len() {
+                    1 => self.say(["there is more than its value", "hay más que su valor"], &[]),
+                    count => self
+                        .say(["there is more than its {} values", "hay más que sus {} valores"], &[&count.to_string()]),
+                };
+                self.about_line(line, problem)
+            }
+            Error::MaterialExists { name, .. } => {
+                let problem = ["a material [{}] is already defined above", "más arriba ya se define un material [{}]"];
+                (self.say(problem, &[&shown(name)]), self.say(["choose another name", "elija otro nombre"], &[]))
+            }
+            Error::MaterialNotFound { name, .. } => {
+                let problem =
+                    ["no material [{}] is defined above this line", "ningún material [{}] se define más arriba"];
+                (self.say(problem, &[&shown(name)]), self.other_material(name))
+            }
+            _ => return None,
+        })
+    }
+
+    fn other_material(&self, name: &[u8]) -> String {
+        let Some(known) = nearest(name, self.names.iter().map(Vec::as_slice)) else {
+            let define = ["define it on a line above, as in: {}", "defínalo en una línea anterior, como en: {}"];
+            return self.say(define, &["matte: NAME 0.5 0.5 0.5"]);
+        };
+        let mean = self.say(["did you mean [{}]?", "¿quería decir [{}]?"], &[&shown(known)]);
+        let there = ["{} It has {}, which is not seen; correct it there", "{} Tiene {}, que no se ve; corríjalo allí"];
+        find(known).map_or(mean.clone(), |unseen| self.say(there, &[&mean, unseen.what[self.language as usize]]))
+    }
+
+    /// Returns a hint for a line whose first word is unknown.
+    fn unknown(&self, word: &[u8]) -> String {
+        if [&b"#"[..], b"//", b"/*", b";", b"%", b"--"].iter().any(|mark| word.starts_with(mark)) {
+            return self.say(COMMENT, &[]);
+        }
+        let bare = word.strip_suffix(b":").unwrap_or(word);
+        let words = |lines: &'static [Line]| lines.iter().filter_map(|line| line.tag.as_bytes().strip_suffix(b":"));
+        let [own, other] = self.lines();
+        if words(other).any(|known| known == bare) {
+            let order = match self.kind {
+                Kind::Config => [
+                    "this looks like a scene file; the configuration comes first: CONFIG SCENE",
+                    "esto parece una escena; la configuración va en el otro texto",
+                ],
+                Kind::Scene => [
+                    "this looks like a configuration file; it comes before the scene: CONFIG SCENE",
+                    "esto parece una configuración; la escena va en el otro texto",
+                ],
+            };
+            return self.say(order, &[]);
+        }
+        if let Some(line) = self.rewritten(|tag| own.iter().find(|line| line.tag == tag)) {
+            return line;
+        }
+        if words(own).any(|known| known == bare) {
+            return self.say(["a colon follows the word: [{}:]", "tras la palabra va «:»: [{}:]"], &[&shown(bare)]);
+        }
+        match (nearest(bare, words(own)), self.kind) {
+            (Some(known), _) => self.say(["did you mean [{}:]?", "¿quería decir [{}:]?"], &[&shown(known)]),
+            (None, Kind::Config) => self.say(
+                ["render-lab help config lists every key", "render-lab help config muestra todas las claves"],
+                &[],
+            ),
+            (None, Kind::Scene) => self.say(
+                ["render-lab help scene lists every entity", "render-lab help scene muestra todas las entidades"],
+                &[],
+            ),
+        }
+    }
+
+    /// Returns what to do and the line as it would be valid, if one of [`CHANGES`] makes it valid. `find_line` returns
+    /// the format for a tag.
+    fn rewritten(&self, find_line: impl Fn(&str) -> Option<&'static Line>) -> Option<String> {
+        let text = std::str::from_utf8(trim(self.text)).ok().filter(|text| text.len() <= LONGEST)?;
+        let (key, rest) = text.split_at(text.find([':', '=', ' ', '\t'])?);
+        let line = find_line(&format!("{}:", key.trim_matches('"')))?;
+        let rest = rest.trim_start();
+        let rest = rest.strip_prefix([':', '=']).unwrap_or(rest);
+        let values = rest.split('#').next()?.split("//").next()?.trim();
+        let has_comment = values != rest.trim();
+        let tried = CHANGES.iter().map(|(words, change)| (*words, change(values, line)));
+        let (words, values) = tried.into_iter().find(|(_, values)| is_valid(line, values))?;
+        let words = if has_comment && words == KEY { COMMENT } else { words };
+        let valid = values.split_whitespace().fold(line.tag.to_owned(), |line, token| line + " " + token);
+        Some(format!("{}: {valid}", self.say(words, &[]))).filter(|_| valid != text)
+    }
+
+    /// Returns the problem with the tag of its line, and as the remedy a valid line or the line's format.
+    fn about_line(&self, line: &'static Line, problem: String) -> (String, String) {
+        let tokens: Vec<_> = Tokens::new(self.text).skip(1).collect();
+        let numbers = tokens.iter().take_while(|token| parse_real(token).is_some()).count();
+        let needed = line.fields.len() - 1;
+        let (first, last) = (line.fields.first(), line.fields.last());
+        let problem = match tokens.get(numbers) {
+            Some(name) if last == Some(&Field::Name) && numbers + 1 == tokens.len() && numbers != needed => self.say(
+                [
+                    "there are {} numbers before the name [{}], and {} are needed",
+                    "hay {} números antes del nombre [{}], y hacen falta {}",
+                ],
+                &[&numbers.to_string(), &shown(name), &needed.to_string()],
+            ),
+            None if first == Some(&Field::Name) && numbers == needed => {
+                self.say(["the name before the numbers is missing", "falta el nombre antes de los números"], &[])
+            }
+            _ => problem,
+        };
+        let remedy = self
+            .rewritten(|_| Some(line))
+            .unwrap_or_else(|| self.say(["the line is: {} {}", "la línea es: {} {}"], &[line.tag, &self.values(line)]));
+        (format!("{} {problem}", line.tag), remedy)
+    }
+
+    /// Returns the values of a line as its table describes them.
+    fn values(&self, line: &Line) -> String {
+        const SPANISH: [(&str, &str); 9] = [
+            ("two whole numbers", "dos enteros"),
+            ("whole number", "entero"),
+            ("number in", "número en"),
+            ("number", "número"),
+            ("name", "nombre"),
+            ("diffusion", "difusión"),
+            ("index", "índice"),
+            ("radius", "radio"),
+            (" in ", " en "),
+        ];
+        let words = line.values.to_owned();
+        if self.language == Language::English {
+            return words;
+        }
+        SPANISH.iter().fold(words, |words, (english, spanish)| words.replace(english, spanish))
+    }
+
+    fn wrong_field(&self, line: &Line) -> String {
+        let Some(index) = place::wrong_field(line, self.text) else {
+            // The squares of a length beyond these limits are 0 or infinite.
+            let axis = [
+                "the axis must have a length above 0, from about 1e-161 to 1e154",
+                "el eje debe tener una longitud mayor que 0, de unos 1e-161 a 1e154",
+            ];
+            return self.say(axis, &[]);
+        };
+        let field = line.fields[index];
+        let wanted = field.wanted()[self.language as usize];
+        let Some(token) = Tokens::new(self.text).nth(index + 1) else {
+            return self.say(["{} is missing", "falta {}"], &[wanted]);
+        };
+        self.say(out_of_range(field, token).unwrap_or(["[{}] is not {}", "[{}] no es {}"]), &[&shown(token), wanted])
+    }
+}
+
+/// Returns the words for a token that is a number with the sign that `field` needs, and still not valid.
+fn out_of_range(field: Field, token: &[u8]) -> Option<Words> {
+    let value: f64 = std::str::from_utf8(token).ok()?.parse().ok().filter(|_| token.iter().any(u8::is_ascii_digit))?;
+    let mantissa = token.split(|byte| b"eE".contains(byte)).next()?;
+    let is_positive = value > 0.0;
+    match field {
+        Field::Count if value >= 18_446_744_073_709_551_616.0 => Some([
+            "[{}] is too large: at most 18446744073709551615",
+            "[{}] es demasiado grande: como máximo 18446744073709551615",
+        ]),
+        Field::Count if is_positive && value.fract() == 0.0 => {
+            Some(["[{}] is not written with digits alone", "[{}] no está escrito solo con cifras"])
+        }
+        Field::Real | Field::Positive | Field::NotNegative
+            if value.is_infinite() && (is_positive || field == Field::Real) =>
+        {
+            Some([
+                "[{}] is too large: numbers end at about 1.797e308",
+                "[{}] es demasiado grande: los números acaban en unos 1.797e308",
+            ])
+        }
+        Field::Positive | Field::Degrees
+            if value == 0.0 && !token.starts_with(b"-") && mantissa.iter().any(|byte| (b'1'..=b'9').contains(byte)) =>
+        {
+            Some(["[{}] is so small that it is rounded to 0", "[{}] es tan pequeño que se redondea a 0"])
+        }
+        _ => None,
+    }
+}
+
+/// Returns the element of `known` that is most similar to `word`, or `None` if none is similar enough.
+fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a [u8]> {
+    /// The smallest Jaro-Winkler similarity of a suggestion, from 0 to 1. clap uses 0.7 for its suggestions.
+    const LEAST_SIMILARITY: f64 = 0.8;
+    let word = String::from_utf8_lossy(word);
+    known
+        .map(|known| (strsim::jaro_winkler(&word, &String::from_utf8_lossy(known)), known))
+        .filter(|(similarity, _)| *similarity > LEAST_SIMILARITY)
+        .max_by(|one, other| one.0.total_cmp(&other.0))
+        .map(|(_, known)| known)
+}
+
+/// Returns a part of a line as text that is safe to print, in which every character is seen. A space replaces each tab.
+/// Characters that are not seen, and bytes that are not UTF-8, are escaped.
+#[must_use]
+pub fn shown(bytes: &[u8]) -> String {
+    let mut text = String::new();
+    for chunk in bytes.utf8_chunks() {
+        for character in chunk.valid().chars() {
+            match character {
+                '\t' => text.push(' '),
+                unseen if unseen::name(unseen).is_some() => text.extend(unseen.escape_default()),
+                other => text.push(other),
+            }
+        }
+        text.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
+    }
+    text
+}
