@@ -1,6 +1,7 @@
 //! Says in plain words what is wrong in a line of an input file, and what to write instead. `render-lab` and the page
 //! print these words. `render-aos` and `render-soa` do not use them: the statement prescribes their messages.
 
+use std::fmt;
 use std::ops::Range;
 
 use cpu::Error;
@@ -71,6 +72,12 @@ impl Hint {
         }
         let (problem, remedy) = Writer { kind, text, names, language }.describe(error)?;
         Some(Self { span: start..end, problem, remedy })
+    }
+}
+
+impl fmt::Display for Hint {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}; {}", self.problem, self.remedy)
     }
 }
 

@@ -2,7 +2,7 @@
 import type { Question, Verdict } from './checking';
 import type { Editor } from './editor';
 import type { Fault, TextNumber } from './module';
-import { say } from './words';
+import { ofLanguage, say } from './words';
 
 /** The checker of both texts. */
 export class Checker {
@@ -41,7 +41,7 @@ export class Checker {
             return;
         }
         const message = document.createElement('pre');
-        message.textContent = fault.message;
+        message.textContent = [fault.message, ofLanguage(fault.hints ?? ['', ''])].filter(Boolean).join('\n');
         if (fault.line > 0) {
             const button = document.createElement('button');
             button.type = 'button';

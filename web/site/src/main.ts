@@ -149,6 +149,10 @@ class Page {
     }
 
     /** Lists the earlier texts. */
+    showFaults(): void {
+        void this.#checker.check();
+    }
+
     showEarlier(): void {
         const all = store.earlier();
         const options = all.map((one, index) => new Option(new Date(one.time).toLocaleString(), String(index)));
@@ -265,6 +269,7 @@ async function start(): Promise<void> {
         store.keepSetting('language', languages.value);
         speak(languages.value as Language);
         page.showEarlier();
+        page.showFaults();
     });
     examples.addEventListener('change', () => {
         const name = examples.value;

@@ -16,6 +16,8 @@ export interface Fault {
     length: number;
     /** The message of render-aos, without `Error: `. */
     message: string;
+    /** What is wrong and what to write instead, in English and in Spanish. */
+    hints?: [english: string, spanish: string];
 }
 
 /** One row of the table that `render-lab help config` or `help scene` prints. */
@@ -53,6 +55,7 @@ interface Exports {
     fault_line(): number;
     fault_column(): number;
     fault_length(): number;
+    fault_hint(language: number): void;
 }
 
 /** Whether a result is a fault. */
@@ -197,12 +200,18 @@ export class Renderer {
 
     #fault(): Fault {
         const { fault_text, fault_line, fault_column, fault_length } = this.#exports;
-        return {
+        const fault = {
             text: fault_text(),
             line: fault_line(),
             column: fault_column(),
             length: fault_length(),
             message: this.#text(),
         };
+        return { ...fault, hints: [this.#hint(0), this.#hint(1)] };
+    }
+
+    #hint(language: number): string {
+        this.#exports.fault_hint(language);
+        return this.#text();
     }
 }

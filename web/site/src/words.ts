@@ -1,4 +1,5 @@
-// The words of the page in English and Spanish. Messages of the renderer are in English, as its specification says.
+// The words of the page in English and Spanish. Messages of the renderer are in English, as its specification says;
+// the hints below them are in both languages.
 
 const ENGLISH = {
     title: 'An exact renderer of spheres and cylinders',
@@ -236,6 +237,11 @@ let words: Record<Key, string> = ENGLISH;
 /** Returns the words for `key`, with `values` in the places {0}, {1} and so on. */
 export function say(key: Key, ...values: (string | number)[]): string {
     return words[key].replace(/\{(\d)\}/g, (_, place) => String(values[Number(place)] ?? ''));
+}
+
+/** Returns the one of two texts that is in the page's language. */
+export function ofLanguage(texts: readonly [english: string, spanish: string]): string {
+    return texts[words === SPANISH ? 1 : 0];
 }
 
 /** Returns the meaning of a line in the page's language. */

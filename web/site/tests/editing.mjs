@@ -8,14 +8,19 @@ export const tests = {
         await type(page, 'config', 'gamma: 2\n\nimage_widht: 3\n');
         await page.waitForSelector('#config-editor .cm-lintRange-error');
         equal(await page.textContent('#config-editor .cm-lintRange-error'), 'image_widht:', 'the marked word');
-        equal(await page.textContent('#config-faults pre'), 'Unknown configuration key: [image_widht:]', 'the message');
+        const unknown = 'Unknown configuration key: [image_widht:]\nthere is no configuration key [image_widht:]; did you mean [image_width:]?';
+        equal(await page.textContent('#config-faults pre'), unknown, 'the message');
+        await page.selectOption('#language', 'es');
+        await page.waitForFunction(() => document.querySelector('#config-faults pre').textContent.endsWith('¿quería decir [image_width:]?'));
+        await page.selectOption('#language', 'en');
         equal(await page.textContent('#config-faults button'), 'Line 3', 'the line');
         const gutter = await page.locator('#config-editor .cm-lint-marker-error').count();
         check(gutter <= 1, 'one fault is marked');
         await type(page, 'scene', 'matte: grey .5 .5 .5\nsphere: 0 0 0 -4 grey\n');
         await page.waitForSelector('#scene-editor .cm-lintRange-error');
         equal(await page.textContent('#scene-editor .cm-lintRange-error'), '-4', 'the wrong number');
-        const message = 'Invalid sphere parameters\nLine: "sphere: 0 0 0 -4 grey"';
+        const message = 'Invalid sphere parameters\nLine: "sphere: 0 0 0 -4 grey"\n'
+            + 'sphere: [-4] is not a number above 0; the line is: sphere: x y z radius material';
         equal(await page.textContent('#scene-faults pre'), message, 'the message about the scene');
         await shoot(page, 'errors');
         await page.click('#render');

@@ -23,17 +23,19 @@ pub struct Fault {
     pub message: Vec<u8>,
     /// The place of the error.
     pub place: Place,
+    /// What is wrong and what to write instead, in English and in Spanish. They are empty for an error without a line.
+    pub hints: [String; 2],
 }
 
 impl Fault {
     /// Returns the fault for an error that is about no line of the text number `text`.
     pub fn without_line(error: Error, text: usize) -> Self {
         let text = if matches!(error, Error::OutOfMemory { .. }) { 2 } else { text };
-        Self { message: error.message(), place: Place { text, ..Place::default() } }
+        Self { message: error.message(), place: Place { text, ..Place::default() }, hints: Default::default() }
     }
 
     /// Returns the fault for a message that is not one of `render-aos`.
     pub fn own(message: String, text: usize) -> Self {
-        Self { message: message.into_bytes(), place: Place { text, ..Place::default() } }
+        Self { message: message.into_bytes(), place: Place { text, ..Place::default() }, hints: Default::default() }
     }
 }

@@ -134,6 +134,14 @@ pub extern "C" fn fault_length() -> usize {
     state().fault.length
 }
 
+/// Makes the result the hint on the last fault, which says what is wrong and what to write instead. `language` is 0 for
+/// English, 1 for Spanish. The result is empty for a fault that is not about a line.
+#[unsafe(no_mangle)]
+pub extern "C" fn fault_hint(language: usize) {
+    let mut state = state();
+    state.result = state.hints.get(language).cloned().unwrap_or_default().into_bytes();
+}
+
 /// Reads both texts for the shaders, and returns 0, or 1 with a fault as after [`check`].
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare() -> u32 {

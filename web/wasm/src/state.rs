@@ -1,11 +1,15 @@
 //! The texts that the caller wrote, and the result of the last call.
 
 use cpu::internals::input::error::Error;
+use cpu::internals::input::text::Tokens;
 use cpu::{Config, Scene};
-use format::place;
+use format::hint::{Hint, Kind, Language};
 
 use crate::fault::{Fault, Place};
 use crate::live::Live;
+
+/// Largest number of names of materials among which a hint seeks the one that was meant.
+const MOST_NAMES: usize = 10_000;
 
 /// The configuration and the scene as the caller wrote them, and the result of the last call.
 #[derive(Debug)]
@@ -16,6 +20,8 @@ pub struct State {
     pub result: Vec<u8>,
     /// The place of the last fault.
     pub fault: Place,
+    /// The hints on the last fault.
+    pub hints: [String; 2],
     /// The scene for the shaders, after it has been asked for.
     pub live: Option<Live>,
 }
@@ -27,6 +33,7 @@ impl State {
             texts: [Vec::new(), Vec::new()],
             result: Vec::new(),
             fault: Place { text: 0, line: 0, column: 0, length: 0 },
+            hints: [String::new(), String::new()],
             live: None,
         }
     }
@@ -53,6 +60,7 @@ impl State {
     pub fn store(&mut self, fault: &Fault) {
         self.result.clone_from(&fault.message);
         self.fault = fault.place;
+        self.hints.clone_from(&fault.hints);
     }
 }
 
@@ -65,12 +73,27 @@ fn parse<T>(bytes: &[u8], text: usize, parse: fn(&mut &[u8]) -> Result<T, Error>
         let read = read.strip_suffix(b"\n").unwrap_or(read);
         let start = read.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
         let line = read[start..].strip_suffix(b"\r").unwrap_or(&read[start..]);
-        let Some(token) = place::wrong_token(&error, line) else { return Fault::without_line(error, text) };
+        let kind = if text == 0 { Kind::Config } else { Kind::Scene };
+        let names = names(read);
+        let hint = |language| Hint::new(&error, kind, line, &names, language);
+        let (Some(hint), Some(spanish)) = (hint(Language::English), hint(Language::Spanish)) else {
+            return Fault::without_line(error, text);
+        };
         let number = 1 + read.iter().filter(|&&byte| byte == b'\n').count();
-        let (start, end) = place::span(line, token);
-        let place = Place { text, line: number, column: 1 + units(&line[..start]), length: units(&line[start..end]) };
-        Fault { message: error.message(), place }
+        let [column, length] = [&line[..hint.span.start], &line[hint.span.clone()]].map(units);
+        let place = Place { text, line: number, column: 1 + column, length };
+        Fault { message: error.message(), place, hints: [hint, spanish].map(|hint| hint.to_string()) }
     })
+}
+
+/// Returns the names of the materials that the lines of `text` define.
+fn names(text: &[u8]) -> Vec<Vec<u8>> {
+    let name = |line| {
+        let mut tokens = Tokens::new(line);
+        let is_material = matches!(tokens.next()?, b"matte:" | b"metal:" | b"refractive:");
+        tokens.next().filter(|_| is_material).map(<[u8]>::to_vec)
+    };
+    text.split(|&byte| byte == b'\n').filter_map(name).take(MOST_NAMES).collect()
 }
 
 /// Returns the number of UTF-16 units of a text. A byte that is not UTF-8 counts as one character.

@@ -44,6 +44,22 @@ fn texts_become_a_file_or_a_message() {
     write(0, b"gamma: 0");
     assert_eq!((check(0), result_text().as_str()), (1, "Invalid value for key: [gamma:]\nLine: \"gamma: 0\""));
     assert_eq!(fault(), [0, 1, 8, 1]);
+    for (text, place, hints) in [
+        ("gamma: 2,2", [0, 1, 8, 3], ["point, not a comma: gamma: 2.2", "decimal, no una coma: gamma: 2.2"]),
+        (
+            "gamma:\u{a0}2",
+            [0, 1, 7, 1],
+            ["here, and it is not seen; write a space", "que no se ve; escriba un espacio"],
+        ),
+        ("gamma: x", [0, 1, 8, 1], ["the line is: gamma: number > 0", "la línea es: gamma: número > 0"]),
+    ] {
+        write(0, text.as_bytes());
+        assert_eq!((check(0), fault()), (1, place), "{text}");
+        for (language, hint) in hints.into_iter().enumerate() {
+            fault_hint(language);
+            assert!(result_text().contains(hint), "{text}: {}", result_text());
+        }
+    }
     assert!(room(2, 1).is_null());
 
     write(0, b"image_width: 8\naspect_ratio: 1 1\nsamples_per_pixel: 18446744073709551615\nmax_depth: 3\n");
