@@ -15,6 +15,20 @@ use crate::limits::{Excess, tokens};
 /// Largest number of characters of a line that a message shows.
 const SHOWN: usize = 160;
 
+/// Parts of naga's messages whose advice does not help in a module, and the messages in their place.
+const OWN: [(&str, &str); 2] = [
+    (
+        "found a global directive",
+        "a module can have no directive such as `enable`, because other modules stand before it in one text; \
+         leave it out",
+    ),
+    (
+        "enable extension is not enabled",
+        "this needs an extension, which a module cannot enable; use f32, i32, u32 or `real`, and what WGSL has without \
+         extensions",
+    ),
+];
+
 /// The error that naga found, and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -46,8 +60,13 @@ impl Diagnostic {
             return Self { message: places::NESTED_TOO_DEEPLY.to_owned(), place };
         }
         let mut message = error.message().to_owned();
-        for detail in error.labels().map(|(_, label)| label).chain(error.notes()).filter(|text| !text.is_empty()) {
+        // naga labels an error by "see msg" if its message says all.
+        let says_more = |text: &&str| !["", "see msg"].contains(text);
+        for detail in error.labels().map(|(_, label)| label).chain(error.notes()).filter(says_more) {
             message = format!("{message}: {detail}");
+        }
+        if let Some((_, own)) = OWN.iter().find(|(part, _)| message.contains(part)) {
+            (*own).clone_into(&mut message);
         }
         let place = Place::new(error.location(composition.source()), composition);
         Self { message: plain(&message), place: place.or_else(|| Place::first(composition)) }

@@ -76,7 +76,10 @@ pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
 pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
     String::from_utf8(read(path, limit)?).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
-        io::Error::new(io::ErrorKind::InvalidData, format!("it is not UTF-8 text: see the byte at offset {place}"))
+        let is_utf_16 = matches!(error.as_bytes(), [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
+        let remedy = if is_utf_16 { "; it is UTF-16, so save it as UTF-8" } else { "" };
+        let text = format!("it is not UTF-8 text: see the byte at offset {place}{remedy}");
+        io::Error::new(io::ErrorKind::InvalidData, text)
     })
 }
 
@@ -119,6 +122,8 @@ mod tests {
         assert_eq!(read_text(&Temporary::new("text", "ä".as_bytes()).0, 9).expect("it is a text"), "ä");
         let error = read_text(&Temporary::new("bytes", b"abc\xff").0, 9).expect_err("it is none").to_string();
         assert_eq!(error, "it is not UTF-8 text: see the byte at offset 3");
+        let error = read_text(&Temporary::new("utf-16", b"\xff\xfea\0").0, 9).expect_err("it is none").to_string();
+        assert!(error.ends_with("offset 0; it is UTF-16, so save it as UTF-8"), "{error}");
     }
 
     #[cfg(unix)]

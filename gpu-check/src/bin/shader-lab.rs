@@ -1,10 +1,11 @@
 //! Renders with the user's own WGSL modules, and reports the difference between that picture and the CPU's picture.
 
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use gpu_check::Error;
+use gpu_check::scenes::repository;
 use gpu_check::shader_lab::args::Arguments;
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
@@ -87,13 +88,27 @@ fn template(path: &Path) -> ExitCode {
     }
     let output = Output::open(path, Options { sync: true });
     match output.and_then(|output| output.fill(|file| file.write_all(TEMPLATE.as_bytes()))) {
-        Ok(()) => said(&format!(
-            "wrote {path}; now:\ncargo run -p gpu-check --bin shader-lab -- {path} --config scenes/materials/config.txt \
-             --scene scenes/materials/scene.txt --out out.png --watch\n",
-            path = shown(path)
-        )),
+        Ok(()) => {
+            let program = std::env::args_os().next().map_or("shader-lab".into(), PathBuf::from);
+            let [program, module] = [&program, path].map(quoted);
+            let [config, scene] = ["config.txt", "scene.txt"].map(|name| {
+                let path = Path::new("scenes/materials").join(name);
+                quoted(&if path.exists() { path } else { repository("scenes/materials").join(name) })
+            });
+            said(&format!(
+                "wrote {}; now:\n{program} {module} --config {config} --scene {scene} --out out.png --watch\n",
+                shown(path)
+            ))
+        }
         Err(error) => failed(&Error::from(error).to_string()),
     }
+}
+
+/// Returns the name of a file as a shell reads it: in quotes, unless all characters stand for themselves.
+fn quoted(path: impl AsRef<Path>) -> String {
+    let name = shown(path.as_ref());
+    let is_plain = |letter: char| letter.is_alphanumeric() || "/._-+:@%,".contains(letter);
+    if name.chars().all(is_plain) { name } else { format!("'{}'", name.replace('\'', r"'\''")) }
 }
 
 fn said(text: &str) -> ExitCode {

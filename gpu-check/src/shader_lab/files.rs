@@ -61,6 +61,8 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
 fn read_one(path: &Path) -> Result<UserModule, Error> {
     let text = cpu::internals::input::reader::read_text(path, MAX_BYTES)
         .map_err(|cause| Error::File { path: path.to_owned(), cause })?;
+    // Some editors put a byte order mark before the first character. WGSL has none.
+    let text = text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned);
     let name = name(path, &text);
     if module::find(&name).is_none() {
         return Err(unknown(path, &text, &name));
@@ -142,6 +144,14 @@ mod tests {
     #[test]
     fn the_first_line_of_a_file_may_name_another_module() {
         assert_eq!(name(Path::new("mine/normals.wgsl"), "// module: kernels/image\n"), "kernels/image");
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_part_of_the_text() {
+        let folder = Folder::new();
+        fs::write(folder.file("my.wgsl"), "\u{feff}// module: sphere\n").expect("the folder is writable");
+        let modules = read(&folder.file("my.wgsl")).expect("the first line names the module");
+        assert_eq!((modules[0].name.as_str(), modules[0].text.as_str()), ("sphere", "// module: sphere\n"));
     }
 
     #[test]

@@ -82,6 +82,23 @@ fn every_fault_in_a_replaced_module_is_shown_with_its_file_and_the_types_of_wgsl
 }
 
 #[test]
+fn advice_that_leads_nowhere_is_not_repeated() {
+    let cases = [
+        ("enable f16;", "mine.wgsl:1:1: a module can have no directive such as `enable`, "),
+        ("const a: f16 = 1.0h;", "mine.wgsl:1:16: this needs an extension, which a module cannot enable; use f32, "),
+        ("const a = sqrt(-1.0);", "mine.wgsl:1:11: sqrt built-in function argument is out of valid range\n"),
+        ("const a = 1 / 0;", "mine.wgsl:1:11: Division by zero\n"),
+        ("\n@compute @workgroup_size(0)\nfn f() {}", "mine.wgsl:3:1: Entry point f at Compute is invalid: "),
+        ("\nvar<private> big: array<u32, 1000000000>;", "mine.wgsl:2:1: Error laying out type: Size exceeds limit"),
+    ];
+    for (text, start) in cases {
+        assert!(message(text).starts_with(start), "{text}: {}", message(text));
+    }
+    let nested = message(&format!("\nconst a = {}1{};", "(".repeat(300), ")".repeat(300)));
+    assert!(nested.starts_with("mine.wgsl:2:") && nested.contains("nested too deeply"), "{nested}");
+}
+
+#[test]
 fn a_type_is_named_as_wgsl_names_it() {
     let naga = "Vector { size: Tri, scalar: Scalar { kind: Float, width: 8 } } for Function [7] 'f' of [x]";
     assert_eq!(super::plain(naga), "vec3<f64> for Function 'f' of [x]");

@@ -21,6 +21,14 @@ fn a_pipe_as_configuration_is_read_once_and_its_values_count() {
 }
 
 #[test]
+fn the_command_that_the_template_names_can_be_copied() {
+    let folder = Folder::new();
+    let line = r#"$lab --template "my normals.wgsl" > said && eval "$(tail -n 1 said | sed 's/ --watch//')""#;
+    let output = bash(folder.path(), line);
+    assert!(output.status.success() && folder.file("out.png").exists(), "{}", words(&output));
+}
+
+#[test]
 fn an_input_as_output_is_refused_under_any_name() {
     let folder = Folder::new();
     // OUT must have the ending of a picture, so a link names the module.
