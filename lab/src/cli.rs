@@ -18,8 +18,9 @@ Exit status:
 /// The first commands to try, shown after the help of the whole program.
 const EXAMPLES: &str = "\
 Examples:
-  render-lab render scenes/materials/config.txt scenes/materials/scene.txt materials.png
-  render-lab compare materials.png docs/materials.png --heatmap difference.png
+  render-lab render scenes/materials/config.txt scenes/materials/scene.txt a.png
+  render-lab render scenes/materials/config.txt scenes/materials/scene.txt b.png --scatter published
+  render-lab compare a.png b.png --heatmap difference.png
   render-lab help render";
 
 /// Renders spheres and cylinders, compares pictures, and measures how long it all takes.

@@ -369,7 +369,8 @@ fn out_of_range(field: Field, token: &[u8]) -> Option<Words> {
 }
 
 /// Returns the element of `known` that is most similar to `word`, or `None` if none is similar enough.
-fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a [u8]> {
+#[must_use]
+pub fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a [u8]> {
     /// The smallest Jaro-Winkler similarity of a suggestion, from 0 to 1. clap uses 0.7 for its suggestions.
     const LEAST_SIMILARITY: f64 = 0.8;
     let word = String::from_utf8_lossy(word);

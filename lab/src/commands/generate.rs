@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use generator::{self, Arrangement, Options};
 use output::Output;
 
-use crate::{Failure, sources};
+use crate::{Failure, sources, terminal};
 
 /// Examples, shown after the help of `generate`.
 const EXAMPLES: &str = "\
@@ -24,6 +24,9 @@ pub struct Arguments {
     config: PathBuf,
     /// Scene file to write; - is standard output
     scene: PathBuf,
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
     /// Where all random numbers come from
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -107,12 +110,16 @@ impl Arguments {
     /// Writes the configuration and the scene.
     ///
     /// # Errors
-    /// An error if a file cannot be written, or if the weights of all materials are zero.
+    /// An error if a file exists or cannot be written, or if the weights of all materials are zero.
     pub fn run(&self, how: output::Options) -> Result<(), Failure> {
         let options = self.options()?;
         output::refuse_inputs(&self.scene, &[&self.config])?;
         if self.scene == self.config {
             return Err("the configuration and the scene need a file each; choose another name for one of them".into());
+        }
+        if let Some(old) = [&self.config, &self.scene].into_iter().find(|path| path.is_file() && !self.force) {
+            let name = terminal::name(old);
+            return Err(format!("{name}: a file of this name exists; choose another, or replace it by --force").into());
         }
         check_memory(options.objects)?;
         // Both files are opened before one is written. So neither is changed if one of them cannot be opened.

@@ -3,6 +3,7 @@
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
+use crate::format::hint::nearest;
 use crate::{Failure, format, terminal};
 
 /// Options of `help`.
@@ -44,8 +45,13 @@ impl Arguments {
                 command.build();
                 let mut found = &mut command;
                 for name in path {
-                    let missing =
-                        format!("there is no command or topic [{name}]; render-lab --help lists the commands");
+                    let names: Vec<_> = found.get_subcommands().map(|command| command.get_name().to_owned()).collect();
+                    let close =
+                        nearest(name.as_bytes(), names.iter().map(String::as_bytes)).map(String::from_utf8_lossy);
+                    let advice = close.map_or("render-lab --help lists the commands".to_owned(), |close| {
+                        format!("did you mean [{close}]?")
+                    });
+                    let missing = format!("there is no command or topic [{name}]; {advice}");
                     found = found.find_subcommand_mut(name).ok_or(missing)?;
                 }
                 found.render_long_help().to_string()

@@ -172,15 +172,20 @@ impl std::fmt::Display for Inspection {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         writeln!(out, "objects     {} spheres, {} cylinders", self.spheres, self.cylinders)?;
         let kinds: Vec<_> = self.objects_by_material.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-        writeln!(out, "made of     {}", if kinds.is_empty() { "nothing".to_owned() } else { kinds.join(", ") })?;
-        writeln!(out, "materials   {}, of them {} unused", self.materials, self.unused_materials)?;
+        writeln!(out, "surfaces    {}", if kinds.is_empty() { "none".to_owned() } else { kinds.join(", ") })?;
+        writeln!(out, "materials   {}, {} of them without objects", self.materials, self.unused_materials)?;
         if let (Some(low), Some(high)) = (self.lowest_corner, self.highest_corner) {
             writeln!(out, "bounds      {low:.3?} to {high:.3?}")?;
         }
-        let trust = if self.moderate { "filters are trusted" } else { "too extreme for filters" };
-        writeln!(out, "reach       {:.3}, {trust}", self.reach)?;
+        writeln!(out, "farthest    {:.3} from 0: the largest coordinate of objects and camera", self.reach)?;
+        let sizes = if self.moderate {
+            "moderate: fast approximate tests first discard objects that a ray cannot hit"
+        } else {
+            "too large or too small for the fast approximate tests, so all objects are intersected"
+        };
+        writeln!(out, "sizes       {sizes}")?;
         match &self.structure {
-            Structure::EveryObject => writeln!(out, "structure   none: every object is intersected")?,
+            Structure::EveryObject => writeln!(out, "structure   none: each ray is intersected with every object")?,
             Structure::SmallScene => {
                 writeln!(out, "structure   small scene: all objects at once, in double precision")?
             }

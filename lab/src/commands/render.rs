@@ -1,9 +1,11 @@
 //! `render-lab render`: renders a scene into a file, and shows the progress, time and memory.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use clap::Args;
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, Args, Command};
 use cpu::internals::Prepared;
 use cpu::{Aos, Config, Error, Renderable, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -50,7 +52,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     scatter: ScatterName,
     /// Replace a value of the configuration; may be repeated
-    #[arg(long, value_name = "KEY=VALUE")]
+    #[arg(long, value_name = "KEY=VALUE", value_parser = Setting, hide_possible_values = true)]
     set: Vec<String>,
     /// Write this part of the picture only. What comes before it is rendered all the same, for its random numbers
     #[arg(long, value_name = "COLUMN,ROW,WIDTH,HEIGHT", value_parser = parse_crop)]
@@ -64,6 +66,23 @@ pub struct Arguments {
     /// Say nothing but errors
     #[arg(long)]
     quiet: bool,
+}
+
+/// Takes any text as a setting, and offers the keys to the scripts that complete a command line.
+#[derive(Clone)]
+struct Setting;
+
+impl TypedValueParser for Setting {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let keys = format::CONFIG.iter().map(|line| line.tag.replace(':', "="));
+        Some(Box::new(keys.map(PossibleValue::new)))
+    }
 }
 
 fn parse_crop(text: &str) -> Result<[usize; 4], String> {

@@ -32,6 +32,7 @@ fn bash_completes_commands_options_and_values_at_every_level() {
     assert_eq!(complete(&["render-lab", "rend"]), ["render"]);
     assert_eq!(complete(&["render-lab", "render", "--sc"]), ["--scatter"]);
     assert_eq!(complete(&["render-lab", "render", "--layout", "s"]), ["soa"]);
+    assert_eq!(complete(&["render-lab", "render", "--set", "samples"]), ["samples_per_pixel="]);
     assert_eq!(complete(&["render-lab", "bench", "sc"]), ["scale"]);
     assert_eq!(complete(&["render-lab", "bench", "scale", "--rep"]), ["--repeats"]);
     let topics = complete(&["render-lab", "help", "''"]);

@@ -11,7 +11,14 @@ fn generated_files_are_the_committed_ones() {
     let folder = Folder::new();
     let [config, scene] = ["config.txt", "scene.txt"].map(|name| folder.name(name));
     let options = ["--arrangement=grid", "--matte=3", "--metal=2", "--refractive=1", "--seed=4", "--objects=101"];
-    printed(&[&["generate", &config, &scene], &options[..]].concat());
+    let command = [&["generate", &config, &scene], &options[..]].concat();
+    printed(&command);
+    let again = complaint(&command);
+    assert!(
+        again.contains("config.txt: a file of this name exists; choose another, or replace it by --force"),
+        "{again}"
+    );
+    printed(&[&command[..], &["--force"]].concat());
     for name in ["config.txt", "scene.txt"] {
         let committed = test_support::project_root().join("scenes/grid").join(name);
         let (made, committed) = (fs::read(folder.file(name)), fs::read(committed));
@@ -41,6 +48,11 @@ fn a_file_that_cannot_be_written_stops_both() {
 fn a_scene_is_told_in_words_and_in_json() {
     let text = printed(&["inspect", "scenes/ten-thousand/config.txt", "scenes/ten-thousand/scene.txt"]);
     assert!(text.contains("structure   BVH: ") && text.contains("picture     400 x 225"), "{text}");
+    for words in
+        ["materials   25, 0 of them without objects", "from 0: the largest coordinate", "sizes       moderate: "]
+    {
+        assert!(text.contains(words), "{text}");
+    }
     let json = printed(&["inspect", "scenes/spheres/scene.txt", "--json"]);
     let value: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
     assert_eq!((&value["spheres"], &value["cylinders"]), (&15.into(), &0.into()));
@@ -64,5 +76,7 @@ fn help_explains_files_and_commands() {
     assert!(printed(&["help", "bench", "scale"]).contains("Usage: render-lab bench scale"));
     assert!(printed(&["help"]).contains("Exit status:") && printed(&["--help"]).contains("  130  interrupted"));
     assert!(complaint(&["help", "nonsense"]).contains("invalid value 'nonsense' for '[TOPIC]'"));
+    assert!(complaint(&["help", "rendr"]).contains("a similar value exists: 'render'"));
+    assert!(complaint(&["help", "bench", "scal"]).contains("no command or topic [scal]; did you mean [scale]?"));
     assert!(complaint(&["help", "bench", "nonsense"]).contains("no command or topic [nonsense]"));
 }

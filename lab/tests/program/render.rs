@@ -110,6 +110,18 @@ fn the_end_is_told_with_file_size_and_time_unless_it_is_to_be_quiet() {
 
 #[cfg(unix)]
 #[test]
+fn the_first_examples_of_the_help_work_one_after_the_other() {
+    let folder = Folder::new();
+    let help = printed(&["--help"]);
+    let examples = help.lines().map(str::trim).filter(|line| line.starts_with("render-lab "));
+    let lines: Vec<_> = examples.take(3).map(|line| line.replacen("render-lab", "$lab", 1)).collect();
+    let output = crate::bash(&folder, &format!("ln -s $root/scenes .; {}", lines.join(" && ")));
+    assert!(output.status.success() && lines.len() == 3, "{lines:?}: {output:?}");
+    assert!(folder.file("difference.png").exists(), "the third example draws a heat map");
+}
+
+#[cfg(unix)]
+#[test]
 fn a_dash_is_standard_input_or_output() {
     use std::process::Stdio;
 

@@ -48,7 +48,8 @@ impl Total {
         if *values > MAX_VALUES {
             return Err(format!("{others}it has {values} values, more than {MAX_VALUES}"));
         }
-        serde_json::from_slice(json).map_err(|error| error.to_string())
+        let explain = |error| format!("not the JSON that `render-lab bench ... --out FILE` writes: {error}");
+        serde_json::from_slice(json).map_err(explain)
     }
 }
 

@@ -20,10 +20,10 @@ fn a_small_scene_is_told_in_full() {
 }
 
 #[test]
-fn an_empty_scene_is_made_of_nothing() {
+fn an_empty_scene_has_no_surfaces() {
     let inspection = inspect(&Scene::default());
     assert_eq!((inspection.lowest_corner, inspection.spheres), (None, 0));
-    assert!(inspection.to_string().contains("made of     nothing"));
+    assert!(inspection.to_string().contains("surfaces    none"));
 }
 
 #[test]
