@@ -221,8 +221,8 @@ mod tests {
         assert!(missing.contains("\n1 | camera_target: 1 2\n                       ^\n"), "{missing}");
         assert!(config("gamma: 1 2").starts_with("F:1:10: gamma: there is more than its value\n"));
         assert!(config("gamma x").ends_with("\na colon follows the word: [gamma:]"));
-        assert!(config("sphere: 0 0 0 1 m").ends_with("the configuration comes first: CONFIG SCENE"));
-        assert!(config("P3").ends_with("render-lab help config lists every key"));
+        assert!(config("sphere: 0 0 0 1 m").ends_with("a line of the other file; the order is: CONFIG SCENE"));
+        assert!(config("P3").ends_with("render-lab help config lists all lines"));
     }
 
     #[test]
@@ -237,7 +237,7 @@ mod tests {
         assert!(scene("sphere: 0 0 0 -1 grey").starts_with("F:2:15: sphere: [-1] is not a number above 0\n"));
         assert!(scene("cylinder: 0 0 0 1 0 0 0 grey").starts_with("F:2:19: cylinder: the axis must have a length"));
         assert!(scene("refractive: g 1 2").starts_with("F:2:17: refractive: there is more than its 2 values\n"));
-        assert!(scene("image_width: 3").ends_with("it comes before the scene: CONFIG SCENE"));
+        assert!(scene("image_width: 3").ends_with("a line of the other file; the order is: CONFIG SCENE"));
         // A long line is cut, and control characters are not printed.
         let long = scene(&format!("sphere: 0{}\u{1b}x", " ".repeat(500)));
         assert!(long.lines().all(|line| line.chars().count() < 200) && !long.contains('\u{1b}'), "{long}");
@@ -245,65 +245,42 @@ mod tests {
 
     #[test]
     fn what_is_not_seen_and_what_people_often_write_is_named_with_its_remedy() {
-        let utf_16: String = "gamma: 1".chars().flat_map(|letter| ['\0', letter]).collect();
-        let (space, without) = ("write a space instead of it", "save the file as UTF-8 without byte order mark");
+        // A text, the start of the message, and a part of its last line.
         let cases = [
-            (
-                "\u{feff}gamma: 1",
-                "F:1:1: a byte order mark (U+FEFF) stands here, and it is not seen\n1 | \\u{feff}",
-                without,
-            ),
-            (&utf_16, "F:1:1: a zero byte (U+0000)", "; PowerShell's > writes UTF-16"),
-            ("gamma:\u{a0}2.2", "F:1:7: a no-break space (U+00A0)", space),
-            ("camera_target: 1\u{202f}2 3", "F:1:17: a no-break space (U+202F)", space),
-            ("gamma: 2\u{200b}", "F:1:9: a zero-width space (U+200B)", "delete it"),
-            ("image_width: 8\rgamma: 1", "F:1:15: a carriage return (U+000D)", "CR alone ends none"),
-            ("matte: a 1 1 1\rmatte: b 1 1 1", "F:1:15: a carriage return (U+000D)", "CR alone ends none"),
-            ("matte: a\u{a0}1 1 1", "F:1:9: a no-break space (U+00A0)", space),
-            (
-                "matte: a\u{ad} 1 1 1\nsphere: 0 0 0 1 a",
-                "F:2:17: no material [a]",
-                "a soft hyphen, which is not seen; correct it there",
-            ),
-            ("gamma: 2,2", "F:1:8: gamma: [2,2] is not", "a decimal point, not a comma: gamma: 2.2"),
-            ("camera_north: 0,5, 1,5, -1", "F:1:15: ", "a decimal point, not a comma: camera_north: 0.5 1.5 -1"),
-            ("camera_north: 0,0,-10", "F:1:15: ", "by blanks alone: camera_north: 0 0 -10"),
-            ("camera_north: (0, 0, 1) // up", "F:1:15: ", "by blanks alone: camera_north: 0 0 1"),
-            ("aspect_ratio: 16:9", "F:1:15: ", "by blanks alone: aspect_ratio: 16 9"),
-            ("image_width: 1,920", "F:1:14: ", ": image_width: 1920"),
-            ("image_width: 1e3", "F:1:14: image_width: [1e3] is not written with digits alone", ": image_width: 1000"),
-            ("image_width: 8,0", "F:1:14: ", "the line is: image_width: whole number > 0"),
-            ("camera_north: 0 \u{2212}1 0", "F:1:17: ", "the minus sign is -: camera_north: 0 -1 0"),
-            ("field_of_view: 90°", "F:1:16: ", "without its unit: field_of_view: 90"),
-            ("background_dark_color: 255 128 0", "F:1:24: ", "by 255: background_dark_color: 1 0.502 0"),
-            ("# colours", "F:1:1: there is no configuration key [#]", "no comments, so leave it out"),
-            ("gamma: 2 # of a screen", "F:1:10: ", "no comments, so leave it out: gamma: 2"),
-            ("gamma=2", "F:1:1: ", "a colon follows the key, and a blank the colon: gamma: 2"),
-            ("gamma: 1e309", "F:1:8: gamma: [1e309] is too large", "the line is: gamma: number > 0"),
-            ("gamma: 1e-400", "F:1:8: gamma: [1e-400] is so small that it is rounded to 0", "gamma: number > 0"),
-            (
-                "max_depth: 18446744073709551616",
-                "F:1:12: max_depth: [18446744073709551616] is too large: at most 1844",
-                "",
-            ),
-            ("matte: a 255 0 0", "F:1:10: ", "by 255: matte: a 1 0 0"),
-            ("matte: 1 1 1", "F:1:13: matte: the name before the numbers is missing", "matte: name r g b"),
-            (
-                "sphere: 0 1 0 a",
-                "F:1:15: sphere: there are 3 numbers before the name [a], and 4 are needed",
-                "radius material",
-            ),
-            (
-                "sphere: 0 1 0 1 1 a",
-                "F:1:19: sphere: there are 5 numbers before the name [a], and 4",
-                "radius material",
-            ),
+            "\u{feff}gamma: 1 -> F:1:1: a byte order mark (U+FEFF) stands here -> save the file as UTF-8",
+            "\0g\0a: -> F:1:1: a zero byte (U+0000) -> PowerShell's > writes UTF-16",
+            "gamma:\u{a0}2.2 -> F:1:7: a no-break space (U+00A0) -> write a space instead",
+            "camera_target: 1\u{202f}2 3 -> F:1:17: a no-break space (U+202F) -> write a space instead",
+            "gamma: 2\u{200b} -> F:1:9: a zero-width space (U+200B) -> delete it",
+            "gamma: 8\rmax_depth: 1 -> F:1:9: a carriage return (U+000D) -> CR alone ends none",
+            "matte: a 1 1 1\rmatte: b 1 1 1 -> F:1:15: a carriage return (U+000D) -> CR alone ends none",
+            "matte: a\u{a0}1 1 1 -> F:1:9: a no-break space (U+00A0) -> write a space instead",
+            "matte: a\u{ad} 1 1 1\nsphere: 0 0 0 1 a -> F:2:17: no material [a] -> [a\\u{ad}]? It has a character without width",
+            "gamma: 2,2 -> F:1:8: gamma: [2,2] is not -> a decimal point, not a comma: gamma: 2.2",
+            "camera_north: 0,5, 1,5, -1 -> F:1:15: -> a decimal point, not a comma: camera_north: 0.5 1.5 -1",
+            "camera_north: 0,0,-10 -> F:1:15: -> by blanks alone: camera_north: 0 0 -10",
+            "camera_north: (0, 0, 1) // up -> F:1:15: -> by blanks alone: camera_north: 0 0 1",
+            "aspect_ratio: 16:9 -> F:1:15: -> by blanks alone: aspect_ratio: 16 9",
+            "image_width: 1e3 -> F:1:14: image_width: [1e3] is not written with digits alone -> : image_width: 1000",
+            "camera_north: 0 \u{2212}1 0 -> F:1:17: -> the minus sign is -: camera_north: 0 -1 0",
+            "background_dark_color: 255 128 0 -> F:1:24: -> from 0 to 1, not to 255: background_dark_color: 1 0.502 0",
+            "matte: a 255 0 0 -> F:1:10: -> not to 255: matte: a 1 0 0",
+            "# colours -> F:1:1: there is no configuration key [#] -> no comments, so leave it out",
+            "gamma: 2 # of a screen -> F:1:10: -> no comments, so leave it out: gamma: 2",
+            "gamma=2 -> F:1:1: -> a colon follows the key, and a blank the colon: gamma: 2",
+            "gamma: 1e309 -> F:1:8: gamma: [1e309] is too large: at most 1.797e308 -> the line is: gamma: number > 0",
+            "gamma: 1e-400 -> F:1:8: gamma: [1e-400] is so near to 0 that it is rounded to it -> gamma: number > 0",
+            "max_depth: 18446744073709551616 -> F:1:12: max_depth: [18446744073709551616] is too large: at most 1844674407 -> >",
+            "matte: 1 1 1 -> F:1:13: matte: the name before the numbers is missing -> matte: name r g b",
+            "sphere: 0 1 0 a -> F:1:15: sphere: there are 3 numbers before the name [a], and 4 are needed -> x y z radius",
+            "sphere: 0 1 0 1 1 a -> F:1:19: sphere: there are 5 numbers before the name [a], and 4 are needed -> x y z radius",
         ];
-        for (text, start, end) in cases {
-            let first = text.split(':').next().unwrap_or_default();
-            let kind = if ["matte", "sphere"].contains(&first) { Kind::Scene } else { Kind::Config };
-            let message = about(text, kind);
-            assert!(message.starts_with(start) && message.ends_with(end), "{text}: {message}");
+        for case in cases {
+            let [text, start, end] = case.split(" -> ").collect::<Vec<_>>()[..] else { panic!("{case}") };
+            let is_scene = text.starts_with("matte") || text.starts_with("sphere");
+            let message = about(text, if is_scene { Kind::Scene } else { Kind::Config });
+            let last = message.lines().next_back().unwrap_or_default();
+            assert!(message.starts_with(start) && last.contains(end), "{text}: {message}");
         }
     }
 

@@ -98,7 +98,7 @@ const BLANKS: Words = ["separate numbers by blanks alone", "separe los números 
 
 /// What people often write instead of values, in the order in which it is tried: what to do instead, and a function
 /// that does so in the values of a line.
-const CHANGES: [(Words, fn(&str, &Line) -> String); 7] = [
+const CHANGES: [(Words, fn(&str, &Line) -> String); 6] = [
     (KEY, |values, _| values.to_owned()),
     (BLANKS, |values, line| {
         let is_config = line.fields.iter().all(|field| *field != Field::Name);
@@ -108,47 +108,28 @@ const CHANGES: [(Words, fn(&str, &Line) -> String); 7] = [
         let tokens = values.split_whitespace().map(|token| token.trim_end_matches([',', ';']).replace(',', "."));
         tokens.collect::<Vec<_>>().join(" ")
     }),
-    (
-        ["write digits without separators and exponent", "escriba cifras sin separadores ni exponente"],
-        |values, line| {
-            each(values, line, |field, token| {
-                let groups: Vec<_> = token.split([',', '_', '\'']).collect();
-                let token = Some(groups.concat()).filter(|_| groups.iter().skip(1).all(|group| group.len() == 3))?;
-                let value =
-                    parse_real(token.as_bytes()).filter(|value| field == Field::Count && value.fract() == 0.0)?;
-                Some(format!("{value:.0}"))
-            })
-        },
-    ),
+    (["write digits alone", "escriba solo cifras"], |values, line| {
+        each(values, line, |field, token| {
+            let value = parse_real(token).filter(|value| field == Field::Count && value.fract() == 0.0)?;
+            Some(format!("{value:.0}"))
+        })
+    }),
     (["the minus sign is -", "el signo menos es -"], |values, _| {
         values.replace(['\u{2010}', '\u{2011}', '–', '—', '−'], "-")
     }),
-    (["write a number without its unit", "escriba el número sin la unidad"], |values, line| {
-        each(values, line, |_, token| {
-            Some(token.trim_end_matches(|end: char| !end.is_ascii_digit() && end != '.').to_owned())
+    (["channels go from 0 to 1, not to 255", "los canales van de 0 a 1, no a 255"], |values, line| {
+        each(values, line, |field, token| {
+            let channel: u8 = std::str::from_utf8(token).ok().filter(|_| field == Field::Share)?.parse().ok()?;
+            Some(format!("{}", (f64::from(channel) / 0.255).round() / 1000.0))
         })
     }),
-    (
-        ["channels go from 0 to 1, so divide those of 0 to 255 by 255", "los canales van de 0 a 1; divida entre 255"],
-        |values, line| {
-            each(values, line, |field, token| match token.parse::<u8>() {
-                Ok(channel) if field == Field::Share => {
-                    Some(format!("{}", (f64::from(channel) / 0.255).round() / 1000.0))
-                }
-                _ => None,
-            })
-        },
-    ),
 ];
 
-/// Returns the values of a line after `change`, which gets the field and the token of each number. If it returns
-/// `None`, the token stays.
-fn each(values: &str, line: &Line, change: impl Fn(Field, &str) -> Option<String>) -> String {
+/// Returns the values of a line, each as `change` returns it for its field and token, or unchanged if that is `None`.
+fn each(values: &str, line: &Line, change: impl Fn(Field, &[u8]) -> Option<String>) -> String {
     let fields = line.fields.iter().copied().chain(std::iter::repeat(Field::Name));
-    let changed = values.split_whitespace().zip(fields).map(|(token, field)| {
-        let number = Some(token).filter(|_| field != Field::Name);
-        number.and_then(|token| change(field, token)).unwrap_or_else(|| token.to_owned())
-    });
+    let changed = values.split_whitespace().zip(fields);
+    let changed = changed.map(|(token, field)| change(field, token.as_bytes()).unwrap_or_else(|| token.to_owned()));
     changed.collect::<Vec<_>>().join(" ")
 }
 
@@ -161,14 +142,6 @@ fn is_valid(line: &Line, values: &str) -> bool {
 impl Writer<'_> {
     fn say(&self, words: Words, values: &[&str]) -> String {
         self.language.say(words, values)
-    }
-
-    /// Returns the formats of this kind of file, and those of the other kind.
-    const fn lines(&self) -> [&'static [Line]; 2] {
-        match self.kind {
-            Kind::Config => [&CONFIG, &SCENE],
-            Kind::Scene => [&SCENE, &CONFIG],
-        }
     }
 
     /// Returns what is wrong and what to do. Returns `None` for an error that does not belong to a line.
@@ -225,18 +198,13 @@ impl Writer<'_> {
         }
         let bare = word.strip_suffix(b":").unwrap_or(word);
         let words = |lines: &'static [Line]| lines.iter().filter_map(|line| line.tag.as_bytes().strip_suffix(b":"));
-        let [own, other] = self.lines();
+        let (own, other, topic) = match self.kind {
+            Kind::Config => (&CONFIG[..], &SCENE[..], "config"),
+            Kind::Scene => (&SCENE[..], &CONFIG[..], "scene"),
+        };
         if words(other).any(|known| known == bare) {
-            let order = match self.kind {
-                Kind::Config => [
-                    "this looks like a scene file; the configuration comes first: CONFIG SCENE",
-                    "esto parece una escena; la configuración va en el otro texto",
-                ],
-                Kind::Scene => [
-                    "this looks like a configuration file; it comes before the scene: CONFIG SCENE",
-                    "esto parece una configuración; la escena va en el otro texto",
-                ],
-            };
+            let order =
+                ["this is a line of the other file; the order is: CONFIG SCENE", "esta línea es del otro archivo"];
             return self.say(order, &[]);
         }
         if let Some(line) = self.rewritten(|tag| own.iter().find(|line| line.tag == tag)) {
@@ -245,16 +213,9 @@ impl Writer<'_> {
         if words(own).any(|known| known == bare) {
             return self.say(["a colon follows the word: [{}:]", "tras la palabra va «:»: [{}:]"], &[&shown(bare)]);
         }
-        match (nearest(bare, words(own)), self.kind) {
-            (Some(known), _) => self.say(["did you mean [{}:]?", "¿quería decir [{}:]?"], &[&shown(known)]),
-            (None, Kind::Config) => self.say(
-                ["render-lab help config lists every key", "render-lab help config muestra todas las claves"],
-                &[],
-            ),
-            (None, Kind::Scene) => self.say(
-                ["render-lab help scene lists every entity", "render-lab help scene muestra todas las entidades"],
-                &[],
-            ),
+        match nearest(bare, words(own)) {
+            Some(known) => self.say(["did you mean [{}:]?", "¿quería decir [{}:]?"], &[&shown(known)]),
+            None => self.say(["render-lab help {} lists all lines", "render-lab help {} muestra las líneas"], &[topic]),
         }
     }
 
@@ -296,74 +257,44 @@ impl Writer<'_> {
         };
         let remedy = self
             .rewritten(|_| Some(line))
-            .unwrap_or_else(|| self.say(["the line is: {} {}", "la línea es: {} {}"], &[line.tag, &self.values(line)]));
+            .unwrap_or_else(|| self.say(["the line is: {} {}", "la línea es: {} {}"], &[line.tag, line.values]));
         (format!("{} {problem}", line.tag), remedy)
-    }
-
-    /// Returns the values of a line as its table describes them.
-    fn values(&self, line: &Line) -> String {
-        const SPANISH: [(&str, &str); 9] = [
-            ("two whole numbers", "dos enteros"),
-            ("whole number", "entero"),
-            ("number in", "número en"),
-            ("number", "número"),
-            ("name", "nombre"),
-            ("diffusion", "difusión"),
-            ("index", "índice"),
-            ("radius", "radio"),
-            (" in ", " en "),
-        ];
-        let words = line.values.to_owned();
-        if self.language == Language::English {
-            return words;
-        }
-        SPANISH.iter().fold(words, |words, (english, spanish)| words.replace(english, spanish))
     }
 
     fn wrong_field(&self, line: &Line) -> String {
         let Some(index) = place::wrong_field(line, self.text) else {
             // The squares of a length beyond these limits are 0 or infinite.
-            let axis = [
-                "the axis must have a length above 0, from about 1e-161 to 1e154",
-                "el eje debe tener una longitud mayor que 0, de unos 1e-161 a 1e154",
-            ];
-            return self.say(axis, &[]);
+            return self
+                .say(["the axis must have a length from 1e-161 to 1e154", "el eje debe medir de 1e-161 a 1e154"], &[]);
         };
         let field = line.fields[index];
         let wanted = field.wanted()[self.language as usize];
         let Some(token) = Tokens::new(self.text).nth(index + 1) else {
             return self.say(["{} is missing", "falta {}"], &[wanted]);
         };
-        self.say(out_of_range(field, token).unwrap_or(["[{}] is not {}", "[{}] no es {}"]), &[&shown(token), wanted])
+        let (words, value) = out_of_range(field, token).unwrap_or((["[{}] is not {}", "[{}] no es {}"], wanted));
+        self.say(words, &[&shown(token), value])
     }
 }
 
-/// Returns the words for a token that is a number with the sign that `field` needs, and still not valid.
-fn out_of_range(field: Field, token: &[u8]) -> Option<Words> {
+/// Returns the words for a token that is a number with the sign that `field` needs and still not valid, and a value in
+/// these words.
+fn out_of_range(field: Field, token: &[u8]) -> Option<(Words, &'static str)> {
+    const LARGE: Words = ["[{}] is too large: at most {}", "[{}] es demasiado grande: como máximo {}"];
     let value: f64 = std::str::from_utf8(token).ok()?.parse().ok().filter(|_| token.iter().any(u8::is_ascii_digit))?;
-    let mantissa = token.split(|byte| b"eE".contains(byte)).next()?;
-    let is_positive = value > 0.0;
+    let mut mantissa = token.iter().take_while(|byte| !b"eE".contains(byte));
     match field {
-        Field::Count if value >= 18_446_744_073_709_551_616.0 => Some([
-            "[{}] is too large: at most 18446744073709551615",
-            "[{}] es demasiado grande: como máximo 18446744073709551615",
-        ]),
-        Field::Count if is_positive && value.fract() == 0.0 => {
-            Some(["[{}] is not written with digits alone", "[{}] no está escrito solo con cifras"])
+        Field::Count if value >= 2_f64.powi(64) => Some((LARGE, "18446744073709551615")),
+        Field::Count if value > 0.0 && value.fract() == 0.0 => {
+            Some((["[{}] is not written with digits alone", "[{}] no está escrito solo con cifras"], ""))
         }
-        Field::Real | Field::Positive | Field::NotNegative
-            if value.is_infinite() && (is_positive || field == Field::Real) =>
-        {
-            Some([
-                "[{}] is too large: numbers end at about 1.797e308",
-                "[{}] es demasiado grande: los números acaban en unos 1.797e308",
-            ])
+        Field::Real | Field::Positive | Field::NotNegative if value == f64::INFINITY => Some((LARGE, "1.797e308")),
+        Field::Real if value == f64::NEG_INFINITY => {
+            Some((["[{}] is too small: at least {}", "[{}] es demasiado pequeño: como mínimo {}"], "-1.797e308"))
         }
-        Field::Positive | Field::Degrees
-            if value == 0.0 && !token.starts_with(b"-") && mantissa.iter().any(|byte| (b'1'..=b'9').contains(byte)) =>
-        {
-            Some(["[{}] is so small that it is rounded to 0", "[{}] es tan pequeño que se redondea a 0"])
-        }
+        Field::Positive | Field::Degrees if value == 0.0 && mantissa.any(|byte| (b'1'..=b'9').contains(byte)) => Some(
+            (["[{}] is so near to 0 that it is rounded to it", "[{}] está tan cerca de 0 que se redondea a él"], ""),
+        ),
         _ => None,
     }
 }
@@ -379,6 +310,13 @@ pub fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option
         .filter(|(similarity, _)| *similarity > LEAST_SIMILARITY)
         .max_by(|one, other| one.0.total_cmp(&other.0))
         .map(|(_, known)| known)
+}
+
+/// Returns the name of the material that `line` defines, or `None` if the line defines none.
+#[must_use]
+pub fn material(line: &[u8]) -> Option<&[u8]> {
+    let mut tokens = Tokens::new(line);
+    matches!(tokens.next()?, b"matte:" | b"metal:" | b"refractive:").then(|| tokens.next())?
 }
 
 /// Returns a part of a line as text that is safe to print, in which every character is seen. A space replaces each tab.

@@ -6,25 +6,21 @@ use crate::hint::Words;
 
 const SPACE: Words = ["write a space instead of it", "escriba un espacio en su lugar"];
 const DELETE: Words = ["delete it", "bórrelo"];
+const LINE_END: Words =
+    ["end each line with LF or CRLF; CR alone ends none", "termine cada línea con LF o CRLF, no con CR"];
 const ENCODING: Words = ["save the file as UTF-8 without byte order mark", "guarde el archivo en UTF-8 sin BOM"];
-const UTF_16: Words = [
-    "save the file as UTF-8 without byte order mark; PowerShell's > writes UTF-16",
-    "guarde el archivo en UTF-8 sin BOM; el > de PowerShell escribe UTF-16",
-];
-const LINE_END: Words = [
-    "end each line with LF or CRLF; CR alone ends none",
-    "termine cada línea con LF o CRLF; CR solo no termina ninguna",
-];
+const UTF_16: Words =
+    ["save the file as UTF-8; PowerShell's > writes UTF-16", "guárdelo en UTF-8; > de PowerShell es UTF-16"];
 
 /// A character that is not seen, and where it is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unseen {
     /// The bytes of the character, as offsets from the start of the text.
     pub span: Range<usize>,
-    /// The name of the character.
-    pub what: Words,
     /// The character.
     pub character: char,
+    /// The name of the character.
+    pub what: Words,
     /// What to do about it.
     pub remedy: Words,
 }
@@ -34,61 +30,55 @@ pub struct Unseen {
 #[must_use]
 pub fn name(character: char) -> Option<(Words, Words)> {
     Some(match character {
-        '\t' => return None,
         '\0' => (["a zero byte", "un byte nulo"], UTF_16),
         '\r' => (["a carriage return", "un retorno de carro"], LINE_END),
         '\u{85}' | '\u{2028}' | '\u{2029}' => (["a line separator", "un separador de líneas"], LINE_END),
         '\u{feff}' => (["a byte order mark", "una marca de orden de bytes (BOM)"], ENCODING),
         '\u{a0}' | '\u{2007}' | '\u{202f}' => (["a no-break space", "un espacio de no separación"], SPACE),
-        '\u{1680}' | '\u{2000}'..='\u{200a}' | '\u{205f}' | '\u{3000}' => {
+        '\u{1680}' | '\u{2000}'..='\u{200a}' | '\u{205f}' | '\u{2800}' | '\u{3000}' | '\u{3164}' => {
             (["a space of another width", "un espacio de otra anchura"], SPACE)
         }
         '\u{200b}' => (["a zero-width space", "un espacio de anchura cero"], DELETE),
-        '\u{ad}' => (["a soft hyphen", "un guion opcional"], DELETE),
-        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
-            (["a mark of the direction of writing", "una marca de la dirección de escritura"], DELETE)
-        }
-        '\u{34f}'
-        | '\u{115f}'
-        | '\u{1160}'
+        '\u{ad}'
+        | '\u{34f}'
+        | '\u{61c}'
         | '\u{180b}'..='\u{180f}'
-        | '\u{200c}'
-        | '\u{200d}'
-        | '\u{2060}'..='\u{2064}'
-        | '\u{206a}'..='\u{206f}'
-        | '\u{2800}'
-        | '\u{3164}'
+        | '\u{200c}'..='\u{200f}'
+        | '\u{202a}'..='\u{202e}'
+        | '\u{2060}'..='\u{206f}'
         | '\u{fe00}'..='\u{fe0f}'
-        | '\u{ffa0}'
         | '\u{fff9}'..='\u{fffb}'
-        | '\u{e0000}'..='\u{e0fff}' => (["a character of no width", "un carácter sin anchura"], DELETE),
+        | '\u{e0000}'..='\u{e0fff}' => (["a character without width", "un carácter sin anchura"], DELETE),
+        '\t' => return None,
         control if control.is_control() => (["a control character", "un carácter de control"], DELETE),
         _ => return None,
     })
 }
 
-/// Returns the first character of `text` that is not seen, or the mark at the start of UTF-16.
+/// Returns the first character of `text` that is not seen. It may be the byte order mark of UTF-16.
 #[must_use]
 pub fn find(text: &[u8]) -> Option<Unseen> {
+    let found = |start, length, character| {
+        let (what, remedy) = name(character)?;
+        Some(Unseen { span: start..start + length, character, what, remedy })
+    };
     if matches!(text, [0xff, 0xfe, ..] | [0xfe, 0xff, ..]) {
         let what = ["the byte order mark of UTF-16", "la marca de orden de bytes de UTF-16"];
-        return Some(Unseen { span: 0..2, what, character: '\u{feff}', remedy: UTF_16 });
+        return Some(Unseen { span: 0..2, character: '\u{feff}', what, remedy: UTF_16 });
     }
     let mut start = 0;
     for chunk in text.utf8_chunks() {
-        for (offset, character) in chunk.valid().char_indices() {
-            if let Some((what, remedy)) = name(character) {
-                let span = start + offset..start + offset + character.len_utf8();
-                return Some(Unseen { span, what, character, remedy });
-            }
+        let (valid, invalid) = (chunk.valid(), chunk.invalid());
+        let seek = |(offset, letter): (usize, char)| found(start + offset, letter.len_utf8(), letter);
+        if let Some(unseen) = valid.char_indices().find_map(seek) {
+            return Some(unseen);
         }
-        start += chunk.valid().len();
-        // In ISO 8859-1 and in the code page of Windows, a byte is a character.
-        if chunk.invalid() == [0xa0] {
-            let (what, remedy) = name('\u{a0}')?;
-            return Some(Unseen { span: start..start + 1, what, character: '\u{a0}', remedy });
+        start += valid.len();
+        // In ISO 8859-1 and in the code page of Windows, this byte is a no-break space.
+        if invalid == [0xa0] {
+            return found(start, 1, '\u{a0}');
         }
-        start += chunk.invalid().len();
+        start += invalid.len();
     }
     None
 }

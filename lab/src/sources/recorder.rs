@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read};
 
-use cpu::internals::input::text::Tokens;
+use crate::format::hint::material;
 
 /// Largest number of names of materials that are stored. For an unknown name, a message suggests one of them.
 const MOST_NAMES: usize = 10_000;
@@ -44,10 +44,7 @@ impl<R: BufRead> Recorder<R> {
             self.line.extend_from_slice(piece);
             self.is_complete = piece.ends_with(b"\n");
             if self.is_complete && self.names.len() < MOST_NAMES {
-                let mut tokens = Tokens::new(&self.line);
-                if let Some(b"matte:" | b"metal:" | b"refractive:") = tokens.next() {
-                    self.names.extend(tokens.next().map(<[u8]>::to_vec));
-                }
+                self.names.extend(material(&self.line).map(<[u8]>::to_vec));
             }
         }
     }

@@ -58,7 +58,7 @@ fn a_scene_is_told_in_words_and_in_json() {
     assert_eq!((&value["spheres"], &value["cylinders"]), (&15.into(), &0.into()));
     assert!(complaint(&["inspect", "README.md"]).starts_with("Error: README.md:1:1: there is no scene entity [#]\n"));
     let swapped = complaint(&["inspect", "scenes/grid/scene.txt", "scenes/grid/config.txt"]);
-    assert!(swapped.contains("this looks like a scene file; the configuration comes first: CONFIG SCENE"), "{swapped}");
+    assert!(swapped.contains("a line of the other file; the order is: CONFIG SCENE"), "{swapped}");
 }
 
 #[test]

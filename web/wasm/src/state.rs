@@ -1,9 +1,8 @@
 //! The texts that the caller wrote, and the result of the last call.
 
 use cpu::internals::input::error::Error;
-use cpu::internals::input::text::Tokens;
 use cpu::{Config, Scene};
-use format::hint::{Hint, Kind, Language};
+use format::hint::{Hint, Kind, Language, material};
 
 use crate::fault::{Fault, Place};
 use crate::live::Live;
@@ -74,7 +73,8 @@ fn parse<T>(bytes: &[u8], text: usize, parse: fn(&mut &[u8]) -> Result<T, Error>
         let start = read.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
         let line = read[start..].strip_suffix(b"\r").unwrap_or(&read[start..]);
         let kind = if text == 0 { Kind::Config } else { Kind::Scene };
-        let names = names(read);
+        let names = read.split(|&byte| byte == b'\n').filter_map(material);
+        let names: Vec<_> = names.take(MOST_NAMES).map(<[u8]>::to_vec).collect();
         let hint = |language| Hint::new(&error, kind, line, &names, language);
         let (Some(hint), Some(spanish)) = (hint(Language::English), hint(Language::Spanish)) else {
             return Fault::without_line(error, text);
@@ -84,16 +84,6 @@ fn parse<T>(bytes: &[u8], text: usize, parse: fn(&mut &[u8]) -> Result<T, Error>
         let place = Place { text, line: number, column: 1 + column, length };
         Fault { message: error.message(), place, hints: [hint, spanish].map(|hint| hint.to_string()) }
     })
-}
-
-/// Returns the names of the materials that the lines of `text` define.
-fn names(text: &[u8]) -> Vec<Vec<u8>> {
-    let name = |line| {
-        let mut tokens = Tokens::new(line);
-        let is_material = matches!(tokens.next()?, b"matte:" | b"metal:" | b"refractive:");
-        tokens.next().filter(|_| is_material).map(<[u8]>::to_vec)
-    };
-    text.split(|&byte| byte == b'\n').filter_map(name).take(MOST_NAMES).collect()
 }
 
 /// Returns the number of UTF-16 units of a text. A byte that is not UTF-8 counts as one character.

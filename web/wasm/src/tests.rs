@@ -51,7 +51,7 @@ fn texts_become_a_file_or_a_message() {
             [0, 1, 7, 1],
             ["here, and it is not seen; write a space", "que no se ve; escriba un espacio"],
         ),
-        ("gamma: x", [0, 1, 8, 1], ["the line is: gamma: number > 0", "la línea es: gamma: número > 0"]),
+        ("gamma: x", [0, 1, 8, 1], ["the line is: gamma: number > 0", "número mayor que 0; la línea es: gamma: "]),
     ] {
         write(0, text.as_bytes());
         assert_eq!((check(0), fault()), (1, place), "{text}");
