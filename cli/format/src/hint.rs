@@ -8,7 +8,7 @@ use cpu::Error;
 use cpu::internals::input::text::{Tokens, parse_real, trim};
 
 use crate::unseen::{self, find};
-use crate::{CONFIG, Field, Line, SCENE, place};
+use crate::{CONFIG, Field, Line, SCENE, Words, place};
 
 /// The kind of an input file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,9 +28,6 @@ pub enum Language {
     /// Spanish.
     Spanish,
 }
-
-/// A text in English and in Spanish. Each `{}` in it stands for a value.
-pub type Words = [&'static str; 2];
 
 /// What is wrong in a line, where, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -96,9 +93,12 @@ const KEY: Words = ["a colon follows the key, and a blank the colon", "tras la c
 const COMMENT: Words = ["the files have no comments, so leave it out", "los archivos no tienen comentarios; quítelo"];
 const BLANKS: Words = ["separate numbers by blanks alone", "separe los números solo con espacios"];
 
+/// Corrects the values of a line of the format.
+type Change = fn(&str, &Line) -> String;
+
 /// What people often write instead of values, in the order in which it is tried: what to do instead, and a function
 /// that does so in the values of a line.
-const CHANGES: [(Words, fn(&str, &Line) -> String); 6] = [
+const CHANGES: [(Words, Change); 6] = [
     (KEY, |values, _| values.to_owned()),
     (BLANKS, |values, line| {
         let is_config = line.fields.iter().all(|field| *field != Field::Name);
@@ -227,7 +227,7 @@ impl Writer<'_> {
         let line = find_line(&format!("{}:", key.trim_matches('"')))?;
         let rest = rest.trim_start();
         let rest = rest.strip_prefix([':', '=']).unwrap_or(rest);
-        let values = rest.split('#').next()?.split("//").next()?.trim();
+        let values = rest.split('#').next()?.split("//").next()?.split("/*").next()?.trim();
         let has_comment = values != rest.trim();
         let tried = CHANGES.iter().map(|(words, change)| (*words, change(values, line)));
         let (words, values) = tried.into_iter().find(|(_, values)| is_valid(line, values))?;

@@ -1,14 +1,18 @@
 //! Describes the two input files as tables: the fields of every line, their meaning and their allowed values.
 //!
 //! `cpu` decides which values are valid, and these tables explain it. `render-lab help config` and `help scene` print
-//! the tables, the page in `web/site` offers them as completions, and error messages use them to point at the wrong
-//! field ([`place`]) and to say what to write instead ([`hint`]). Tests check that the tables agree with the parsers of `cpu`.
+//! the tables, and the page in `web/site` offers them as completions. Error messages use them to point at the wrong
+//! field ([`place`]), and to say what to write instead ([`hint`]). Tests check that the tables agree with the parsers
+//! of `cpu`.
 
 pub mod hint;
 pub mod place;
 pub mod unseen;
 
 use cpu::internals::input::text;
+
+/// A text in English and in Spanish. Each `{}` in it stands for a value.
+pub type Words = [&'static str; 2];
 
 /// The set of values that a field may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +51,7 @@ impl Field {
 
     /// Returns the description of the valid values, for an error message.
     #[must_use]
-    pub const fn wanted(self) -> hint::Words {
+    pub const fn wanted(self) -> Words {
         match self {
             Self::Name => ["a name", "un nombre"],
             Self::Count => ["a whole number above 0", "un número entero mayor que 0"],

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::hint::Words;
+use crate::Words;
 
 const SPACE: Words = ["write a space instead of it", "escriba un espacio en su lugar"];
 const DELETE: Words = ["delete it", "bórrelo"];
