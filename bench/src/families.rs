@@ -121,6 +121,32 @@ fn sphere_floor([radius, number, height, _]: Point) -> FamilyScene {
     )
 }
 
+/// Returns a floor that is the side of a lying cylinder.
+fn side_floor([radius, length, number, turn]: Point) -> FamilyScene {
+    let (radius, length, number) = (log(radius, 10.0, 1e12), log(length, 0.1, 100.0), count(number, 1.0, 100.0));
+    let (sin, cos) = turn.sin_cos();
+    let axis = [length * radius * cos, 0.0, length * radius * sin];
+    FamilyScene::new(
+        format!("radius {radius:e}, {length:e} radii long, {number} objects, turn {turn:.2}"),
+        camera(ABOVE, MIDDLE, 45.0),
+        &(cylinder([0.0, -radius, 0.0], radius, axis, "m") + &small_objects(number, 1.0)),
+    )
+}
+
+/// Returns cylinders around each other that are hardly apart.
+fn films([gap, number, length, _]: Point) -> FamilyScene {
+    let (gap, number, length) = (log(gap, 1e-14, 1e-2), count(number, 2.0, 20.0), log(length, 0.1, 10.0));
+    let film = |place: usize| {
+        let radius = 1.0 + gap * place as f64;
+        cylinder(MIDDLE, radius, [0.3 * length, length * radius, 0.2 * length], ["m", "n"][place % 2])
+    };
+    FamilyScene::new(
+        format!("{number} cylinders, {gap:e} apart, length {length:e}"),
+        camera(ABOVE, MIDDLE, 20.0),
+        &(0..number).map(film).collect::<String>(),
+    )
+}
+
 /// Returns flat discs above each other.
 fn stack([radius, gap, number, tilt]: Point) -> FamilyScene {
     let (radius, gap, number) = (log(radius, 1.0, 1e7), log(gap, 0.01, 1.0), count(number, 2.0, 60.0));
@@ -316,6 +342,8 @@ fn one_giant([radius, number, shape, _]: Point) -> FamilyScene {
 pub const FAMILIES: &[Family] = &[
     Family { name: "disc-floor", scene: disc_floor },
     Family { name: "sphere-floor", scene: sphere_floor },
+    Family { name: "side-floor", scene: side_floor },
+    Family { name: "films", scene: films },
     Family { name: "stack", scene: stack },
     Family { name: "tube", scene: tube },
     Family { name: "wedge", scene: wedge },
