@@ -25,7 +25,7 @@
 pub mod compensated_roots;
 pub mod cylinder;
 pub mod cylinder_compensated;
-mod cylinder_decision;
+pub mod cylinder_decision;
 pub(crate) mod cylinder_exact;
 pub mod cylinder_parts;
 pub mod error_bound;

@@ -10,12 +10,12 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
-use crate::exact::cylinder_decision::{Hit, PlainCaps, PlainSide, decide, with_caps};
-use crate::exact::cylinder_parts::{Crossing, Plane, Side, is_inside, is_long};
+use crate::exact::cylinder_decision::{CapFormulas, Hit, PlainCaps, PlainSide, decide, with_caps};
+use crate::exact::cylinder_parts::{Crossing, Side, is_inside, is_long};
 use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
-use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
-use crate::simd::fused::run_fused;
+use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding, vec3::Vec3};
+use crate::simd::{SimdF64, fused::run_fused};
 
 /// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
 /// misses all three. Of parts at the same lambda, the first in this order counts. [`CylinderRecord::intersect`] follows
@@ -125,6 +125,30 @@ pub struct SideLanes<T: Real> {
     pub open: T::Mask,
 }
 
+impl<V: SimdF64> CylinderHits<V> {
+    /// Returns the number of the part of each hit.
+    #[inline(always)]
+    pub fn part(&self) -> V {
+        let over = V::select(self.top, CylinderPart::Top.number(), CylinderPart::Side.number());
+        V::select(self.bottom, CylinderPart::Bottom.number(), over)
+    }
+}
+
+impl<V: SimdF64> SideLanes<V> {
+    /// Returns the hits of the lanes in `bits`. For most groups of rays the side alone decides, so the caps need no
+    /// test.
+    #[inline(always)]
+    pub fn with_needed_caps(
+        &self,
+        record: &CylinderRecord<V>,
+        ray: &Ray<V>,
+        caps: &impl CapFormulas<V>,
+        bits: u32,
+    ) -> CylinderHits<V> {
+        if V::bits(self.open) & bits != 0 { self.with_caps(record, ray, caps) } else { self.without_caps() }
+    }
+}
+
 impl<T: Rounding> SideLanes<T> {
     /// Intersects the rays with the side by the plain formulas. `view` has the cylinder's terms for the rays' origin.
     #[inline(always)]
@@ -133,10 +157,25 @@ impl<T: Rounding> SideLanes<T> {
         let root = side.discriminant.sqrt();
         let entry = side.crossing(record, ray, -side.h - root, root);
         let exit = side.crossing(record, ray, -side.h + root, root);
-        let misses = side.bound.misses(side.discriminant);
+        Self::of(entry, exit, side.bound.misses(side.discriminant), side.inside)
+    }
+
+    /// Intersects the rays with the side by the [compensated](crate::exact::cylinder_compensated) formulas. `axis` is
+    /// the axis of the scene file.
+    #[inline(always)]
+    pub fn compensated(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self
+    where
+        T: MulAdd,
+    {
+        let side = CompensatedSide::new(record, axis, ray);
+        Self::of(side.entry(), side.exit(), side.misses, is_inside(&record.seen_from(ray.origin)))
+    }
+
+    #[inline(always)]
+    fn of(entry: Crossing<T>, exit: Crossing<T>, misses: T::Mask, inside: T::Mask) -> Self {
         let nothing = misses | (entry.fails() & entry.passes_by(&exit));
         let through = entry.behind & exit.straight & !nothing;
-        Self { entry, exit, nothing, through, inside: side.inside, open: !(nothing | entry.hits | through) }
+        Self { entry, exit, nothing, through, inside, open: !(nothing | entry.hits | through) }
     }
 
     /// The lanes in which it certainly is decided where the ray crosses the side. Caps may still be open.
@@ -160,13 +199,13 @@ impl<T: Rounding> SideLanes<T> {
 
     /// Intersects the rays with the caps too, and returns the hits.
     #[inline(always)]
-    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
+    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>, caps: &impl CapFormulas<T>) -> CylinderHits<T> {
         let Self { entry, exit, nothing, through, inside, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
         let (near, far) =
             (Vec3::select(down, record.top, record.bottom), Vec3::select(down, record.bottom, record.top));
-        let facing = Plane::new(record, ray, near).disc(record, ray);
-        let other = Plane::new(record, ray, far).disc(record, ray);
+        let facing = caps.plane(record, ray, near, down).disc(record, ray);
+        let other = caps.plane(record, ray, far, !down).disc(record, ray);
         let by_facing = open & facing.hits;
         let by_exit = through | (open & !facing.hits & exit.hits);
         let by_other = open & !facing.hits & !exit.hits & other.hits;

@@ -68,56 +68,63 @@ impl<T: MulAdd> Terms<T> {
     }
 }
 
-/// The points where a ray crosses the infinite cylinder.
-pub struct CompensatedSide<'a> {
-    record: &'a CylinderRecord,
-    ray: &'a Ray,
-    terms: Terms<f64>,
+/// The points where rays cross infinite cylinders.
+pub struct CompensatedSide<'a, T: MulAdd> {
+    record: &'a CylinderRecord<T>,
+    ray: &'a Ray<T>,
+    terms: Terms<T>,
     /// What is certain about the two roots, if the numbers are in scale.
-    pub roots: Roots<f64>,
+    roots: Roots<T>,
     /// The line certainly misses the infinite cylinder.
-    pub misses: bool,
+    pub misses: T::Mask,
     /// The large root is where the line enters, and it is negative. Otherwise it is where the line leaves.
-    pub backward: bool,
+    backward: T::Mask,
 }
 
-impl<'a> CompensatedSide<'a> {
+impl<'a, T: MulAdd> CompensatedSide<'a, T> {
     /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file.
     #[inline(always)]
-    pub fn new(record: &'a CylinderRecord, axis: Vec3, ray: &'a Ray) -> Self {
+    pub fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>) -> Self {
         let terms = Terms::new(record, axis, ray);
-        let near = terms.quadratic.near();
-        let roots = terms.quadratic.roots(if near.size < terms.far.size { near } else { terms.far });
-        let accurate = terms.in_scale && roots.accurate;
+        let (near, far) = (terms.quadratic.near(), &terms.far);
+        let is_near = near.size.less(far.size);
+        let [value, size] = [(near.value, far.value), (near.size, far.size)].map(|(a, b)| T::select(is_near, a, b));
+        let roots = terms.quadratic.roots(Discriminant { value, size });
+        let misses = terms.in_scale & roots.misses;
+        let accurate = terms.in_scale & roots.accurate;
         let [small_is_ahead, small_fails, large_fails] =
-            [roots.small_is_ahead, roots.small_fails, roots.large_fails].map(|is_certain| accurate && is_certain);
+            [roots.small_is_ahead, roots.small_fails, roots.large_fails].map(|is_certain| accurate & is_certain);
         let roots = Roots { accurate, small_is_ahead, small_fails, large_fails, ..roots };
-        let (misses, backward) = (terms.in_scale && roots.misses, terms.quadratic.h < 0.0);
+        let backward = terms.quadratic.h.less(T::of(0.0));
         Self { record, ray, terms, roots, misses, backward }
     }
 
+    /// Returns the crossing at the small root where `is_small` holds, and at the large root elsewhere.
     #[inline(always)]
-    fn crossing(&self, root: (f64, f64), hits: bool, fails: bool) -> Crossing<f64> {
-        let start = [self.terms.from_center.dot(self.record.axis), self.ray.direction.dot(self.record.axis)];
-        Crossing::new(self.record, self.ray, start, root, hits && is_in_range(root.0), fails)
+    fn crossing(&self, is_small: T::Mask) -> Crossing<T> {
+        let Self { record, ray, roots, .. } = self;
+        let either = |yes: T::Mask, no: T::Mask| (is_small & yes) | (!is_small & no);
+        let start = [self.terms.from_center.dot(record.axis), ray.direction.dot(record.axis)];
+        let [small, large] = roots.magnitudes(&self.terms.quadratic);
+        let [lambda, error] = [(small.0, large.0), (small.1, large.1)].map(|(a, b)| T::select(is_small, a, b));
+        let hits = either(roots.small_is_ahead, roots.accurate & !self.backward) & is_in_range(lambda);
+        Crossing::new(record, ray, start, (lambda, error), hits, either(roots.small_fails, roots.large_fails))
     }
 
-    /// Returns the crossing at the small root.
+    /// Where the line enters.
     #[inline(always)]
-    pub fn small(&self) -> Crossing<f64> {
-        let [small, _] = self.roots.magnitudes(&self.terms.quadratic);
-        self.crossing(small, self.roots.small_is_ahead, self.roots.small_fails)
+    pub fn entry(&self) -> Crossing<T> {
+        self.crossing(!self.backward)
     }
 
-    /// Returns the crossing at the large root.
+    /// Where it leaves.
     #[inline(always)]
-    pub fn large(&self) -> Crossing<f64> {
-        let [_, large] = self.roots.magnitudes(&self.terms.quadratic);
-        self.crossing(large, self.roots.accurate && !self.backward, self.roots.large_fails)
+    pub fn exit(&self) -> Crossing<T> {
+        self.crossing(self.backward)
     }
 }
 
-impl SideFormulas<f64> for CompensatedSide<'_> {
+impl<T: MulAdd<Mask = bool>> SideFormulas<T> for CompensatedSide<'_, T> {
     #[inline(always)]
     fn misses(&self) -> bool {
         self.misses
@@ -140,13 +147,13 @@ impl SideFormulas<f64> for CompensatedSide<'_> {
     }
 
     #[inline(always)]
-    fn entry(&self) -> Crossing<f64> {
-        if self.backward { self.large() } else { self.small() }
+    fn entry(&self) -> Crossing<T> {
+        self.entry()
     }
 
     #[inline(always)]
-    fn exit(&self) -> Crossing<f64> {
-        if self.backward { self.small() } else { self.large() }
+    fn exit(&self) -> Crossing<T> {
+        self.exit()
     }
 }
 
@@ -198,12 +205,12 @@ pub fn plane<T: MulAdd>(
 }
 
 /// The caps by the compensated formula. This holds the axis of the scene file.
-pub(super) struct CompensatedCaps(pub Vec3);
+pub struct CompensatedCaps<T>(pub Vec3<T>);
 
-impl CapFormulas<f64> for CompensatedCaps {
+impl<T: MulAdd> CapFormulas<T> for CompensatedCaps<T> {
     #[inline(always)]
-    fn plane(&self, record: &CylinderRecord, ray: &Ray, center: Vec3, is_top: bool) -> Plane<f64> {
-        plane(record, self.0, ray, center, if is_top { self.0 } else { -self.0 })
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T> {
+        plane(record, self.0, ray, center, Vec3::select(is_top, self.0, -self.0))
     }
 }
 
@@ -214,7 +221,7 @@ pub fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart
     let (center, to_cap) = match part {
         CylinderPart::Side => {
             let side = CompensatedSide::new(record, axis, ray);
-            let [entry, exit] = if side.backward { [side.large(), side.small()] } else { [side.small(), side.large()] };
+            let (entry, exit) = (side.entry(), side.exit());
             let crossing = if entry.hits { entry } else { exit };
             return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error));
         }

@@ -79,17 +79,17 @@ impl<T: Rounding<Mask = bool>> SideFormulas<T> for PlainSide<'_, T> {
 }
 
 /// A way to compute the plane of a cap. It is a trait and no closure; see [`crate::simd::Kernel::call`].
-pub(super) trait CapFormulas<T: Rounding> {
+pub trait CapFormulas<T: Rounding> {
     /// Returns the plane of the cap around `center`.
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: bool) -> Plane<T>;
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T>;
 }
 
 /// Planes by the plain formula.
-pub(super) struct PlainCaps;
+pub struct PlainCaps;
 
 impl<T: Rounding> CapFormulas<T> for PlainCaps {
     #[inline(always)]
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, _: bool) -> Plane<T> {
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, _: T::Mask) -> Plane<T> {
         Plane::new(record, ray, center)
     }
 }

@@ -1,21 +1,19 @@
 //! The closest hits of several rays, which are found at once.
 
+use crate::exact::{cylinder::SideLanes, cylinder_decision::PlainCaps};
+use crate::render::compensated_lanes::{Cylinder, precise_cylinder};
 use crate::render::{fallback::closer_of_near, fallback::precise, lane_numbers::ObjectNumber};
 use crate::{
     accel::closest_hit::is_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
     exact::error_bound::in_scale, exact::order::is_certainly_closer, exact::sphere_compensated::Terms,
-    geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
-    geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects,
-    math::vec3::Vec3, simd::SimdF64,
+    geometry::cylinder::CylinderPart, geometry::cylinder::CylinderView, geometry::ray::Ray,
+    geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects, simd::SimdF64,
 };
 
 /// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`, for the ray `O + lambda d`
 /// and an object with centre `C` and radius `r`. It is `1024 u` with `u = EPSILON / 2`, at least five times the error
 /// constants of the filters.
 pub const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
-
-/// A cylinder and its axis in the scene file.
-type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
 
 /// The closest hit of each of several rays, one ray in each lane. The number of the part is stored as a
 /// whole number in `f64` lanes.
@@ -176,19 +174,16 @@ impl<V: SimdF64> HitLanes<V> {
         view: &CylinderView<V>,
         rays: &Rays<V, O>,
     ) {
-        let (record, axis) = cylinder;
+        let (record, _) = cylinder;
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
-        let side = exact::cylinder::SideLanes::new(&lanes_record, view, ray, exact::cylinder_parts::is_long(record));
-        // For most groups of rays the side alone decides, so the caps need no test.
-        let needs_caps = V::bits(side.open) & valid != 0;
-        let lanes = if needs_caps { side.with_caps(&lanes_record, ray) } else { side.without_caps() };
-        let over = V::select(lanes.top, CylinderPart::Top.number(), CylinderPart::Side.number());
-        let mut hits = (lanes.lambda, V::select(lanes.bottom, CylinderPart::Bottom.number(), over));
+        let side = SideLanes::new(&lanes_record, view, ray, exact::cylinder_parts::is_long(record));
+        let lanes = side.with_needed_caps(&lanes_record, ray, &PlainCaps, valid);
+        let mut hits = (lanes.lambda, lanes.part());
         let certain = lanes.certain & in_scale(a);
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
-            hits = precise(ray, hits, uncertain, &|ray| exact::cylinder::compensated_or_precise(record, axis, ray));
+            hits = precise_cylinder(ray, hits, uncertain, cylinder);
         }
         self.update(id, hits, certain, rays);
     }
@@ -200,6 +195,7 @@ mod tests {
     use crate::accel::every_object::intersect_every_object;
     use crate::input::scene::Scene;
     use crate::layout::aos::AosObjects;
+    use crate::math::vec3::Vec3;
     use crate::sampling::uniform::Uniform;
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};

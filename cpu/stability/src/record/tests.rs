@@ -1,7 +1,9 @@
 //! Tests that rays in lanes get the answers that each ray gets alone, and that certain answers are those of the plain
 //! formulas.
 
-use cpu::internals::exact::cylinder_parts::is_long;
+use cpu::internals::exact::{
+    cylinder::SideLanes, cylinder_compensated::CompensatedCaps, cylinder_decision::PlainCaps, cylinder_parts::is_long,
+};
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::simd::{Simd, SimdF64};
 
@@ -22,9 +24,15 @@ fn vectors(vectors: [Vec3; LANES]) -> Vec3<Lanes> {
     Vec3::from([0, 1, 2].map(|axis| lanes(vectors.map(|vector| vector.to_array()[axis]))))
 }
 
-/// Returns the answers of the filter in lanes, for long cylinders or others. The objects must be all spheres or all
-/// cylinders.
-fn filtered_in_lanes(cases: [Case; LANES], is_long: bool) -> [Decision<Found>; LANES] {
+/// The formulas that run in lanes: the plain ones, for long cylinders or others, or the compensated ones of cylinders.
+#[derive(Clone, Copy)]
+enum Formulas {
+    Plain { is_long: bool },
+    Compensated,
+}
+
+/// Returns the answers in lanes. The objects must be all spheres or all cylinders.
+fn in_lanes(cases: [Case; LANES], formulas: Formulas) -> [Decision<Found>; LANES] {
     let center = vectors(cases.map(|case| case.center()));
     let ray = Ray {
         origin: vectors(cases.map(|case| case.ray.origin)),
@@ -41,9 +49,15 @@ fn filtered_in_lanes(cases: [Case; LANES], is_long: bool) -> [Decision<Found>; L
         let hits = exact::sphere::filtered_from(&view, ray.direction, ray.direction.dot(ray.direction));
         (hits.lambda, hits.certain, none, none)
     } else {
-        let record = CylinderRecord::new(center, radius, vectors(parts.map(|(_, axis)| axis)));
-        let side = exact::cylinder::SideLanes::new(&record, &record.seen_from(ray.origin), &ray, is_long);
-        let hits = side.with_caps(&record, &ray);
+        let axis = vectors(parts.map(|(_, axis)| axis));
+        let record = CylinderRecord::new(center, radius, axis);
+        let hits = match formulas {
+            Formulas::Plain { is_long } => SideLanes::new(&record, &record.seen_from(ray.origin), &ray, is_long)
+                .with_caps(&record, &ray, &PlainCaps),
+            Formulas::Compensated => {
+                SideLanes::compensated(&record, axis, &ray).with_caps(&record, &ray, &CompensatedCaps(axis))
+            }
+        };
         (hits.lambda, hits.certain, hits.bottom, hits.top)
     };
     let mut lambdas = [0.0; LANES];
@@ -65,7 +79,7 @@ fn filtered_in_lanes(cases: [Case; LANES], is_long: bool) -> [Decision<Found>; L
 fn check(regimes: &[Regime]) {
     let mut certain = [0; 2];
     for cases in regimes.iter().flat_map(|regime| regime.cases(SEED, CASES).as_chunks().0.to_vec()) {
-        let either = [false, true].map(|is_long| filtered_in_lanes(cases, is_long));
+        let either = [false, true].map(|is_long| in_lanes(cases, Formulas::Plain { is_long }));
         for (lane, case) in cases.iter().enumerate() {
             let (record, ray) = case.of();
             let in_lanes = either[usize::from(matches!(&record, Record::Cylinder(record, _) if is_long(record)))][lane];
@@ -87,4 +101,22 @@ fn spheres_in_lanes_are_as_alone_and_certain_answers_are_the_plain_ones() {
 #[test]
 fn cylinders_in_lanes_are_as_alone_and_certain_answers_are_the_plain_ones() {
     check(&CYLINDERS);
+}
+
+#[test]
+fn cylinders_in_lanes_have_the_compensated_answers_of_each_alone() {
+    let mut certain = [0; 2];
+    for cases in CYLINDERS.iter().flat_map(|regime| regime.cases(SEED, CASES).as_chunks().0.to_vec()) {
+        let answers = in_lanes(cases, Formulas::Compensated);
+        for (lane, case) in cases.iter().enumerate() {
+            let (Record::Cylinder(record, axis), ray) = case.of() else { unreachable!("all are cylinders") };
+            // The lanes check once for each ray that its direction is in scale.
+            let alone = exact::cylinder::compensated(&record, &axis, &ray);
+            if alone != Decision::Uncertain {
+                certain[usize::from(answers[lane] != Decision::Uncertain)] += 1;
+                assert!(answers[lane] == alone || answers[lane] == Decision::Uncertain, "{case:?}");
+            }
+        }
+    }
+    assert!(certain[0] * 1000 < certain[1], "the lanes decide what each ray alone decides: {certain:?}");
 }

@@ -1,0 +1,77 @@
+//! Intersects the rays with a cylinder for which the plain formulas are uncertain, several at once.
+
+use crate::counters::{Counter, add};
+use crate::exact::cylinder::{SideLanes, precise};
+use crate::exact::{cylinder_compensated::CompensatedCaps, error_bound::in_scale};
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
+use crate::math::{real::Real as _, vec3::Vec3};
+use crate::render::fallback::for_each_lane;
+use crate::simd::{Kernel, MOST_LANES, Simd, SimdF64, columns::Columns, instruction_set::InstructionSet};
+
+/// A cylinder and its axis in the scene file.
+pub type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
+
+/// The origin and the direction of several rays, and lambda and part of their hits.
+type Lanes = Columns<8, MOST_LANES>;
+
+/// Returns lambda and part of each lane. In the lanes whose bits are set in `uncertain` they come from the compensated
+/// formulas or, if these are uncertain too, from dyadic arithmetic, and lambda is NaN for a miss. All other lanes keep
+/// the given values.
+#[inline(always)]
+pub fn precise_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, cylinder: Cylinder) -> (V, V) {
+    let Ray { origin: o, direction: d } = *ray;
+    let mut lanes = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, hits.0, hits.1]);
+    compensated_or_precise(&mut lanes, uncertain, cylinder);
+    let [.., lambda, part] = lanes.load(0);
+    (lambda, part)
+}
+
+/// This function is not inlined, so that the loop over the objects keeps its registers.
+#[cold]
+#[inline(never)]
+fn compensated_or_precise(lanes: &mut Lanes, uncertain: u32, cylinder: Cylinder) {
+    let left = InstructionSet::fused().run(Compensated { lanes, uncertain, cylinder });
+    add(Counter::Compensated, u64::from((uncertain & !left).count_ones()));
+    for_each_lane(left, |lane| {
+        let [x, y, z, dx, dy, dz, ..] = lanes.get(lane);
+        let ray = Ray { origin: [x, y, z].into(), direction: [dx, dy, dz].into() };
+        let (lambda, part) = precise(cylinder.0, cylinder.1, &ray).unwrap_or((f64::NAN, CylinderPart::Side));
+        lanes.set(lane, [x, y, z, dx, dy, dz, lambda, f64::from(part as u32)]);
+    });
+}
+
+/// A kernel that intersects the rays of the `uncertain` lanes by the compensated formulas. It returns the lanes that
+/// still are uncertain.
+struct Compensated<'a> {
+    lanes: &'a mut Lanes,
+    uncertain: u32,
+    cylinder: Cylinder<'a>,
+}
+
+impl Kernel for Compensated<'_> {
+    type Output = u32;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> u32 {
+        let Self { lanes, uncertain, cylinder: (record, axis) } = self;
+        let (record, axis) = (record.lanes::<S::F64>(), axis.map(S::F64::of));
+        let (mut left, mut at) = (uncertain, 0);
+        while at < MOST_LANES {
+            let [x, y, z, dx, dy, dz, ..] = lanes.load::<S::F64>(at);
+            let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
+            let side = SideLanes::compensated(&record, axis, &ray);
+            let hits = side.with_needed_caps(&record, &ray, &CompensatedCaps(axis), uncertain >> at);
+            let certain = S::F64::bits(hits.certain & in_scale(ray.direction.dot(ray.direction))) << at & uncertain;
+            let found = Columns::<2, MOST_LANES>::of_lanes([hits.lambda, hits.part()]);
+            for_each_lane(certain, |lane| {
+                let [lambda, part] = found.get(lane - at);
+                let [.., lambdas, parts] = &mut lanes.0;
+                lambdas[lane] = if lambda < f64::INFINITY { lambda } else { f64::NAN };
+                parts[lane] = part;
+            });
+            left &= !certain;
+            at += S::F64::LANES;
+        }
+        left
+    }
+}
