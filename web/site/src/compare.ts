@@ -19,6 +19,8 @@ const BLINK = 600;
 /** What the comparison tells the page. */
 export interface Listener {
     refused(fault: Refused | null): void;
+    /** WebGPU does not work any more. */
+    broken(error: unknown): void;
     clicked(column: number, row: number): void;
 }
 
@@ -37,7 +39,9 @@ export class Comparison {
     #difference: Difference | null = null;
     #newest = 0;
 
-    constructor(private readonly preparer: Preparer, private readonly shaders: Shaders, private readonly listener: Listener) {
+    #shaders: Shaders | null = null;
+
+    constructor(private readonly preparer: Preparer, private readonly listener: Listener) {
         element('compare-legend').style.background = LEGEND;
         this.#slider.addEventListener('input', () => this.#cut());
         this.#view.addEventListener('change', () => this.#draw());
@@ -58,12 +62,24 @@ export class Comparison {
 
     /** The scene as it is compared, for the path of a pixel. */
     get source(): Source | null {
-        return this.#facts && { preparer: this.preparer, shaders: this.shaders, facts: this.#facts };
+        return this.#facts && { preparer: this.preparer, shaders: this.#shaders, facts: this.#facts };
+    }
+
+    /** Compares these shaders from now on. Needs {@link show} afterwards. */
+    set shaders(shaders: Shaders | null) {
+        this.#newest += 1;
+        this.#shaders = shaders;
+        this.#facts = null;
+        element('compare-pane').classList.toggle('without', shaders === null);
     }
 
     /** Takes valid texts. */
     async show({ config, scene }: Texts): Promise<void> {
         const own = ++this.#newest;
+        const shaders = this.#shaders;
+        if (!shaders) {
+            return;
+        }
         try {
             const whole = await this.preparer.prepare({ config, scene });
             const aimed = await this.preparer.aim(shownConfig(config, whole.facts, WIDTH, null));
@@ -72,7 +88,7 @@ export class Comparison {
             }
             this.#facts = aimed.facts;
             this.#truths = [null, null];
-            this.shaders.load({ facts: aimed.facts, buffers: [...aimed.buffers, ...whole.buffers.slice(1)] });
+            shaders.load({ facts: aimed.facts, buffers: [...aimed.buffers, ...whole.buffers.slice(1)] });
             await this.refresh();
         } catch (error) {
             this.#failed(error);
@@ -83,14 +99,17 @@ export class Comparison {
     async refresh(): Promise<void> {
         const own = ++this.#newest;
         const isCurrent = () => own === this.#newest;
-        const facts = this.#facts;
-        if (!facts) {
+        const [facts, shaders] = [this.#facts, this.#shaders];
+        if (!facts || !shaders) {
             return;
         }
         try {
             this.#figures.textContent = say('comparing');
-            const isRendered = await this.shaders.render('image', 0, isCurrent);
-            const colors = await this.shaders.colors();
+            const isRendered = await shaders.render('image', 0, isCurrent);
+            const colors = await shaders.colors();
+            if (!isCurrent()) {
+                return;
+            }
             this.listener.refused(null);
             const isSingle = this.#with.value === 'f32';
             const exact = this.#truths[isSingle ? 1 : 0] ?? await this.preparer.truth(isSingle);
@@ -147,10 +166,10 @@ export class Comparison {
         if (error instanceof Refused) {
             this.listener.refused(error);
             this.#figures.textContent = say(this.#difference ? 'liveRefused' : 'liveRefusedFirst');
+        } else if (error instanceof Faulty) {
+            this.#figures.textContent = say(this.#difference ? 'liveFault' : 'liveFaultFirst', error.message);
         } else {
-            const message = error instanceof Error ? error.message : String(error);
-            const fault = this.#difference ? 'liveFault' : 'liveFaultFirst';
-            this.#figures.textContent = error instanceof Faulty ? say(fault, message) : say('failed', message);
+            this.listener.broken(error);
         }
     }
 }

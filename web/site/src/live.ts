@@ -1,7 +1,7 @@
 // The live view: the picture of the shaders, turned by mouse, touch and keyboard. Without WebGPU a worker renders it.
 import * as camera from './camera';
 import type { Camera } from './camera';
-import { Refused, type Device } from './gpu/device';
+import { Refused } from './gpu/device';
 import { hasProbe as hasProbes } from './gpu/compose';
 import type { Mode, Shaders } from './gpu/shaders';
 import { Gestures } from './gestures';
@@ -25,6 +25,8 @@ const WINDOW = 1000;
 export interface Listener {
     /** A shader does not compile (null: all of them do). */
     refused(fault: Refused | null): void;
+    /** WebGPU does not work any more. */
+    broken(error: unknown): void;
     /** The lines of the camera are wanted in the configuration, or also in its file. */
     taken(camera: Camera, isSaved: boolean): void;
     /** A pixel was clicked. */
@@ -38,6 +40,8 @@ export class Live {
     readonly #accumulates = element<HTMLInputElement>('live-samples');
     readonly #probes = element<HTMLInputElement>('live-probe');
     #config = '';
+    #scene = '';
+    #shaders: Shaders | null = null;
     #facts: Facts | null = null;
     #camera: Camera | null = null;
     /** The camera of the configuration. */
@@ -54,14 +58,7 @@ export class Live {
     #range: [number, number] = [0, 1];
     #times: number[] = [];
 
-    constructor(
-        private readonly preparer: Preparer,
-        private readonly device: Device | null,
-        private readonly shaders: Shaders | null,
-        private readonly listener: Listener,
-    ) {
-        element('live-none').hidden = device !== null;
-        element('live-samples-line').hidden = device === null;
+    constructor(private readonly preparer: Preparer, private readonly listener: Listener) {
         this.#accumulates.addEventListener('change', () => this.#restart());
         this.#probes.addEventListener('change', () => this.#restart());
         const take = (isSaved: boolean) => {
@@ -91,11 +88,23 @@ export class Live {
         this.#move(moved ?? this.#start);
     }
 
+    /** Renders by these shaders from now on, or by the exact renderer if there are none. Needs {@link show} afterwards. */
+    set shaders(shaders: Shaders | null) {
+        this.#shaders = shaders;
+        this.#facts = null;
+        element('live-samples-line').hidden = shaders === null;
+    }
+
     /** Takes valid texts. The camera stays where it is if the configuration's camera has not changed. */
     async show(config: string, scene: string): Promise<void> {
-        this.#config = config;
+        [this.#config, this.#scene] = [config, scene];
+        const shaders = this.#shaders;
+        const isCurrent = () => shaders === this.#shaders && config === this.#config && scene === this.#scene;
         try {
             const whole = await this.preparer.prepare({ config, scene });
+            if (!isCurrent()) {
+                return;
+            }
             const { position, target, north } = whole.facts;
             const start = { position, target, north };
             if (JSON.stringify(start) !== JSON.stringify(this.#start)) {
@@ -103,8 +112,11 @@ export class Live {
                 this.#camera = start;
             }
             const prepared = await this.preparer.aim(this.#aimed(whole.facts));
+            if (!isCurrent()) {
+                return;
+            }
             this.#facts = prepared.facts;
-            this.shaders?.load({ facts: prepared.facts, buffers: [...prepared.buffers, ...whole.buffers.slice(1)] });
+            shaders?.load({ facts: prepared.facts, buffers: [...prepared.buffers, ...whole.buffers.slice(1)] });
             this.#restart();
         } catch (error) {
             this.#failed(error);
@@ -113,7 +125,7 @@ export class Live {
 
     /** The scene as the view shows it, for the path of a pixel. */
     get source(): Source | null {
-        return this.#facts && { preparer: this.preparer, shaders: this.shaders, facts: this.#facts };
+        return this.#facts && { preparer: this.preparer, shaders: this.#shaders, facts: this.#facts };
     }
 
     /** Waits until the moved camera counts, without a frame. Throws {@link Faulty} if it has no picture. */
@@ -125,7 +137,7 @@ export class Live {
                 throw error;
             });
             this.#facts = aimed.facts;
-            this.shaders?.load(aimed);
+            this.#shaders?.load(aimed);
         }
     }
 
@@ -175,7 +187,7 @@ export class Live {
             const start = performance.now();
             this.#seen = this.#version;
             await this.settle();
-            const image = this.shaders ? await this.#frame(this.shaders) : await this.#slow();
+            const image = this.#shaders ? await this.#frame(this.#shaders) : await this.#slow();
             if (image) {
                 paint(this.#canvas, image);
             }
@@ -187,7 +199,7 @@ export class Live {
     }
 
     get #adds(): boolean {
-        return this.shaders !== null && this.#accumulates.checked && !this.#probes.checked;
+        return this.#shaders !== null && this.#accumulates.checked && !this.#probes.checked;
     }
 
     async #frame(shaders: Shaders): Promise<ImageData | null> {
@@ -207,7 +219,7 @@ export class Live {
 
     /** What the next frame shows. */
     get #mode(): Mode {
-        const hasProbe = Object.values(this.shaders?.edits ?? {}).some(hasProbes);
+        const hasProbe = Object.values(this.#shaders?.edits ?? {}).some(hasProbes);
         element('live-probe-line').hidden = !hasProbe;
         return hasProbe && this.#probes.checked ? 'probe' : this.#adds ? 'accumulate' : 'image';
     }
@@ -220,7 +232,7 @@ export class Live {
 
     /** The configuration with the camera and the size of the view. */
     #aimed(facts: Facts): string {
-        return shownConfig(this.#config, facts, this.device ? WIDTH : WIDTH_WITHOUT, this.#camera);
+        return shownConfig(this.#config, facts, this.#shaders ? WIDTH : WIDTH_WITHOUT, this.#camera);
     }
 
     /** Writes the status after a frame that took `duration` milliseconds. */
@@ -235,7 +247,7 @@ export class Live {
         this.#canvas.dataset.frames = String(frames);
         this.#canvas.dataset.samples = String(this.#samples);
         const samples = this.#adds ? `, ${say('liveSamples', this.#samples)}` : '';
-        const name = this.device?.name ?? 'WebAssembly';
+        const name = this.#shaders?.device.name ?? 'WebAssembly';
         const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
         const probed = isProbe ? `, ${say('probeRange', ...this.#range.map((value) => value.toPrecision(4)))}` : '';
         const seconds = duration < WINDOW ? '' : `, ${say('liveDuration', (duration / 1000).toFixed(1))}`;
@@ -250,8 +262,10 @@ export class Live {
             this.#status.textContent = say(this.#canvas.dataset.frames ? 'liveRefused' : 'liveRefusedFirst');
         } else if (error instanceof Faulty) {
             this.#status.textContent = say(this.#canvas.dataset.frames ? 'liveFault' : 'liveFaultFirst', error.message);
+        } else if (this.#shaders) {
+            this.listener.broken(error);
         } else {
-            this.#status.textContent = say('liveStopped', String(error));
+            this.#status.textContent = say('liveStopped', error instanceof Error ? error.message : String(error));
         }
     }
 }

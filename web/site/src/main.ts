@@ -310,6 +310,14 @@ function forgetLink(): void {
     }
 }
 
-start().catch((error: unknown) => {
-    element('status').textContent = error instanceof Error ? error.message : String(error);
-});
+/** Shows an exception that no part of the page has expected. Browsers tell of some layouts by an event without one. */
+function unexpected(error: unknown): void {
+    if (error) {
+        const words = error instanceof Error ? error.message : String(error);
+        ['status', 'said'].forEach((name) => (element(name).textContent = words));
+    }
+}
+
+addEventListener('error', ({ error }) => unexpected(error));
+addEventListener('unhandledrejection', ({ reason }) => unexpected(reason));
+start().catch(unexpected);

@@ -1,7 +1,8 @@
 // The path of a pixel: the steps by Rust and by the shaders side by side, and the ray's way in a plan of the scene.
+import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
 import { plan } from './plan';
-import type { Facts, Preparer } from './preparer';
+import { Faulty, type Facts, type Preparer } from './preparer';
 import { say } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
@@ -54,9 +55,17 @@ export class PixelView {
     readonly #table = element('pixel-steps');
     #source: Source | null = null;
     #newest = 0;
+    #wasShown = false;
 
-    /** `find` returns the scene of the live view, for a place that is typed before a pixel has been clicked. */
-    constructor(private readonly names: readonly string[], private readonly find: () => Promise<Source | null>) {
+    /**
+     * `find` returns the scene of the live view, for a place that is typed before a pixel has been clicked. `broken` is
+     * called when WebGPU does not work any more.
+     */
+    constructor(
+        private readonly names: readonly string[],
+        private readonly find: () => Promise<Source | null>,
+        private readonly broken: (error: unknown) => void,
+    ) {
         for (const id of ['pixel-column', 'pixel-row']) {
             element(id).addEventListener('change', () => void this.refresh());
         }
@@ -81,6 +90,13 @@ export class PixelView {
         this.#newest += 1;
         this.#source = null;
         this.#table.ariaBusy = 'false';
+    }
+
+    /** Follows the path in a new scene, if one was shown before. */
+    async renew(): Promise<void> {
+        if (this.#wasShown && !this.#source) {
+            await this.refresh();
+        }
     }
 
     /** Follows the path again, after a shader or the place has changed. */
@@ -110,6 +126,7 @@ export class PixelView {
             const wgsl = source.shaders ? await source.shaders.steps(pixel, this.names.length) : null;
             const probed = source.shaders ? await source.shaders.probed(pixel) : null;
             if (own === this.#newest) {
+                this.#wasShown = true;
                 this.#fill(rust, wgsl);
                 element('pixel-probe').textContent = probed ? `probe: ${probed.map((value) => text(value, '')).join(', ')}` : '';
                 element('pixel-plan').replaceChildren(plan(source.facts, this.#points(wgsl ?? rust)));
@@ -123,6 +140,9 @@ export class PixelView {
             element('pixel-plan').replaceChildren();
             element('pixel-probe').textContent = '';
             element('pixel-first').textContent = error instanceof Error ? error.message : String(error);
+            if (source.shaders && !(error instanceof Refused || error instanceof Faulty)) {
+                this.broken(error);
+            }
         }
         if (own === this.#newest) {
             this.#table.ariaBusy = 'false';

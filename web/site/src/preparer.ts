@@ -47,6 +47,11 @@ export class Preparer {
             this.#waiting.get(data.question)?.(data);
             this.#waiting.delete(data.question);
         };
+        this.#worker.onerror = ({ message }) => {
+            const fault = { text: 2, line: 0, column: 0, length: 0, message };
+            this.#waiting.forEach((answer, question) => answer({ question, bytes: [], facts: '', fault }));
+            this.#waiting.clear();
+        };
         this.#worker.postMessage({ module } satisfies Question);
     }
 

@@ -2,7 +2,7 @@
 // them starts sooner.
 import { lines, taken, type Camera } from './camera';
 import { Comparison } from './compare';
-import { Device, type Refused } from './gpu/device';
+import { Device, Unavailable, type Refused } from './gpu/device';
 import type { Edits } from './gpu/compose';
 import { Shaders } from './gpu/shaders';
 import { Live } from './live';
@@ -15,7 +15,7 @@ import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
 import * as view from './view';
-import { say } from './words';
+import { say, tell } from './words';
 
 /** What the views need of the page. */
 export interface Owner {
@@ -28,10 +28,9 @@ export interface Owner {
 /** The parts that exist once a view of the shaders is shown. */
 interface Parts {
     live: Live;
-    /** Null in a browser without WebGPU. */
-    comparison: Comparison | null;
+    comparison: Comparison;
     pixel: PixelView;
-    /** The shaders of the live view and of the comparison. */
+    /** The shaders of the live view and of the comparison; none without WebGPU. */
     shaders: Shaders[];
 }
 
@@ -39,6 +38,7 @@ interface Parts {
 export class Studio {
     readonly #tabs = new Tabs((name) => void this.#shown(name));
     #parts: Promise<Parts> | null = null;
+    #device: Device | null = null;
     readonly #part = document.getElementById('shader-part') as HTMLDetailsElement;
     #editor: ShaderEditor | null = null;
     #reading = Promise.resolve();
@@ -52,6 +52,7 @@ export class Studio {
     ) {
         this.#part.addEventListener('toggle', () => this.#part.open && this.#edit());
         this.#part.open = Object.keys(store.modules()).length > 0;
+        document.getElementById('gpu-again')!.addEventListener('click', () => void this.#again());
     }
 
     /** Takes the texts of the editors, which are valid. */
@@ -117,12 +118,15 @@ export class Studio {
             return;
         }
         this.#parts ??= this.#make();
-        const { live, comparison } = await this.#parts;
+        const { live, comparison, pixel } = await this.#parts;
         if (name === 'live-pane') {
             await this.#read(live);
         }
         if (name === 'compare-pane' && this.#stale.delete(name)) {
-            await comparison?.show(this.owner.texts());
+            await comparison.show(this.owner.texts());
+        }
+        if (name === 'pixel-pane') {
+            await pixel.renew();
         }
         live.isShown = this.#tabs.current === 'live-pane';
     }
@@ -147,7 +151,7 @@ export class Studio {
         shaders.forEach((one) => (one.edits = edits));
         live.refresh();
         if (this.#tabs.current === 'compare-pane') {
-            void comparison?.refresh();
+            void comparison.refresh();
         } else {
             this.#stale.add('compare-pane');
         }
@@ -157,14 +161,10 @@ export class Studio {
     }
 
     async #make(): Promise<Parts> {
-        const device = await Device.open((reason) => this.owner.say(say('liveStopped', reason)));
-        const modules = this.renderer.wgsl();
         const pixel = new PixelView(this.renderer.stepNames(), async () => {
             await this.#read(live);
             return await this.#settles(live) ? live.source : null;
-        });
-        const shaders = device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];
-        shaders.forEach((one) => (one.edits = this.#editor?.edits ?? store.modules()));
+        }, (error) => void this.#broken(error));
         const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
         const follow = (source: Source | null | undefined, column: number, row: number) => {
             if (source) {
@@ -172,17 +172,71 @@ export class Studio {
                 void pixel.show(source, column, row);
             }
         };
-        const live: Live = new Live(new Preparer(this.module), device, shaders[0] ?? null, {
+        const broken = (error: unknown) => void this.#broken(error);
+        const live: Live = new Live(new Preparer(this.module), {
             refused,
+            broken,
             clicked: (column, row) => follow(live.source, column, row),
             taken: (camera, isSaved) => void this.#take(camera, isSaved),
         });
-        const comparison: Comparison | null = shaders[1] ? new Comparison(new Preparer(this.module), shaders[1], {
+        const comparison: Comparison = new Comparison(new Preparer(this.module), {
             refused,
-            clicked: (column, row) => follow(comparison?.source, column, row),
-        }) : null;
-        document.getElementById('compare-none')!.hidden = comparison !== null;
-        return { live, comparison, pixel, shaders };
+            broken,
+            clicked: (column, row) => follow(comparison.source, column, row),
+        });
+        const parts: Parts = { live, comparison, pixel, shaders: [] };
+        await this.#connect(parts);
+        return parts;
+    }
+
+    /** Opens WebGPU for the views. */
+    async #connect(parts: Parts): Promise<void> {
+        document.getElementById('live-status')!.textContent = say('gpuOpening');
+        const device = await Device.open().catch(Unavailable.of);
+        this.#use(parts, device);
+        if (device instanceof Device) {
+            void device.failed.then((failure) => {
+                if (this.#device === device) {
+                    void this.#broken(failure);
+                }
+            });
+        }
+    }
+
+    /** Goes on without WebGPU, which has failed. */
+    async #broken(error: unknown): Promise<void> {
+        const parts = await this.#parts;
+        if (parts && this.#device) {
+            this.#use(parts, Unavailable.of(error));
+            this.changed();
+        }
+    }
+
+    /** Tries to open WebGPU again. */
+    async #again(): Promise<void> {
+        const parts = await this.#parts;
+        if (parts) {
+            const button = document.getElementById('gpu-again') as HTMLButtonElement;
+            button.disabled = true;
+            await this.#connect(parts);
+            button.disabled = false;
+            this.changed();
+        }
+    }
+
+    /** Gives shaders on this device to the views. Without a device the exact renderer draws, and a line says why. */
+    #use(parts: Parts, device: Device | Unavailable): void {
+        this.#device = device instanceof Device ? device : null;
+        const modules = this.renderer.wgsl();
+        parts.shaders = device instanceof Device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];
+        parts.shaders.forEach((one) => (one.edits = this.#editor?.edits ?? store.modules()));
+        parts.live.shaders = parts.shaders[0] ?? null;
+        parts.comparison.shaders = parts.shaders[1] ?? null;
+        this.#editor?.show([]);
+        document.getElementById('live-none')!.hidden = device instanceof Device;
+        if (device instanceof Unavailable) {
+            tell(document.getElementById('gpu-cause')!, device.key, device.detail);
+        }
     }
 
     /** Writes the camera into the configuration, and into its file first if it is to be saved. */

@@ -48,7 +48,15 @@ const ENGLISH = {
     unreachable: 'render-lab view does not answer. What you type is kept here.',
     views: 'Views',
     liveView: 'Live view',
-    liveNone: 'This browser has no WebGPU, so the exact renderer draws a small picture here.',
+    gpuOpening: 'Opening WebGPU…',
+    gpuMissing: 'This browser has no WebGPU.',
+    gpuInsecure: 'A browser offers WebGPU only to pages from this machine or by HTTPS.',
+    gpuNoAdapter: 'This browser has WebGPU, but no graphics device for it.',
+    gpuSilent: 'WebGPU has not answered within {0} s.',
+    gpuLost: 'The graphics device was lost: {0}',
+    gpuFailed: 'WebGPU failed: {0}',
+    gpuInstead: 'The exact renderer (WebAssembly) draws a small picture in the live view instead.',
+    gpuAgain: 'Try WebGPU again',
     liveTake: 'Take over the camera',
     liveSave: 'Save the camera to the file',
     liveReset: 'Back to the camera of the text',
@@ -81,7 +89,7 @@ const ENGLISH = {
     compareFigures: '{0} of {1} pixels differ, RMSE {2}, at most {3}, {4} units in the last place.',
     compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. Deterministic mode: one ray through the middle of '
         + 'each pixel. Click a pixel to follow its path.',
-    noCompare: 'This browser has no WebGPU, so there are no shaders to compare.',
+    noCompare: 'Without WebGPU there are no shaders to compare.',
     planAbove: 'from above: x to the right, z downwards',
     planFront: 'against z: x to the right, y upwards',
     pixel: 'Pixel',
@@ -98,7 +106,7 @@ const ENGLISH = {
     shaderReset: 'Back to the original text',
     shaderHelp: 'The live view compiles the modules after each pause. A comment makes a slider or a colour picker: '
         + 'override gain: f32 = 0.5; // slider 0..1 step .01 — const tint = vec3<real>(1.0, 0.5, 0.2); // color',
-    noShaders: 'This browser has no WebGPU, so the modules are kept but not compiled.',
+    noShaders: 'Without WebGPU the modules are kept but not compiled.',
     default: 'default',
     material: 'material',
 };
@@ -153,7 +161,15 @@ const SPANISH: Record<Key, string> = {
     unreachable: 'render-lab view no responde. Lo que escribe se guarda aquí.',
     views: 'Vistas',
     liveView: 'Vista en vivo',
-    liveNone: 'Este navegador no tiene WebGPU; el renderizador exacto dibuja aquí una imagen pequeña.',
+    gpuOpening: 'Abriendo WebGPU…',
+    gpuMissing: 'Este navegador no tiene WebGPU.',
+    gpuInsecure: 'Un navegador ofrece WebGPU solo a páginas de esta máquina o por HTTPS.',
+    gpuNoAdapter: 'Este navegador tiene WebGPU, pero ningún dispositivo gráfico para él.',
+    gpuSilent: 'WebGPU no ha respondido en {0} s.',
+    gpuLost: 'Se ha perdido el dispositivo gráfico: {0}',
+    gpuFailed: 'WebGPU ha fallado: {0}',
+    gpuInstead: 'En su lugar, el renderizador exacto (WebAssembly) dibuja una imagen pequeña en la vista en vivo.',
+    gpuAgain: 'Probar WebGPU de nuevo',
     liveTake: 'Adoptar la cámara',
     liveSave: 'Guardar la cámara en el archivo',
     liveReset: 'Volver a la cámara del texto',
@@ -186,7 +202,7 @@ const SPANISH: Record<Key, string> = {
     compareFigures: 'Difieren {0} de {1} píxeles, RMSE {2}, como máximo {3}, {4} unidades en el último lugar.',
     compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. Modo determinista: un rayo por el centro '
         + 'de cada píxel. Haga clic en un píxel para seguir su camino.',
-    noCompare: 'Este navegador no tiene WebGPU; no hay sombreadores que comparar.',
+    noCompare: 'Sin WebGPU no hay sombreadores que comparar.',
     planAbove: 'desde arriba: x a la derecha, z hacia abajo',
     planFront: 'en sentido contrario a z: x a la derecha, y hacia arriba',
     pixel: 'Píxel',
@@ -203,7 +219,7 @@ const SPANISH: Record<Key, string> = {
     shaderReset: 'Volver al texto original',
     shaderHelp: 'La vista en vivo compila los módulos tras cada pausa. Un comentario crea un control o un selector de color: '
         + 'override gain: f32 = 0.5; // slider 0..1 step .01 — const tint = vec3<real>(1.0, 0.5, 0.2); // color',
-    noShaders: 'Este navegador no tiene WebGPU; los módulos se guardan pero no se compilan.',
+    noShaders: 'Sin WebGPU los módulos se guardan, pero no se compilan.',
     default: 'por defecto',
     material: 'material',
 };
@@ -239,6 +255,13 @@ export function say(key: Key, ...values: (string | number)[]): string {
     return words[key].replace(/\{(\d)\}/g, (_, place) => String(values[Number(place)] ?? ''));
 }
 
+/** Writes the words for `key` into an element. They follow the page's language. */
+export function tell(element: HTMLElement, key: Key, ...values: (string | number)[]): void {
+    element.dataset.words = key;
+    element.dataset.values = JSON.stringify(values);
+    element.textContent = say(key, ...values);
+}
+
 /** Returns the one of two texts that is in the page's language. */
 export function ofLanguage(texts: readonly [english: string, spanish: string]): string {
     return texts[words === SPANISH ? 1 : 0];
@@ -255,7 +278,7 @@ export function speak(language: Language): void {
     document.documentElement.lang = language;
     document.title = words.title;
     for (const element of document.querySelectorAll<HTMLElement>('[data-words]')) {
-        element.textContent = words[element.dataset.words as Key];
+        element.textContent = say(element.dataset.words as Key, ...JSON.parse(element.dataset.values ?? '[]') as string[]);
     }
     for (const element of document.querySelectorAll<HTMLElement | SVGElement>('[data-label]')) {
         element.ariaLabel = words[element.dataset.label as Key];

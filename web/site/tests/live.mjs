@@ -30,6 +30,53 @@ async function change(page, act) {
     return rmse((await pixels(page, 'live-canvas')).bytes, before.bytes);
 }
 
+/** Ways in which WebGPU fails until `window.works` is true, each with the words of the page. */
+const FAILURES = {
+    'is missing': ['This browser has no WebGPU.', () => {
+        const { get } = Object.getOwnPropertyDescriptor(Navigator.prototype, 'gpu');
+        Object.defineProperty(Navigator.prototype, 'gpu', { get() { return window.works ? get.call(this) : undefined; } });
+    }],
+    'has no adapter': ['This browser has WebGPU, but no graphics device for it.', () => {
+        const { requestAdapter } = GPU.prototype;
+        GPU.prototype.requestAdapter = function() { return window.works ? requestAdapter.call(this) : Promise.resolve(null); };
+    }],
+    'throws': ['WebGPU failed: it is not enabled', () => {
+        const { requestAdapter } = GPU.prototype;
+        GPU.prototype.requestAdapter = function() {
+            if (!window.works) { throw new DOMException('it is not enabled', 'InvalidStateError'); }
+            return requestAdapter.call(this);
+        };
+    }],
+    'gives no device': ['WebGPU failed: no device', () => {
+        const { requestDevice } = GPUAdapter.prototype;
+        GPUAdapter.prototype.requestDevice = function(wanted) {
+            return window.works ? requestDevice.call(this, wanted) : Promise.reject(new DOMException('no device', 'OperationError'));
+        };
+    }],
+    'never answers': ['WebGPU has not answered within 10 s.', () => {
+        const { requestDevice } = GPUAdapter.prototype;
+        GPUAdapter.prototype.requestDevice = function(wanted) {
+            return window.works ? requestDevice.call(this, wanted) : new Promise(() => null);
+        };
+    }],
+    'is lost while it compiles': ['The graphics device was lost: ', () => {
+        const { createComputePipelineAsync } = GPUDevice.prototype;
+        GPUDevice.prototype.createComputePipelineAsync = function(wanted) {
+            if (window.works) { return createComputePipelineAsync.call(this, wanted); }
+            this.destroy();
+            return new Promise(() => null);
+        };
+    }],
+    'has too little memory': ['WebGPU failed: ', () => {
+        const { createComputePipelineAsync } = GPUDevice.prototype;
+        GPUDevice.prototype.createComputePipelineAsync = async function(wanted) {
+            const made = await createComputePipelineAsync.call(this, wanted);
+            if (!window.works) { setTimeout(() => this.createBuffer({ size: 2 ** 50, usage: GPUBufferUsage.STORAGE })); }
+            return made;
+        };
+    }],
+};
+
 export const tests = {
     async 'the live view is turned by mouse and keyboard, and its camera is taken over'({ open, url }) {
         const page = await openLive(open, url);
@@ -135,20 +182,43 @@ export const tests = {
     },
 
     async 'a browser without WebGPU shows a small picture and says so'({ open, url, browser }) {
+        for (const [name, [words, fail]] of Object.entries(FAILURES)) {
+            const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: 'en-GB' });
+            await context.addInitScript(fail);
+            const page = await open(url, { context });
+            await digest(page);
+            await page.click('#tab-live');
+            await page.waitForSelector('#live-none');
+            const width = (size) => page.waitForFunction((wanted) => document.getElementById('live-canvas').width === wanted, size);
+            await width(160);
+            await still(page);
+            check((await page.textContent('#gpu-cause')).startsWith(words), `${name}: ${await page.textContent('#gpu-cause')}`);
+            const shown = await pixels(page, 'live-canvas');
+            check(new Set(shown.bytes).size > 50, `${name}: the picture has many colours`);
+            await page.focus('#live-canvas');
+            check(await change(page, () => page.keyboard.press('ArrowRight')) > 1, `${name}: the view turns`);
+            await shoot(page, `live-webgpu-${name.replaceAll(' ', '-')}`);
+            await page.selectOption('#language', 'es');
+            check(/WebGPU|dispositivo/.test(await page.textContent('#gpu-cause')), 'the words in Spanish');
+            check(!(await page.textContent('#live-none')).includes(words), `${name}: ${await page.textContent('#live-none')}`);
+            for (const [tab, part] of [['compare', '#compare-none'], ['pixel', '#pixel-pane']]) {
+                await page.click(`#tab-${tab}`);
+                check(await page.isVisible('#live-none') && await page.isVisible(part), `${name}: ${tab} says so too`);
+            }
+            await page.evaluate(() => (window.works = true));
+            await page.click('#gpu-again');
+            await page.waitForSelector('#live-none', { state: 'hidden' });
+            await page.click('#tab-live');
+            await width(480);
+            await context.close();
+        }
+    },
+
+    async 'an adapter without information has a name, and its device is used'({ open, url, browser }) {
         const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: 'en-GB' });
-        await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined }));
-        const page = await open(url, { context });
-        await digest(page);
-        await page.click('#tab-live');
-        await frame(page);
-        await still(page);
-        check(await page.isVisible('#live-none'), 'a line says that there is no WebGPU');
-        const shown = await pixels(page, 'live-canvas');
-        equal(shown.width, 160, 'the width');
-        check(new Set(shown.bytes).size > 50, 'the picture has many colours');
-        await page.focus('#live-canvas');
-        check(await change(page, () => page.keyboard.press('ArrowRight')) > 1, 'the view turns');
-        await shoot(page, 'live-without-webgpu');
+        await context.addInitScript(() => Object.defineProperty(GPUAdapter.prototype, 'info', { get: () => undefined }));
+        const page = await openLive(open, url, SCENE, { context });
+        check((await page.textContent('#live-status')).endsWith(', WebGPU'), await page.textContent('#live-status'));
     },
 
     async 'frames of the live view are counted'({ open, url }) {

@@ -1,8 +1,12 @@
 // Opens WebGPU, compiles compositions, and runs them.
+import type { Key } from '../words';
 import { locate, type Composition, type ShaderFault } from './compose';
 
 /** Smallest size of a buffer in bytes. It is more than any structure takes, so a binding is never too small. */
 const SMALLEST = 256;
+
+/** Time in which a browser must answer whether it has a device, in milliseconds. */
+const PATIENCE = 10_000;
 
 /** A compiled entry point. */
 export interface Kernel {
@@ -17,21 +21,77 @@ export class Refused extends Error {
     }
 }
 
+/** WebGPU is missing or has failed. The key and the detail are a sentence of the page. */
+export class Unavailable extends Error {
+    constructor(readonly key: Key, readonly detail = '') {
+        super(detail || key);
+    }
+
+    /** Returns the failure that an exception of WebGPU means. */
+    static of(error: unknown): Unavailable {
+        const message = error instanceof Error ? error.message : String(error);
+        return error instanceof Unavailable ? error : new Unavailable('gpuFailed', message);
+    }
+}
+
+/** Returns what `work` gives. Throws {@link Unavailable} if that takes longer than {@link PATIENCE}. */
+async function soon<T>(work: () => Promise<T>): Promise<T> {
+    const late = new Promise<never>((_, reject) =>
+        setTimeout(() => reject(new Unavailable('gpuSilent', String(PATIENCE / 1000))), PATIENCE));
+    return Promise.race([work(), late]);
+}
+
 /** A device with its name. */
 export class Device {
-    private constructor(readonly gpu: GPUDevice, readonly name: string) {}
+    /** Why the device does not work any more. */
+    #failure: Unavailable | null = null;
+    /** The functions that end the waiting for the device. A lost device may never answer. */
+    readonly #waiting = new Set<(failure: Unavailable) => void>();
+    /** Why the device has stopped to work, as soon as it does. */
+    readonly failed: Promise<Unavailable>;
 
-    /** Opens the device of this browser, or returns null if it has none. */
-    static async open(lost: (reason: string) => void): Promise<Device | null> {
-        const adapter = await navigator.gpu?.requestAdapter().catch(() => null);
-        if (!adapter) {
-            return null;
+    private constructor(readonly gpu: GPUDevice, readonly name: string) {
+        this.failed = new Promise((resolve) => {
+            const fail = (failure: Unavailable) => {
+                this.#failure ??= failure;
+                this.#waiting.forEach((end) => end(failure));
+                resolve(failure);
+            };
+            void gpu.lost.then(({ message }) => fail(new Unavailable('gpuLost', message)));
+            gpu.addEventListener('uncapturederror', ({ error }) => fail(new Unavailable('gpuFailed', error.message)));
+        });
+    }
+
+    /** Opens the device of this browser. Throws {@link Unavailable} if it has none, or if it fails. */
+    static async open(): Promise<Device> {
+        try {
+            if (!navigator.gpu) {
+                throw new Unavailable(isSecureContext ? 'gpuMissing' : 'gpuInsecure');
+            }
+            const adapter = await soon(async () => navigator.gpu.requestAdapter());
+            if (!adapter) {
+                throw new Unavailable('gpuNoAdapter');
+            }
+            const { maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
+            const gpu = await soon(async () =>
+                adapter.requestDevice({ requiredLimits: { maxStorageBufferBindingSize, maxBufferSize } }));
+            // Older browsers have no information about an adapter.
+            const { vendor, architecture, description } = (adapter.info as GPUAdapterInfo | undefined) ?? {};
+            return new Device(gpu, [vendor, architecture, description].filter(Boolean).join(' ') || 'WebGPU');
+        } catch (error) {
+            throw Unavailable.of(error);
         }
-        const { maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
-        const gpu = await adapter.requestDevice({ requiredLimits: { maxStorageBufferBindingSize, maxBufferSize } });
-        void gpu.lost.then((info) => info.reason === 'destroyed' || lost(info.message));
-        const { vendor, architecture, description } = adapter.info;
-        return new Device(gpu, [vendor, architecture, description].filter(Boolean).join(' '));
+    }
+
+    /** Returns what the device gives. Throws {@link Unavailable} when the device fails. */
+    async wait<T>(work: Promise<T>): Promise<T> {
+        if (this.#failure) {
+            throw this.#failure;
+        }
+        return new Promise((resolve, reject) => {
+            this.#waiting.add(reject);
+            void work.then(resolve, reject).finally(() => this.#waiting.delete(reject));
+        });
     }
 
     /**
@@ -53,7 +113,7 @@ export class Device {
                 buffer: { type: writes ? 'storage' as const : 'read-only-storage' as const },
             }])),
         });
-        const info = await module.getCompilationInfo();
+        const info = await this.wait(module.getCompilationInfo());
         const faults = info.messages.filter((message) => message.type === 'error').map((message) =>
             locate(composition, message.lineNum, message.linePos, message.length, message.message));
         let pipeline: GPUComputePipeline | null = null;
@@ -63,12 +123,16 @@ export class Device {
                 layout: this.gpu.createPipelineLayout({ bindGroupLayouts: [layout] }),
                 compute: { module, entryPoint: entry, constants },
             };
-            pipeline = await this.gpu.createComputePipelineAsync(descriptor).catch((error: unknown) => {
-                refusal = error instanceof Error ? error.message : String(error);
+            pipeline = await this.wait(this.gpu.createComputePipelineAsync(descriptor)).catch((error: unknown) => {
+                // Any other error is one of the device, and not of the text.
+                if (!(error instanceof GPUPipelineError && error.reason === 'validation')) {
+                    throw error;
+                }
+                refusal = error.message;
                 return null;
             });
         }
-        const other = await this.gpu.popErrorScope();
+        const other = await this.wait(this.gpu.popErrorScope());
         if (!pipeline) {
             throw new Refused(faults.length > 0 ? faults : [locate(composition, 0, 0, 0, refusal || (other?.message ?? ''))]);
         }
@@ -104,7 +168,7 @@ export class Device {
         const staging = this.gpu.createBuffer({ size: Math.ceil(size / 4) * 4, usage });
         encoder.copyBufferToBuffer(buffer, 0, staging, 0, staging.size);
         this.gpu.queue.submit([encoder.finish()]);
-        await staging.mapAsync(GPUMapMode.READ);
+        await this.wait(staging.mapAsync(GPUMapMode.READ));
         const bytes = staging.getMappedRange().slice(0, size);
         staging.destroy();
         return bytes;

@@ -54,7 +54,7 @@ export class Shaders {
     /** The user's texts, with which the next kernels are compiled. */
     edits: Edits = {};
 
-    constructor(private readonly device: Device, private readonly modules: readonly Module[]) {
+    constructor(readonly device: Device, private readonly modules: readonly Module[]) {
         this.#frame = device.buffer(16);
         this.#development = device.buffer(24);
     }
@@ -128,8 +128,9 @@ export class Shaders {
             }
             gpu.queue.submit([encoder.finish()]);
             if (!isWhole) {
-                await gpu.queue.onSubmittedWorkDone();
-                if (!isCurrent()) {
+                await this.device.wait(gpu.queue.onSubmittedWorkDone());
+                // Another scene has destroyed the buffers of this one.
+                if (!isCurrent() || this.#loaded !== loaded) {
                     part.destroy();
                     return false;
                 }
@@ -143,9 +144,9 @@ export class Shaders {
 
     /** Returns the bytes of the last frame for a canvas. `range` shows values between two limits instead of colours. */
     async develop(samples: number, range: [low: number, high: number] | null = null): Promise<ImageData | null> {
-        const loaded = this.#loaded;
         const composition = { code: developSource, parts: [] };
         const kernel = await this.#compiled(composition, 'develop', [false, false, true], {});
+        const loaded = this.#loaded;
         if (!loaded) {
             return null;
         }
