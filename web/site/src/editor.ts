@@ -105,8 +105,9 @@ export class Editor {
             changes: { from: 0, to: this.#view.state.doc.length, insert: text },
             selection: { anchor: 0 },
             annotations: [Transaction.userEvent.of('input.load'), isolateHistory.of('full')],
-            scrollIntoView: true,
         });
+        // The page itself stays where it is: on a phone the picture is above the editors.
+        this.#view.scrollDOM.scrollTop = 0;
     }
 
     /** Replaces a part of the text, as if the user had typed it. */

@@ -1,4 +1,5 @@
 // Connects the parts of the page.
+import { movable } from './bars';
 import { Editor, linesOf } from './editor';
 import { inWorker, native } from './engines';
 import { example, FIRST, names } from './examples';
@@ -65,6 +66,7 @@ class Page {
                 void this.render();
             }
         });
+        document.querySelectorAll<HTMLElement>('.bar').forEach(movable);
         element('render').addEventListener('click', () => void this.render());
         element('share').addEventListener('click', () => void this.#share());
     }

@@ -2,6 +2,7 @@
 import type { Engine, Watcher } from './engines';
 import type { Fault } from './module';
 import { png } from './ppm';
+import { resize } from './shown';
 import type { Texts } from './store';
 import { say } from './words';
 
@@ -56,8 +57,7 @@ export class Picture {
         let size = '';
         const watcher: Watcher = {
             begin: current((width, height, step) => {
-                this.#canvas.width = Math.ceil(width / step);
-                this.#canvas.height = Math.ceil(height / step);
+                resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
                 size = `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
                 this.say(`${say('rendering')} ${size}`);
             }),

@@ -30,9 +30,14 @@ export function developed(colors: ArrayLike<number>, { width, height, gamma }: F
     return image;
 }
 
+/** Gives a canvas the size of a picture, which clears it. The layout needs the ratio of the picture. */
+export function resize(canvas: HTMLCanvasElement, width: number, height: number): void {
+    [canvas.width, canvas.height] = [width, height];
+    (canvas.closest<HTMLElement>('#compare-stage') ?? canvas).style.setProperty('--ratio', String(width / height));
+}
+
 /** Shows a picture in a canvas of its size. */
 export function paint(canvas: HTMLCanvasElement, image: ImageData): void {
-    canvas.width = image.width;
-    canvas.height = image.height;
+    resize(canvas, image.width, image.height);
     canvas.getContext('2d')?.putImageData(image, 0, 0);
 }

@@ -1,5 +1,6 @@
 // Tests of small screens, the keyboard, colours and languages.
 import { openLive, SCENE } from './live.mjs';
+import { edit } from './shaders.mjs';
 import { check, completionsTakeKeys, digest, equal, frame, shoot } from './tools.mjs';
 
 /**
@@ -35,9 +36,46 @@ export const tests = {
         const small = await page.evaluate(() => Array.from(document.querySelectorAll('button, select'))
             .filter((one) => one.offsetParent && one.offsetHeight < 40).map((one) => one.id || one.textContent));
         equal(small.join(), '', 'elements that are too small to touch');
+        const box = await page.locator('#canvas').boundingBox();
+        equal(await page.evaluate(() => scrollY), 0, 'the place to which the page is scrolled');
+        check(box.y > 0 && box.y + box.height < 500, `the picture is from ${box.y} to ${box.y + box.height}`);
+        check(await page.isVisible('.touch') && !await page.isVisible('.keys'), 'the hints are those for fingers');
+        const fine = await page.evaluate(() => Array.from(document.querySelectorAll('input, select, .cm-content'))
+            .filter((one) => parseFloat(getComputedStyle(one).fontSize) < 16).map((one) => one.id || one.className));
+        equal(fine.join(), '', 'inputs whose letters are smaller than 16 px, into which phones zoom');
         await page.tap('#render');
         await digest(page);
         await shoot(page, 'phone');
+    },
+
+    async 'the editors fill the window, and the picture and the sliders stay in sight'({ open, url }) {
+        for (const [width, height, least] of [[1280, 800, 24], [1920, 1080, 38]]) {
+            const page = await openLive(open, url, SCENE, { viewport: { width, height } });
+            const boxes = (...names) => Promise.all(names.map((name) => page.locator(name).boundingBox()));
+            const [config, scene, summary] = await boxes('#config-editor', '#scene-editor', '#shader-summary');
+            check((config.height + scene.height) / 21 > least, `${config.height} and ${scene.height} pixels for the editors`);
+            check(summary.y + summary.height > height - 30, `the column ends at ${summary.y + summary.height}`);
+            const [bar] = await boxes('#bar-editors');
+            await page.mouse.move(bar.x + 50, bar.y + 3);
+            await page.mouse.down();
+            await page.mouse.move(bar.x + 50, bar.y + 103, { steps: 3 });
+            await page.mouse.up();
+            await page.focus('#bar-columns');
+            await page.keyboard.press('ArrowRight');
+            const [moved] = await boxes('#config-editor');
+            check(Math.abs(moved.height - config.height - 100) < 40 && moved.width > config.width + 10, JSON.stringify(moved));
+            await page.reload();
+            await digest(page);
+            equal(JSON.stringify(await boxes('#config-editor')), JSON.stringify([moved]), 'the editor keeps its size');
+            await page.click('#tab-live');
+            await page.click('#shader-part summary');
+            await edit(page, 'fn background_color', 'override gain: f32 = 0.5; // slider 0..2 step .25\nfn background_color');
+            await page.waitForSelector('#knobs input');
+            const [editor, picture, knobs] = await boxes('#shader-editor', '#live-canvas', '#knobs');
+            check(picture.y > 0 && picture.y + picture.height < height, `the picture is at ${picture.y}`);
+            check(knobs.x > editor.x + editor.width && knobs.y > 0 && knobs.y < height, 'the sliders are beside the picture');
+            await shoot(page, `wide-${width}`);
+        }
     },
 
     async 'everything is reached with the keyboard'({ open, url }) {
@@ -62,7 +100,8 @@ export const tests = {
             });
             reached.push(name);
         }
-        const expected = 'examples,language,config-editor,scene-editor,shader-summary,tab-exact,render,save-ppm,save-png,live,share';
+        const expected = 'examples,language,config-editor,bar-editors,scene-editor,shader-summary,bar-columns,'
+            + 'tab-exact,render,save-ppm,save-png,live,share';
         equal(reached.join(), expected, 'the order of the keyboard');
         await page.focus('#examples');
         await page.keyboard.press('l');
