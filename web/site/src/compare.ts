@@ -6,7 +6,7 @@ import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { developed, paint, shownConfig } from './shown';
 import type { Texts } from './store';
-import { say } from './words';
+import { say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -104,7 +104,7 @@ export class Comparison {
             return;
         }
         try {
-            this.#figures.textContent = say('comparing');
+            write(this.#figures, () => say('comparing'));
             const isRendered = await shaders.render('image', 0, isCurrent);
             const colors = await shaders.colors();
             if (!isCurrent()) {
@@ -141,10 +141,9 @@ export class Comparison {
         if (isMap) {
             paint(this.#map, map(difference, isUlps, this.#facts.width));
         }
-        const most = isUlps ? say('ulps', difference.largestUlps) : difference.largest.toExponential(2);
-        element('compare-most').textContent = most;
-        this.#figures.textContent = say('compareFigures', difference.differing, difference.pixels,
-            difference.rmse.toExponential(2), difference.largest.toExponential(2), difference.largestUlps);
+        write(element('compare-most'), () => (isUlps ? say('ulps', difference.largestUlps) : difference.largest.toExponential(2)));
+        write(this.#figures, () => say('compareFigures', difference.differing, difference.pixels,
+            difference.rmse.toExponential(2), difference.largest.toExponential(2), difference.largestUlps));
         this.#figures.dataset.differing = String(difference.differing);
     }
 
@@ -165,9 +164,9 @@ export class Comparison {
     #failed(error: unknown): void {
         if (error instanceof Refused) {
             this.listener.refused(error);
-            this.#figures.textContent = say(this.#difference ? 'liveRefused' : 'liveRefusedFirst');
+            write(this.#figures, () => say(this.#difference ? 'liveRefused' : 'liveRefusedFirst'));
         } else if (error instanceof Faulty) {
-            this.#figures.textContent = say(this.#difference ? 'liveFault' : 'liveFaultFirst', error.message);
+            write(this.#figures, () => say(this.#difference ? 'liveFault' : 'liveFaultFirst', error.message));
         } else {
             this.listener.broken(error);
         }

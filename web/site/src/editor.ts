@@ -3,12 +3,13 @@ import { autocompletion } from '@codemirror/autocomplete';
 import { isolateHistory } from '@codemirror/commands';
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
-import { EditorState, Prec, Transaction, type Extension } from '@codemirror/state';
+import { Compartment, EditorState, Prec, Transaction, type Extension } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { basicSetup } from 'codemirror';
 import { completions } from './complete';
 import type { Row } from './module';
+import { editorWords } from './words';
 
 /** What an editor tells the page. */
 export interface Listener {
@@ -68,7 +69,9 @@ export class Editor {
     readonly #view: EditorView;
 
     constructor(parent: HTMLElement, language: Extension, label: HTMLElement, listener: Listener) {
+        const words = new Compartment();
         const extensions = [
+            words.of(EditorState.phrases.of(editorWords())),
             Prec.highest(keymap.of([{ key: 'Mod-Enter', run: () => (listener.render(), true) }])),
             basicSetup,
             // The icons are characters that the fonts of many systems lack.
@@ -93,6 +96,8 @@ export class Editor {
             }),
         ];
         this.#view = new EditorView({ parent, state: EditorState.create({ extensions }) });
+        document.addEventListener('spoken', () =>
+            this.#view.dispatch({ effects: words.reconfigure(EditorState.phrases.of(editorWords())) }));
     }
 
     get text(): string {

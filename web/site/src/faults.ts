@@ -22,6 +22,10 @@ export class Checker {
             this.#waiting.get(data.question)?.(data.fault);
             this.#waiting.delete(data.question);
         };
+        this.#worker.onerror = ({ message }) => {
+            this.#waiting.forEach((answer) => answer({ text: 2, line: 0, column: 0, length: 0, message }));
+            this.#waiting.clear();
+        };
         this.#ask({ module });
     }
 
@@ -68,7 +72,7 @@ export class Checker {
             this.#known[text] = { content, fault };
             this.show(text, fault);
         }
-        return fault;
+        return fault && { ...fault, text };
     }
 
     #ask(question: Question): void {

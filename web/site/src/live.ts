@@ -8,7 +8,7 @@ import { Gestures } from './gestures';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { developed, paint, shownConfig } from './shown';
-import { say } from './words';
+import { messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -246,26 +246,30 @@ export class Live {
         const frames = Number(this.#canvas.dataset.frames ?? 0) + 1;
         this.#canvas.dataset.frames = String(frames);
         this.#canvas.dataset.samples = String(this.#samples);
-        const samples = this.#adds ? `, ${say('liveSamples', this.#samples)}` : '';
+        const samples = this.#adds ? this.#samples : null;
         const name = this.#shaders?.device.name ?? 'WebAssembly';
         const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
-        const probed = isProbe ? `, ${say('probeRange', ...this.#range.map((value) => value.toPrecision(4)))}` : '';
-        const seconds = duration < WINDOW ? '' : `, ${say('liveDuration', (duration / 1000).toFixed(1))}`;
-        const shownRate = rate === null ? seconds : `, ${say('liveRate', rate.toFixed(1))}`;
-        this.#status.textContent = `${width} × ${height}${samples}${probed}${shownRate}, ${name}`;
+        const range = isProbe ? this.#range.map((value) => value.toPrecision(4)) : null;
+        write(this.#status, () => [
+            `${width} × ${height}`,
+            samples === null ? '' : say('liveSamples', samples),
+            range ? say('probeRange', ...range) : '',
+            rate !== null ? say('liveRate', rate.toFixed(1)) : duration < WINDOW ? '' : say('liveDuration', (duration / 1000).toFixed(1)),
+            name,
+        ].filter(Boolean).join(', '));
     }
 
     #failed(error: unknown): void {
         if (error instanceof Refused) {
             this.#isRefused = true;
             this.listener.refused(error);
-            this.#status.textContent = say(this.#canvas.dataset.frames ? 'liveRefused' : 'liveRefusedFirst');
+            write(this.#status, () => say(this.#canvas.dataset.frames ? 'liveRefused' : 'liveRefusedFirst'));
         } else if (error instanceof Faulty) {
-            this.#status.textContent = say(this.#canvas.dataset.frames ? 'liveFault' : 'liveFaultFirst', error.message);
+            write(this.#status, () => say(this.#canvas.dataset.frames ? 'liveFault' : 'liveFaultFirst', error.message));
         } else if (this.#shaders) {
             this.listener.broken(error);
         } else {
-            this.#status.textContent = say('liveStopped', error instanceof Error ? error.message : String(error));
+            write(this.#status, () => say('liveStopped', messageOf(error)));
         }
     }
 }

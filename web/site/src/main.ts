@@ -12,7 +12,7 @@ import { Picture } from './picture';
 import * as store from './store';
 import type { Texts } from './store';
 import * as view from './view';
-import { say, speak, type Language } from './words';
+import { messageOf, say, speak, write, type Language } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -43,7 +43,7 @@ class Page {
         if (fault.text < 2) {
             this.#checker.show(fault.text as 0 | 1, fault);
         }
-        this.#picture.say(fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message));
+        this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message)));
     });
 
     constructor(private readonly module: WebAssembly.Module, private readonly renderer: Renderer) {
@@ -76,9 +76,9 @@ class Page {
     }
 
     /** Shows a message below the picture, and below the view that is shown instead of the picture. */
-    say(text: string): void {
+    say(text: () => string): void {
         this.#picture.say(text);
-        element('said').textContent = text;
+        write(element('said'), text);
     }
 
     /** Whether the user or a button of the page has changed the texts since they were loaded. */
@@ -124,7 +124,7 @@ class Page {
         const fault = await this.#checker.check();
         this.#keep();
         if (fault) {
-            this.say(this.#faultIn(fault.text));
+            this.say(() => this.#faultIn(fault.text));
         } else {
             this.#picture.render(engines.value === 'native' ? native : inWorker(this.module), this.#texts);
         }
@@ -142,12 +142,11 @@ class Page {
         this.renderer.write(0, this.#texts.config);
         const cost = this.renderer.cost();
         if (fault || isFault(cost)) {
-            this.say(fault ? this.#faultIn(fault.text) : say('failed', (cost as Fault).message));
+            this.say(() => (fault ? this.#faultIn(fault.text) : say('failed', (cost as Fault).message)));
             return;
         }
         const rays = cost.reduce((product, factor) => product * factor, 1);
-        const words = say('linkShown');
-        this.say(rays < MANY_RAYS ? words : `${words} ${say('linkCosts', ...cost, rays.toPrecision(2))}`);
+        this.say(() => say('linkShown') + (rays < MANY_RAYS ? '' : ` ${say('linkCosts', ...cost, rays.toPrecision(2))}`));
     }
 
     /** Lists the earlier texts. */
@@ -196,7 +195,7 @@ class Page {
             act();
             return true;
         } catch (error) {
-            this.say(say('notKept', String(error)));
+            this.say(() => say('notKept', messageOf(error)));
             return false;
         }
     }
@@ -209,8 +208,7 @@ class Page {
         // The clipboard is missing where the page is not from a trusted origin.
         const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
         field.select();
-        const words = say(isCopied ? 'copied' : 'made');
-        this.say(text.length > LONG_LINK ? `${words} ${say('tooLong', text.length)}` : words);
+        this.say(() => say(isCopied ? 'copied' : 'made') + (text.length > LONG_LINK ? ` ${say('tooLong', text.length)}` : ''));
     }
 }
 
@@ -227,7 +225,7 @@ async function firstTexts(page: Page): Promise<store.Current & { view?: link.Vie
         try {
             return { ...replaceBy(await link.read(location.hash)), isLink: true };
         } catch {
-            page.say(say('badLink'));
+            page.say(() => say('badLink'));
         }
     }
     if (view.isServed) {
@@ -236,10 +234,10 @@ async function firstTexts(page: Page): Promise<store.Current & { view?: link.Vie
             const isKept = page.load(texts);
             void page.render();
             if (isKept) {
-                page.say(say(wasTyped ? 'reloadedTyped' : 'reloaded'));
+                page.say(() => say(wasTyped ? 'reloadedTyped' : 'reloaded'));
             }
         };
-        const failed = (text: string | null) => page.say(text ?? say('unreachable'));
+        const failed = (text: string | null) => page.say(() => text ?? say('unreachable'));
         return replaceBy(await view.watch({ changed: reload, failed }));
     }
     return kept ?? { ...await example(FIRST), isTyped: false };
@@ -252,9 +250,9 @@ async function start(): Promise<void> {
     const saved = store.setting('language') ?? navigator.language;
     languages.value = saved.startsWith('es') ? 'es' : 'en';
     speak(languages.value as Language);
-    element('status').textContent = say('loading');
+    write(element('status'), () => say('loading'));
     const module = await compile().catch((error: unknown) => {
-        throw new Error(say('noModule', String(error)));
+        throw new Error(say('noModule', messageOf(error)));
     });
     const renderer = await Renderer.create(module);
     const page = new Page(module, renderer);
@@ -276,7 +274,7 @@ async function start(): Promise<void> {
     examples.addEventListener('change', () => {
         const name = examples.value;
         examples.value = '';
-        use(example(name)).catch((error: unknown) => page.say(say('noExample', String(error))));
+        use(example(name)).catch((error: unknown) => page.say(() => say('noExample', messageOf(error))));
     });
     earlierTexts.addEventListener('change', () => {
         const texts = store.earlier()[Number(earlierTexts.value)];
@@ -291,7 +289,7 @@ async function start(): Promise<void> {
                 await page.renderLink();
                 page.show(shown);
                 forgetLink();
-            }).catch(() => page.say(say('badLink')));
+            }).catch(() => page.say(() => say('badLink')));
         }
     });
     const { isTyped, isLink, view: shown, ...texts } = await firstTexts(page);
@@ -301,7 +299,7 @@ async function start(): Promise<void> {
     await (isLink ? page.renderLink() : page.render());
     names().then(
         (all) => examples.append(...all.map((name) => new Option(name, name))),
-        (error: unknown) => page.say(say('noExample', String(error))),
+        (error: unknown) => page.say(() => say('noExample', messageOf(error))),
     );
 }
 
@@ -315,8 +313,7 @@ function forgetLink(): void {
 /** Shows an exception that no part of the page has expected. Browsers tell of some layouts by an event without one. */
 function unexpected(error: unknown): void {
     if (error) {
-        const words = error instanceof Error ? error.message : String(error);
-        ['status', 'said'].forEach((name) => (element(name).textContent = words));
+        ['status', 'said'].forEach((name) => write(element(name), () => messageOf(error)));
     }
 }
 

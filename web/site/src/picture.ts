@@ -4,7 +4,7 @@ import type { Fault } from './module';
 import { png } from './ppm';
 import { resize } from './shown';
 import type { Texts } from './store';
-import { say } from './words';
+import { say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -31,8 +31,8 @@ export class Picture {
     }
 
     /** Shows a message below the picture. */
-    say(text: string): void {
-        this.#status.textContent = text;
+    say(text: () => string): void {
+        write(this.#status, text);
     }
 
     /** Renders the texts. A picture that is not finished is cancelled. */
@@ -45,7 +45,7 @@ export class Picture {
         this.#cancel.disabled = false;
         this.#bar.hidden = false;
         this.#bar.removeAttribute('value');
-        this.say(say('preparing'));
+        this.say(() => say('preparing'));
         const start = performance.now();
         let isCurrent = true;
         // A cancelled engine may still send what it has sent before.
@@ -54,14 +54,19 @@ export class Picture {
                 act(...values);
             }
         };
-        let size = '';
+        let size = () => '';
+        const isRendered = () => this.say(() => `${say('rendering')} ${size()}`);
         const watcher: Watcher = {
             begin: current((width, height, step) => {
                 resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
-                size = `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
-                this.say(`${say('rendering')} ${size}`);
+                size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
+                isRendered();
             }),
             progress: current((done, height) => {
+                // The native renderer tells the size of its picture at the end alone.
+                if (done > 0 && size() === '') {
+                    isRendered();
+                }
                 this.#bar.value = done / height;
                 this.#bar.title = `${done} / ${height} ${say('rows')}`;
             }),
@@ -71,10 +76,12 @@ export class Picture {
                 this.#ppm = ppm;
                 this.#saves.forEach((button) => (button.disabled = false));
                 const seconds = ((performance.now() - start) / 1000).toFixed(2);
-                this.say(`${size}, ${seconds} ${say('seconds')}`);
+                this.say(() => `${size()}, ${seconds} ${say('seconds')}`);
                 const code = document.createElement('code');
                 code.textContent = digest;
-                this.#digest.replaceChildren('SHA-256 ', code, ` — ${say('same')}`);
+                const same = document.createElement('span');
+                write(same, () => say('same'));
+                this.#digest.replaceChildren('SHA-256 ', code, ' — ', same);
             }),
             fault: current((fault) => {
                 this.#end();
@@ -82,7 +89,7 @@ export class Picture {
             }),
             failed: current((text) => {
                 this.#end();
-                this.say(say('failed', text));
+                this.say(() => say('failed', text));
             }),
         };
         const cancel = engine(texts, watcher);
@@ -97,7 +104,7 @@ export class Picture {
         if (this.#stop) {
             this.#stop();
             this.#end();
-            this.say(say('cancelled'));
+            this.say(() => say('cancelled'));
         }
     }
 

@@ -3,7 +3,7 @@ import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
 import { plan } from './plan';
 import { Faulty, type Facts, type Preparer } from './preparer';
-import { say } from './words';
+import { messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -139,7 +139,7 @@ export class PixelView {
             this.#table.replaceChildren();
             element('pixel-plan').replaceChildren();
             element('pixel-probe').textContent = '';
-            element('pixel-first').textContent = error instanceof Error ? error.message : String(error);
+            write(element('pixel-first'), () => messageOf(error));
             if (source.shaders && !(error instanceof Refused || error instanceof Faulty)) {
                 this.broken(error);
             }

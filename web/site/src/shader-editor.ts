@@ -3,7 +3,7 @@ import { Editor } from './editor';
 import type { Edits, Module, ShaderFault } from './gpu/compose';
 import { Knobs } from './knobs';
 import * as store from './store';
-import { say } from './words';
+import { messageOf, say, write } from './words';
 import { wgsl } from './wgsl';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
@@ -21,7 +21,7 @@ const ROOTS = ['kernels/image', 'kernels/steps'];
 export interface Listener {
     changed(edits: Edits): void;
     render(): void;
-    say(text: string): void;
+    say(text: () => string): void;
 }
 
 /** The editor. */
@@ -83,7 +83,7 @@ export class ShaderEditor {
         if (fault.line > 0) {
             const button = document.createElement('button');
             button.type = 'button';
-            button.textContent = `${fault.module} ${say('line', fault.line)}`;
+            write(button, () => `${fault.module} ${say('line', fault.line)}`);
             button.addEventListener('click', () => {
                 if (this.#select.value !== fault.module) {
                     this.#select.value = fault.module;
@@ -155,7 +155,7 @@ export class ShaderEditor {
         try {
             store.keepModules(this.#edits);
         } catch (error) {
-            this.listener.say(say('notKept', String(error)));
+            this.listener.say(() => say('notKept', messageOf(error)));
         }
     }
 }

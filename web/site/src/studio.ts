@@ -15,13 +15,13 @@ import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
 import * as view from './view';
-import { say, tell } from './words';
+import { messageOf, say, write } from './words';
 
 /** What the views need of the page. */
 export interface Owner {
     texts(): Texts;
     replaceConfig(config: string): void;
-    say(text: string): void;
+    say(text: () => string): void;
     render(): void;
 }
 
@@ -99,7 +99,7 @@ export class Studio {
             await live.settle();
             return true;
         } catch (error) {
-            this.owner.say(say('liveStopped', error instanceof Error ? error.message : String(error)));
+            this.owner.say(() => say('liveStopped', messageOf(error)));
             return false;
         }
     }
@@ -191,7 +191,7 @@ export class Studio {
 
     /** Opens WebGPU for the views. */
     async #connect(parts: Parts): Promise<void> {
-        document.getElementById('live-status')!.textContent = say('gpuOpening');
+        write(document.getElementById('live-status')!, () => say('gpuOpening'));
         const device = await Device.open().catch(Unavailable.of);
         this.#use(parts, device);
         if (device instanceof Device) {
@@ -235,7 +235,7 @@ export class Studio {
         this.#editor?.show([]);
         document.getElementById('live-none')!.hidden = device instanceof Device;
         if (device instanceof Unavailable) {
-            tell(document.getElementById('gpu-cause')!, device.key, device.detail);
+            write(document.getElementById('gpu-cause')!, () => say(device.key, device.detail));
         }
     }
 
@@ -246,9 +246,9 @@ export class Studio {
                 await view.save(lines(camera).map((row) => row.join(' ')));
             }
             this.owner.replaceConfig(taken(this.owner.texts().config, camera));
-            this.owner.say(say(isSaved ? 'liveSaved' : 'liveTaken'));
+            this.owner.say(() => say(isSaved ? 'liveSaved' : 'liveTaken'));
         } catch (error) {
-            this.owner.say(say('liveNotSaved', error instanceof Error ? error.message : String(error)));
+            this.owner.say(() => say('liveNotSaved', messageOf(error)));
         }
     }
 }

@@ -2,7 +2,7 @@
 // change, and saves a camera into the configuration when the user asks for it.
 import { ask } from './secret';
 import type { Texts } from './store';
-import { say } from './words';
+import { messageOf, say } from './words';
 
 /** Time between two questions whether a file has changed, in milliseconds. */
 const PAUSE = 1000;
@@ -82,7 +82,7 @@ export async function watch(listener: Listener): Promise<Texts> {
         }
     };
     const again = () => {
-        inTurn(look).catch((error: unknown) => listener.failed(error instanceof Error ? error.message : String(error)))
+        inTurn(look).catch((error: unknown) => listener.failed(messageOf(error)))
             .finally(() => setTimeout(again, PAUSE));
     };
     setTimeout(again, PAUSE);

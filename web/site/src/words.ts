@@ -39,7 +39,7 @@ const ENGLISH = {
     noModule: 'The renderer could not be loaded: {0}',
     noExample: 'The example could not be loaded: {0}',
     linkShown: 'The link is shown, and not rendered yet. "Render" starts the renderer of this machine.',
-    linkCosts: 'That may take long: {0} pixels × {1} samples × depth {2} are up to {3} rays.',
+    linkCosts: 'That may take long: {0} pixels × {1} {1|sample|samples} × depth {2} are up to {3} rays.',
     badLink: 'The link could not be read, so your own texts stay.',
     copied: 'The link is copied.',
     made: 'The link is below.',
@@ -67,7 +67,7 @@ const ENGLISH = {
     liveHelp: 'Drag to turn, with Shift or the right button to move, wheel or two fingers to come closer. '
         + 'Keys: arrows, Shift+arrows, + and -, Home.',
     liveHelpTouch: 'Drag with one finger to turn, with two fingers to move or to come closer. Tap a pixel to follow its path.',
-    liveSamples: '{0} samples',
+    liveSamples: '{0} {0|sample|samples}',
     liveRate: '{0} frames/s',
     liveDuration: 'the last frame took {0} s',
     liveRefused: 'A shader has an error, so the last good picture stays.',
@@ -89,8 +89,8 @@ const ENGLISH = {
     viewUlps: 'difference, units in the last place',
     blink: 'Blink',
     comparing: 'Comparing…',
-    ulps: '{0} units in the last place',
-    compareFigures: '{0} of {1} pixels differ, RMSE {2}, at most {3}, {4} units in the last place.',
+    ulps: '{0} {0|unit|units} in the last place',
+    compareFigures: '{0} of {1} pixels {0|differs|differ}, RMSE {2}, at most {3}, {4} {4|unit|units} in the last place.',
     compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. Deterministic mode: one ray through the middle of '
         + 'each pixel. Click or tap a pixel to follow its path.',
     noCompare: 'Without WebGPU there are no shaders to compare.',
@@ -156,7 +156,7 @@ const SPANISH: Record<Key, string> = {
     noModule: 'No se ha podido cargar el renderizador: {0}',
     noExample: 'No se ha podido cargar el ejemplo: {0}',
     linkShown: 'Se muestra el enlace, aún sin calcular. «Renderizar» inicia el renderizador de esta máquina.',
-    linkCosts: 'Puede tardar mucho: {0} píxeles × {1} muestras × profundidad {2} son hasta {3} rayos.',
+    linkCosts: 'Puede tardar mucho: {0} píxeles × {1} {1|muestra|muestras} × profundidad {2} son hasta {3} rayos.',
     badLink: 'No se ha podido leer el enlace; se conservan sus textos.',
     copied: 'El enlace está copiado.',
     made: 'El enlace está abajo.',
@@ -184,7 +184,7 @@ const SPANISH: Record<Key, string> = {
     liveHelp: 'Arrastrar gira; con Mayús o el botón derecho desplaza; rueda o dos dedos acercan. '
         + 'Teclas: flechas, Mayús+flechas, + y -, Inicio.',
     liveHelpTouch: 'Arrastrar con un dedo gira; con dos, desplaza o acerca. Pulse un píxel para seguir su camino.',
-    liveSamples: '{0} muestras',
+    liveSamples: '{0} {0|muestra|muestras}',
     liveRate: '{0} imágenes/s',
     liveDuration: 'la última imagen tardó {0} s',
     liveRefused: 'Un sombreador tiene un error; queda la última imagen buena.',
@@ -206,8 +206,8 @@ const SPANISH: Record<Key, string> = {
     viewUlps: 'diferencia, unidades en el último lugar',
     blink: 'Parpadear',
     comparing: 'Comparando…',
-    ulps: '{0} unidades en el último lugar',
-    compareFigures: 'Difieren {0} de {1} píxeles, RMSE {2}, como máximo {3}, {4} unidades en el último lugar.',
+    ulps: '{0} {0|unidad|unidades} en el último lugar',
+    compareFigures: '{0|Difiere|Difieren} {0} de {1} píxeles, RMSE {2}, como máximo {3}, {4} {4|unidad|unidades} en el último lugar.',
     compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. Modo determinista: un rayo por el centro '
         + 'de cada píxel. Pulse un píxel para seguir su camino.',
     noCompare: 'Sin WebGPU no hay sombreadores que comparar.',
@@ -254,20 +254,41 @@ const SPANISH_MEANINGS: Record<string, string> = {
     'cylinder:': 'centro, radio > 0, eje: tan largo como alto es el cilindro',
 };
 
+/** The words of the values of a line in Spanish. */
+const SPANISH_VALUES: Record<string, string> = {
+    'two whole numbers': 'dos números enteros', 'whole number': 'número entero', 'number': 'número', 'in': 'en',
+    'name': 'nombre', 'diffusion': 'difusión', 'index': 'índice', 'radius': 'radio',
+};
+
 export type Language = 'en' | 'es';
+
+/** Returns the words of an exception. Those of the browser are in its language. */
+export const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 let words: Record<Key, string> = ENGLISH;
 
-/** Returns the words for `key`, with `values` in the places {0}, {1} and so on. */
-export function say(key: Key, ...values: (string | number)[]): string {
-    return words[key].replace(/\{(\d)\}/g, (_, place) => String(values[Number(place)] ?? ''));
+/** Returns a number as text. Whole numbers of five digits or more have their digits in groups of three. */
+function grouped(value: string | number): string {
+    const text = String(value);
+    const isLong = typeof value === 'number' && /^\d{5,}$/.test(text);
+    return isLong ? text.replace(/\B(?=(\d{3})+$)/g, ofLanguage([',', '\u202f'])) : text;
 }
 
-/** Writes the words for `key` into an element. They follow the page's language. */
-export function tell(element: HTMLElement, key: Key, ...values: (string | number)[]): void {
-    element.dataset.words = key;
-    element.dataset.values = JSON.stringify(values);
-    element.textContent = say(key, ...values);
+/** Returns the words for `key`, with `values` in the places {0}, {1} and so on. {0|one|many} stands for one of two words. */
+export function say(key: Key, ...values: (string | number)[]): string {
+    return words[key].replace(/\{(\d)(?:\|(.*?)\|(.*?))?\}/g, (_, place, one?: string, many?: string) => {
+        const value = values[Number(place)] ?? '';
+        return one === undefined ? grouped(value) : (value === 1 ? one : many) ?? '';
+    });
+}
+
+/** The functions that return the texts of elements in the page's language. */
+const written = new Map<HTMLElement, () => string>();
+
+/** Writes what `text` returns into an element, and again when the language changes. */
+export function write(element: HTMLElement, text: () => string): void {
+    written.set(element, text);
+    element.textContent = text();
 }
 
 /** Returns the one of two texts that is in the page's language. */
@@ -280,15 +301,47 @@ export function meaningOf(tag: string, english: string): string {
     return words === SPANISH ? SPANISH_MEANINGS[tag] ?? english : english;
 }
 
-/** Sets the page's language, and replaces the words of all elements that have `data-words`. */
+/** Returns the values of a line in the page's language. */
+export function valuesOf(english: string): string {
+    const known = new RegExp(`\\b(${Object.keys(SPANISH_VALUES).join('|')})\\b`, 'g');
+    return words === SPANISH ? english.replace(known, (word) => SPANISH_VALUES[word] ?? word) : english;
+}
+
+/** The words of the editors' own parts in Spanish: finding, folding, and for readers of the screen. */
+const SPANISH_EDITOR: Record<string, string> = {
+    'Find': 'Buscar', 'Replace': 'Reemplazar', 'next': 'siguiente', 'previous': 'anterior', 'all': 'todo',
+    'match case': 'mayúsculas', 'regexp': 'expresión regular', 'by word': 'palabra entera', 'replace': 'reemplazar',
+    'replace all': 'reemplazar todo', 'close': 'cerrar', 'current match': 'coincidencia actual', 'on line': 'en la línea',
+    'replaced match on line $': 'reemplazado en la línea $', 'replaced $ matches': '$ reemplazos',
+    'Go to line': 'Ir a la línea', 'go': 'ir', 'Selection deleted': 'Selección borrada', 'to': 'a',
+    'Folded lines': 'Líneas plegadas', 'Unfolded lines': 'Líneas desplegadas', 'folded code': 'líneas plegadas',
+    'unfold': 'desplegar', 'Fold line': 'Plegar la línea', 'Unfold line': 'Desplegar la línea', 'Completions': 'Propuestas',
+    'Diagnostics': 'Errores', 'No diagnostics': 'Sin errores', 'Control character': 'Carácter de control',
+};
+
+/** Returns the words of the editors' own parts. English ones are those of the editor. */
+export const editorWords = (): Record<string, string> => (words === SPANISH ? SPANISH_EDITOR : {});
+
+/**
+ * Sets the page's language, and replaces the words of all elements that have `data-words`, and those that {@link write}
+ * has written. Then the event `spoken` tells the editors.
+ */
 export function speak(language: Language): void {
     words = language === 'es' ? SPANISH : ENGLISH;
     document.documentElement.lang = language;
     document.title = words.title;
     for (const element of document.querySelectorAll<HTMLElement>('[data-words]')) {
-        element.textContent = say(element.dataset.words as Key, ...JSON.parse(element.dataset.values ?? '[]') as string[]);
+        element.textContent = words[element.dataset.words as Key];
+    }
+    for (const [element, text] of written) {
+        if (element.isConnected) {
+            element.textContent = text();
+        } else {
+            written.delete(element);
+        }
     }
     for (const element of document.querySelectorAll<HTMLElement | SVGElement>('[data-label]')) {
         element.ariaLabel = words[element.dataset.label as Key];
     }
+    document.dispatchEvent(new Event('spoken'));
 }

@@ -135,8 +135,17 @@ export const tests = {
         const info = await page.textContent('.cm-completionInfo');
         check(info.startsWith('corrección gamma') && info.endsWith('por defecto: 2.2'), info);
         await shoot(page, 'spanish');
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('Control+f');
+        equal(await page.textContent('.cm-search [name=next]'), 'siguiente', 'the words of the find box');
+        check(await contrast(page, '.cm-search [name=next]') >= 4.5, 'the find box has the colours of the page');
+        await shoot(page, 'find');
+        await page.click('#share');
+        await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('El enlace'));
         await page.selectOption('#language', 'en');
         equal(await page.textContent('#render'), 'Render', 'the button in English');
+        check(/^The link/.test(await page.textContent('#status')), 'the message follows the language');
+        check((await page.textContent('#digest')).endsWith('the bytes of render-aos'), 'the words of the digest');
         await page.reload();
         await page.waitForSelector('#config-faults pre');
         equal(await page.textContent('#render'), 'Render', 'the choice is kept');
@@ -152,6 +161,8 @@ export const tests = {
             await page.keyboard.press('Control+Space');
             await page.waitForSelector('.cm-tooltip-autocomplete');
             equal(await page.locator('.cm-tooltip-autocomplete li').count(), count, 'the lines that are offered');
+            const values = (await page.locator('.cm-completionDetail').allTextContents()).join();
+            check(!/\b(numbers?|in|name|index|radius)\b/.test(values), values);
             await completionsTakeKeys(page);
             let info = '';
             for (let index = 0; index < count; index++) {

@@ -1,5 +1,5 @@
 // Opens WebGPU, compiles compositions, and runs them.
-import type { Key } from '../words';
+import { messageOf, type Key } from '../words';
 import { locate, type Composition, type ShaderFault } from './compose';
 
 /** Smallest size of a buffer in bytes. It is more than any structure takes, so a binding is never too small. */
@@ -29,8 +29,7 @@ export class Unavailable extends Error {
 
     /** Returns the failure that an exception of WebGPU means. */
     static of(error: unknown): Unavailable {
-        const message = error instanceof Error ? error.message : String(error);
-        return error instanceof Unavailable ? error : new Unavailable('gpuFailed', message);
+        return error instanceof Unavailable ? error : new Unavailable('gpuFailed', messageOf(error));
     }
 }
 
