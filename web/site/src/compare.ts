@@ -26,6 +26,7 @@ export interface Listener {
 
 /** The comparison. */
 export class Comparison {
+    readonly #exact = element<HTMLCanvasElement>('compare-exact');
     readonly #shader = element<HTMLCanvasElement>('compare-shader');
     readonly #map = element<HTMLCanvasElement>('compare-map');
     readonly #slider = element<HTMLInputElement>('compare-slider');
@@ -73,6 +74,15 @@ export class Comparison {
         element('compare-pane').classList.toggle('without', shaders === null);
     }
 
+    /** Removes the pictures, because another scene is loaded. */
+    clear(): void {
+        this.#newest += 1;
+        this.#facts = null;
+        this.#difference = null;
+        [this.#exact, this.#shader, this.#map].forEach((canvas) => canvas.getContext('2d')?.reset());
+        write(this.#figures, () => '');
+    }
+
     /** Takes valid texts. */
     async show({ config, scene }: Texts): Promise<void> {
         const own = ++this.#newest;
@@ -80,6 +90,7 @@ export class Comparison {
         if (!shaders) {
             return;
         }
+        this.#exact.ariaBusy = 'true';
         try {
             const whole = await this.preparer.prepare({ config, scene });
             const aimed = await this.preparer.aim(shownConfig(config, whole.facts, WIDTH, null));
@@ -104,6 +115,7 @@ export class Comparison {
             return;
         }
         try {
+            this.#exact.ariaBusy = 'true';
             write(this.#figures, () => say('comparing'));
             const isRendered = await shaders.render('image', 0, isCurrent);
             const colors = await shaders.colors();
@@ -118,9 +130,10 @@ export class Comparison {
             }
             this.#truths[isSingle ? 1 : 0] = exact;
             this.#difference = compare(exact, colors);
-            paint(element<HTMLCanvasElement>('compare-exact'), developed(exact, facts));
+            paint(this.#exact, developed(exact, facts));
             paint(this.#shader, developed(colors, facts));
             this.#draw();
+            this.#exact.ariaBusy = 'false';
         } catch (error) {
             this.#failed(error);
         }
@@ -162,6 +175,7 @@ export class Comparison {
     }
 
     #failed(error: unknown): void {
+        this.#exact.ariaBusy = 'false';
         if (error instanceof Refused) {
             this.listener.refused(error);
             write(this.#figures, () => say(this.#difference ? 'liveRefused' : 'liveRefusedFirst'));

@@ -37,7 +37,7 @@ export interface Listener {
 export class Live {
     readonly #canvas = element<HTMLCanvasElement>('live-canvas');
     readonly #status = element('live-status');
-    readonly #accumulates = element<HTMLInputElement>('live-samples');
+    readonly #fixed = element<HTMLInputElement>('live-fixed');
     readonly #probes = element<HTMLInputElement>('live-probe');
     #config = '';
     #scene = '';
@@ -53,13 +53,17 @@ export class Live {
     /** Counts the changes of what is shown, and its value at the start of the last frame. */
     #version = 0;
     #seen = 0;
+    /** The value that the picture shows. */
+    #painted = 0;
+    #isPreparing = false;
+    #hasPicture = false;
     #isRefused = false;
     /** The smallest and the largest value that is probed. */
     #range: [number, number] = [0, 1];
     #times: number[] = [];
 
     constructor(private readonly preparer: Preparer, private readonly listener: Listener) {
-        this.#accumulates.addEventListener('change', () => this.#restart());
+        this.#fixed.addEventListener('change', () => this.#restart());
         this.#probes.addEventListener('change', () => this.#restart());
         const take = (isSaved: boolean) => {
             if (this.#camera && this.#start) {
@@ -92,12 +96,14 @@ export class Live {
     set shaders(shaders: Shaders | null) {
         this.#shaders = shaders;
         this.#facts = null;
-        element('live-samples-line').hidden = shaders === null;
+        element('live-fixed-line').hidden = shaders === null;
     }
 
     /** Takes valid texts. The camera stays where it is if the configuration's camera has not changed. */
     async show(config: string, scene: string): Promise<void> {
         [this.#config, this.#scene] = [config, scene];
+        this.#isPreparing = true;
+        this.#mark();
         const shaders = this.#shaders;
         const isCurrent = () => shaders === this.#shaders && config === this.#config && scene === this.#scene;
         try {
@@ -117,10 +123,22 @@ export class Live {
             }
             this.#facts = prepared.facts;
             shaders?.load({ facts: prepared.facts, buffers: [...prepared.buffers, ...whole.buffers.slice(1)] });
+            this.#isPreparing = false;
             this.#restart();
         } catch (error) {
-            this.#failed(error);
+            if (isCurrent()) {
+                this.#isPreparing = false;
+                this.#failed(error);
+            }
         }
+    }
+
+    /** Removes the picture, because another scene is loaded. */
+    clear(): void {
+        this.#hasPicture = false;
+        this.#facts = null;
+        this.#canvas.getContext('2d')?.reset();
+        write(this.#status, () => say('busy'));
     }
 
     /** The scene as the view shows it, for the path of a pixel. */
@@ -163,16 +181,21 @@ export class Live {
     #restart(): void {
         this.#samples = 0;
         this.#version += 1;
+        this.#mark();
         this.#go();
+    }
+
+    /** Marks the picture as busy until it shows the last change. */
+    #mark(): void {
+        const isOld = this.#facts !== null && this.#painted !== this.#version;
+        this.#canvas.ariaBusy = String(this.#isPreparing || isOld);
     }
 
     #go(): void {
         if (!this.#isRunning && this.#isShown && this.#facts) {
             this.#isRunning = true;
-            this.#canvas.ariaBusy = 'true';
             void this.#run().catch((error: unknown) => this.#failed(error)).finally(() => {
                 this.#isRunning = false;
-                this.#canvas.ariaBusy = 'false';
                 // A change may have come after the last frame had begun.
                 if (this.#seen !== this.#version) {
                     this.#go();
@@ -188,9 +211,16 @@ export class Live {
             this.#seen = this.#version;
             await this.settle();
             const image = this.#shaders ? await this.#frame(this.#shaders) : await this.#slow();
+            if (!this.#facts) {
+                // Another scene has been loaded during the frame.
+                return;
+            }
             if (image) {
                 paint(this.#canvas, image);
+                this.#hasPicture = true;
             }
+            this.#painted = this.#seen;
+            this.#mark();
             // The next frame shows a change during this one.
             this.#samples = this.#seen === this.#version ? this.#samples + 1 : 0;
             this.#tell(performance.now() - start);
@@ -199,7 +229,12 @@ export class Live {
     }
 
     get #adds(): boolean {
-        return this.#shaders !== null && this.#accumulates.checked && !this.#probes.checked;
+        return this.#shaders !== null && !this.#fixed.checked && !this.#isProbe;
+    }
+
+    /** Whether the view shows what a shader gives to `probe`. */
+    get #isProbe(): boolean {
+        return this.#probes.checked && Object.values(this.#shaders?.edits ?? {}).some(hasProbes);
     }
 
     async #frame(shaders: Shaders): Promise<ImageData | null> {
@@ -219,9 +254,8 @@ export class Live {
 
     /** What the next frame shows. */
     get #mode(): Mode {
-        const hasProbe = Object.values(this.#shaders?.edits ?? {}).some(hasProbes);
-        element('live-probe-line').hidden = !hasProbe;
-        return hasProbe && this.#probes.checked ? 'probe' : this.#adds ? 'accumulate' : 'image';
+        element('live-probe-line').hidden = !Object.values(this.#shaders?.edits ?? {}).some(hasProbes);
+        return this.#isProbe ? 'probe' : this.#adds ? 'accumulate' : 'image';
     }
 
     /** A frame by the exact renderer in WebAssembly. */
@@ -248,24 +282,25 @@ export class Live {
         this.#canvas.dataset.samples = String(this.#samples);
         const samples = this.#adds ? this.#samples : null;
         const name = this.#shaders?.device.name ?? 'WebAssembly';
-        const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
-        const range = isProbe ? this.#range.map((value) => value.toPrecision(4)) : null;
+        const range = this.#isProbe ? this.#range.map((value) => value.toPrecision(4)) : null;
         write(this.#status, () => [
             `${width} × ${height}`,
-            samples === null ? '' : say('liveSamples', samples),
-            range ? say('probeRange', ...range) : '',
+            range ? say('probeRange', ...range) : samples === null ? say('lightFixed') : say('liveSamples', samples),
             rate !== null ? say('liveRate', rate.toFixed(1)) : duration < WINDOW ? '' : say('liveDuration', (duration / 1000).toFixed(1)),
             name,
         ].filter(Boolean).join(', '));
     }
 
     #failed(error: unknown): void {
+        this.#painted = this.#version;
+        this.#mark();
+        const hasPicture = this.#hasPicture;
         if (error instanceof Refused) {
             this.#isRefused = true;
             this.listener.refused(error);
-            write(this.#status, () => say(this.#canvas.dataset.frames ? 'liveRefused' : 'liveRefusedFirst'));
+            write(this.#status, () => say(hasPicture ? 'liveRefused' : 'liveRefusedFirst'));
         } else if (error instanceof Faulty) {
-            write(this.#status, () => say(this.#canvas.dataset.frames ? 'liveFault' : 'liveFaultFirst', error.message));
+            write(this.#status, () => say(hasPicture ? 'liveFault' : 'liveFaultFirst', error.message));
         } else if (this.#shaders) {
             this.listener.broken(error);
         } else {

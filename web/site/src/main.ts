@@ -93,6 +93,10 @@ class Page {
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
         const isKept = !(this.#isTyped || losesModules)
             || this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
+        if (texts.scene !== this.#texts.scene) {
+            this.#picture.clear();
+            this.#studio.clear();
+        }
         this.#isLoading = true;
         this.#editors[0].text = texts.config;
         this.#editors[1].text = texts.scene;

@@ -35,6 +35,12 @@ export class Picture {
         write(this.#status, text);
     }
 
+    /** Removes the picture, because another scene is loaded. */
+    clear(): void {
+        this.cancel();
+        this.#canvas.getContext('2d')?.reset();
+    }
+
     /** Renders the texts. A picture that is not finished is cancelled. */
     render(engine: Engine, texts: Texts): void {
         this.#stop?.();

@@ -89,6 +89,7 @@ export class PixelView {
     forget(): void {
         this.#newest += 1;
         this.#source = null;
+        this.#clear();
         this.#table.ariaBusy = 'false';
     }
 
@@ -136,9 +137,7 @@ export class PixelView {
                 return;
             }
             // The page must not show steps of an earlier version of the shaders.
-            this.#table.replaceChildren();
-            element('pixel-plan').replaceChildren();
-            element('pixel-probe').textContent = '';
+            this.#clear();
             write(element('pixel-first'), () => messageOf(error));
             if (source.shaders && !(error instanceof Refused || error instanceof Faulty)) {
                 this.broken(error);
@@ -147,6 +146,10 @@ export class PixelView {
         if (own === this.#newest) {
             this.#table.ariaBusy = 'false';
         }
+    }
+
+    #clear(): void {
+        ['pixel-steps', 'pixel-plan', 'pixel-probe', 'pixel-first'].forEach((id) => element(id).replaceChildren());
     }
 
     #fill(rust: Float32Array, wgsl: Float32Array | null): void {

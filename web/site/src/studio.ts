@@ -62,6 +62,11 @@ export class Studio {
         void this.#shown(this.#tabs.current);
     }
 
+    /** Removes all pictures, because another scene is loaded. */
+    clear(): void {
+        void this.#parts?.then(({ live, comparison }) => [live, comparison].forEach((one) => one.clear()));
+    }
+
     /** Replaces the user's modules. */
     set modules(modules: Edits) {
         if (this.#editor || Object.keys(modules).length > 0 || Object.keys(store.modules()).length > 0) {

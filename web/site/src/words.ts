@@ -63,7 +63,9 @@ const ENGLISH = {
     liveTake: 'Take over the camera',
     liveSave: 'Save the camera to the file',
     liveReset: 'Back to the camera of the text',
-    liveAdd: 'Add samples with random numbers',
+    liveFixed: 'Deterministic light, for comparing: one ray through the middle of each pixel',
+    lightFixed: 'deterministic light',
+    busy: 'Calculating…',
     liveHelp: 'Drag to turn, with Shift or the right button to move, wheel or two fingers to come closer. '
         + 'Keys: arrows, Shift+arrows, + and -, Home.',
     liveHelpTouch: 'Drag with one finger to turn, with two fingers to move or to come closer. Tap a pixel to follow its path.',
@@ -180,7 +182,9 @@ const SPANISH: Record<Key, string> = {
     liveTake: 'Adoptar la cámara',
     liveSave: 'Guardar la cámara en el archivo',
     liveReset: 'Volver a la cámara del texto',
-    liveAdd: 'Sumar muestras con números aleatorios',
+    liveFixed: 'Luz determinista, para comparar: un rayo por el centro de cada píxel',
+    lightFixed: 'luz determinista',
+    busy: 'Calculando…',
     liveHelp: 'Arrastrar gira; con Mayús o el botón derecho desplaza; rueda o dos dedos acercan. '
         + 'Teclas: flechas, Mayús+flechas, + y -, Inicio.',
     liveHelpTouch: 'Arrastrar con un dedo gira; con dos, desplaza o acerca. Pulse un píxel para seguir su camino.',

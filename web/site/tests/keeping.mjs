@@ -105,6 +105,7 @@ export const tests = {
         const link = await page.inputValue('#link');
 
         const other = await open(link);
+        await other.check('#live-fixed');
         await frame(other);
         await still(other);
         equal(await other.getAttribute('#tab-live', 'aria-selected'), 'true', 'the live view is shown');

@@ -1,5 +1,5 @@
 // Tests of the live view: WebGPU frames, the camera's gestures, samples over frames, and a browser without WebGPU.
-import { check, digest, equal, frame, pixels, render, rmse, shoot, still, textOf } from './tools.mjs';
+import { check, digest, equal, frame, pixels, render, rmse, shoot, still, textOf, type } from './tools.mjs';
 
 /** A small scene with every material, and a camera that sees all of it. */
 export const SCENE = {
@@ -15,6 +15,7 @@ export async function openLive(open, url, scene = SCENE, options = {}) {
     await digest(page);
     await render(page, scene);
     await page.click('#tab-live');
+    await page.check('#live-fixed');
     await frame(page);
     await still(page);
     return page;
@@ -169,7 +170,8 @@ export const tests = {
         const page = await openLive(open, url);
         const exact = await pixels(page, 'canvas');
         const first = rmse((await pixels(page, 'live-canvas')).bytes, exact.bytes);
-        await page.check('#live-samples');
+        check((await page.textContent('#live-status')).includes('deterministic light'), 'the view says so');
+        await page.uncheck('#live-fixed');
         const after = async (count) => {
             await page.waitForFunction((least) => Number(document.getElementById('live-canvas').dataset.samples) >= least, count);
             return rmse((await pixels(page, 'live-canvas')).bytes, exact.bytes);
@@ -221,6 +223,29 @@ export const tests = {
         check((await page.textContent('#live-status')).endsWith(', WebGPU'), await page.textContent('#live-status'));
     },
 
+    async 'a busy view says so, and a picture of another scene is removed'({ open, url }) {
+        const page = await openLive(open, url);
+        await page.uncheck('#live-fixed');
+        await page.waitForFunction(() => / samples,/.test(document.getElementById('live-status').textContent));
+        await page.evaluate(() => {
+            const { postMessage } = Worker.prototype;
+            Worker.prototype.postMessage = function(message) {
+                setTimeout(() => postMessage.call(this, message), message.request?.kind === 'prepare' ? 3000 : 0);
+            };
+        });
+        await type(page, 'config', `${SCENE.config}gamma: 1\n`);
+        await page.waitForSelector('#live-pane .busy');
+        check((await pixels(page, 'live-canvas')).bytes.some((byte) => byte > 0), 'the picture is pale, and stays');
+        await still(page);
+        await page.selectOption('#examples', 'cylinders');
+        await page.waitForSelector('#live-pane .busy');
+        await page.waitForFunction(() => getComputedStyle(document.querySelector('#live-pane .busy')).opacity === '1');
+        check((await pixels(page, 'live-canvas')).bytes.every((byte) => byte === 0), 'the picture of the other scene is removed');
+        await shoot(page, 'live-busy');
+        await still(page);
+        check((await pixels(page, 'live-canvas')).bytes.some((byte) => byte > 0), 'the new picture');
+    },
+
     async 'frames of the live view are counted'({ open, url }) {
         const page = await open(url);
         await digest(page);
@@ -228,6 +253,7 @@ export const tests = {
         await page.selectOption('#examples', 'materials');
         await page.click('#cancel');
         await page.click('#tab-live');
+        await page.check('#live-fixed');
         await frame(page);
         const rate = await page.evaluate(async () => {
             const canvas = document.getElementById('live-canvas');

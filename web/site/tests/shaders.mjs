@@ -64,6 +64,7 @@ export const tests = {
         await page.waitForSelector('#shader-editor .cm-content');
         check((await moduleText(page)).includes('direktion.y'), 'the broken module is kept');
         await page.click('#tab-live');
+        await page.check('#live-fixed');
         await page.waitForSelector('#shader-faults pre');
         await page.click('#shader-reset');
         await frame(page);

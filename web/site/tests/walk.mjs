@@ -41,6 +41,8 @@ export const tests = {
         await frame(page);
         await still(page);
         await picture(page, '.result', 'live');
+        await page.check('#live-fixed');
+        await still(page);
 
         // 1. A colour.
         const scene = await textOf(page, 'scene');
