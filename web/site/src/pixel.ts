@@ -154,29 +154,43 @@ export class PixelView {
 
     #fill(rust: Float32Array, wgsl: Float32Array | null): void {
         const numbers = this.names.length;
-        const rows: HTMLTableRowElement[] = [];
-        let first = '';
+        const bodies: HTMLTableSectionElement[] = [];
+        let first: { step: number; name: string; bits: string } | null = null;
         for (let step = 0; step * numbers < rust.length; step++) {
             const [own, other] = [rust, wgsl ?? rust].map((all) => all.subarray(step * numbers, (step + 1) * numbers));
             const places = new Set([...shown(own?.[0] ?? -1), ...shown(other?.[0] ?? -1)]);
             if (places.size === 0) {
                 break;
             }
-            rows.push(line([`${say('step')} ${step}`, 'Rust', 'WGSL'], 'head'));
+            const rows: HTMLTableRowElement[] = [];
+            let [differing, group] = [0, ''];
             for (const place of [...places].sort((one, next) => one - next)) {
                 const name = this.names[place] ?? '';
                 const [a, b] = [own?.[place] ?? NaN, other?.[place] ?? NaN];
                 const isSame = same(a, b);
-                if (!isSame && first === '') {
-                    first = `${say('firstDifference', step, name)}\nRust  ${binary(a)}\nWGSL  ${binary(b)}`;
-                    rows.push(line([name, text(a, name), text(b, name)], 'first'));
-                } else {
-                    rows.push(line([name, text(a, name), wgsl ? text(b, name) : '—'], isSame ? '' : 'differs'));
+                const row = line([name, text(a, name), wgsl ? text(b, name) : '—'], isSame ? '' : first ? 'differs' : 'first');
+                if (!isSame) {
+                    differing += 1;
+                    first ??= { step, name, bits: `\nRust  ${binary(a)}\nWGSL  ${binary(b)}` };
                 }
+                // The components of a vector stand together.
+                const [vector = ''] = name.split('.');
+                row.classList.toggle('group', vector !== group);
+                group = vector;
+                rows.push(row);
             }
+            bodies.push(folded(() => (
+                wgsl ? say(differing > 0 ? 'stepDiffers' : 'stepSame', step, differing) : say('stepAlone', step)), rows));
         }
-        this.#table.replaceChildren(...rows);
-        element('pixel-first').textContent = first || say(wgsl ? 'noDifference' : 'noShaders');
+        const head = document.createElement('thead');
+        head.append(line(['', 'Rust', 'WGSL'], ''));
+        this.#table.replaceChildren(head, ...bodies);
+        // The step with the first difference is open.
+        bodies[first?.step ?? 0]?.querySelector('button')?.click();
+        const found = first;
+        write(element('pixel-first'), () => (found
+            ? say('firstDifference', found.step, found.name) + found.bits
+            : say(wgsl ? 'noDifference' : 'noShaders')));
     }
 
     /** The points of the path: where each ray starts, and a point on the way of the last one. */
@@ -203,4 +217,24 @@ function line(cells: string[], name: string): HTMLTableRowElement {
     row.className = name;
     cells.forEach((content) => (row.insertCell().textContent = content));
     return row;
+}
+
+/** Returns the rows of a step below a button that shows and hides them. They are hidden at first. */
+function folded(title: () => string, rows: HTMLTableRowElement[]): HTMLTableSectionElement {
+    const body = document.createElement('tbody');
+    const button = document.createElement('button');
+    button.type = 'button';
+    write(button, title);
+    const fold = (isOpen: boolean) => {
+        button.ariaExpanded = String(isOpen);
+        rows.forEach((row) => (row.hidden = !isOpen));
+    };
+    button.addEventListener('click', () => fold(button.ariaExpanded === 'false'));
+    const head = line([''], 'head');
+    const cell = head.cells[0] as HTMLTableCellElement;
+    cell.colSpan = 3;
+    cell.append(button);
+    body.append(head, ...rows);
+    fold(false);
+    return body;
 }

@@ -54,7 +54,7 @@ export const tests = {
             }
         }
         equal(count, differing, 'the pixels of the map that are not black');
-        check((await page.textContent('#compare-most')).includes('units in the last place'), 'the scale');
+        check(/^0\s+\d+ units? in the last place\s+\(logarithmic scale\)$/.test(await page.innerText('#compare-scale')), 'the scale');
         await shoot(page, 'compare-map');
 
         const box = await page.locator('#compare-stage').boundingBox();
@@ -70,6 +70,12 @@ export const tests = {
         equal(await page.locator('#pixel-plan svg').first().locator('circle:not(.hit):not(.camera), polygon').count(), 4, 'the objects');
         check((await page.getAttribute('#pixel-plan polyline', 'points')).split(' ').length >= 2, 'the way of the ray');
         await shoot(page, 'pixel');
+        const unfolded = page.locator('#pixel-steps [aria-expanded=true]');
+        check(await unfolded.count() === 1 && /^step \d+: \d+ numbers? differs?$/.test(await unfolded.textContent()), 'one step is open');
+        const { height } = await page.locator('#pixel-steps').boundingBox();
+        check(height < 1200, `the table is ${height} pixels high`);
+        await unfolded.click();
+        check(!await page.isVisible('#pixel-steps .first') && await unfolded.count() === 0, 'the step is folded');
         await page.click('#shader-reset');
         await page.waitForFunction(() => document.getElementById('pixel-first').textContent === 'No bit differs.');
     },
