@@ -160,7 +160,7 @@ export const tests = {
             await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('The link is shown'));
             equal(await textOf(page, 'config'), HOSTILE.config, 'the configuration of the link');
             const status = await page.textContent('#status');
-            check(status.endsWith('That may take long: 32 pixels × 9000000000000000000 samples × depth 5 are up to 1.4e+21 rays.'), status);
+            check(status.endsWith('That may take long: 32 pixels × 9,000,000,000,000,000,000 samples × depth 5 are up to 1.4e+21 rays.'), status);
             await rests(program, 'a link in an open page');
             const other = await open(`${origin}/${link({ ...SMALL, config: 'image_width: 9\n' })}`, { context: page.context() });
             await other.waitForFunction(() => document.getElementById('status').textContent.startsWith('The link is shown'));

@@ -40,6 +40,7 @@ export const tests = {
         await page.click('#tab-live');
         await frame(page);
         await still(page);
+        await page.waitForFunction(() => Number(document.getElementById('live-canvas').dataset.samples) >= 64);
         await picture(page, '.result', 'live');
         await page.check('#live-fixed');
         await still(page);
@@ -59,7 +60,7 @@ export const tests = {
         check(await change(page, () => edit(page, 'fn background_color',
             'override gain: f32 = 0.5; // slider 0..2 step .01\nfn background_color')) > 1, 'the formula changes the view');
         await change(page, () => page.fill('#knobs input', '1.6'));
-        await picture(page, '#shader-part', 'formula');
+        await picture(page, 'main', 'formula');
         await page.click('#shader-reset');
 
         // 3. A planted fault.
