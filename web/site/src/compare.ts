@@ -181,7 +181,7 @@ export class Comparison {
             this.listener.refused(error);
             write(this.#figures, () => say(this.#difference ? 'liveRefused' : 'liveRefusedFirst'));
         } else if (error instanceof Faulty) {
-            write(this.#figures, () => say(this.#difference ? 'liveFault' : 'liveFaultFirst', error.message));
+            write(this.#figures, () => error.say(this.#difference ? 'liveFault' : 'liveFaultFirst'));
         } else {
             this.listener.broken(error);
         }

@@ -4,6 +4,7 @@ import { ask } from './secret';
 import type { Texts } from './store';
 import { read, shown } from './ppm';
 import { stepOf } from './step';
+import { messageOf, say } from './words';
 import type { Message, Task } from './worker';
 
 /** What an engine tells while it renders. */
@@ -53,7 +54,7 @@ export function inWorker(module: WebAssembly.Module): Engine {
                     watcher.failed(data.text);
             }
         };
-        worker.onerror = (event) => watcher.failed(event.message);
+        worker.onerror = ({ message }) => watcher.failed(message || say('noModule', 'worker.js'));
         worker.postMessage({ module, ...texts } satisfies Task);
         return () => worker.terminate();
     };
@@ -94,7 +95,7 @@ export const native: Engine = (texts, watcher) => {
             watcher.done(ppm, Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join(''));
         }
     };
-    run().catch((error: unknown) => signal.aborted || watcher.failed(String(error))).finally(() => ends.abort());
+    run().catch((error: unknown) => signal.aborted || watcher.failed(messageOf(error))).finally(() => ends.abort());
     signal.addEventListener('abort', () => clearInterval(asks));
     return () => {
         ends.abort();

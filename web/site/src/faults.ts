@@ -1,32 +1,22 @@
 // Checks both texts with the renderer in a worker, marks the faults in the editors, and lists them below.
-import type { Question, Verdict } from './checking';
+import { Asked } from './asked';
+import type { Verdict } from './checking';
 import type { Editor } from './editor';
 import type { Fault, TextNumber } from './module';
-import { ofLanguage, say } from './words';
+import { messageOf, ofLanguage, say } from './words';
 
 /** The checker of both texts. */
 export class Checker {
-    readonly #worker = new Worker('checking.js', { type: 'module' });
+    readonly #worker: Asked<{ text: TextNumber; content: string }, Verdict>;
     /** The last text of each editor whose fault is known, and this fault. */
     readonly #known: ({ content: string; fault: Fault | null } | null)[] = [null, null];
-    /** The functions that wait for the answers to questions. */
-    readonly #waiting = new Map<number, (fault: Fault | null) => void>();
-    #questions = 0;
 
     constructor(
         module: WebAssembly.Module,
         private readonly editors: [Editor, Editor],
         private readonly lists: [HTMLElement, HTMLElement],
     ) {
-        this.#worker.onmessage = ({ data }: MessageEvent<Verdict>) => {
-            this.#waiting.get(data.question)?.(data.fault);
-            this.#waiting.delete(data.question);
-        };
-        this.#worker.onerror = ({ message }) => {
-            this.#waiting.forEach((answer) => answer({ text: 2, line: 0, column: 0, length: 0, message }));
-            this.#waiting.clear();
-        };
-        this.#ask({ module });
+        this.#worker = new Asked('checking.js', module);
     }
 
     /** Checks both texts, and returns their first fault or null. */
@@ -63,19 +53,12 @@ export class Checker {
             this.show(text, known.fault);
             return known.fault;
         }
-        const question = ++this.#questions;
-        const fault = await new Promise<Fault | null>((answer) => {
-            this.#waiting.set(question, answer);
-            this.#ask({ question, text, content });
-        });
+        const { fault } = await this.#worker.ask({ text, content }).catch((error: unknown) => (
+            { fault: { text, line: 0, column: 0, length: 0, message: messageOf(error) } }));
         if (this.editors[text].text === content) {
             this.#known[text] = { content, fault };
             this.show(text, fault);
         }
-        return fault && { ...fault, text };
-    }
-
-    #ask(question: Question): void {
-        this.#worker.postMessage(question);
+        return fault;
     }
 }

@@ -300,7 +300,7 @@ export class Live {
             this.listener.refused(error);
             write(this.#status, () => say(hasPicture ? 'liveRefused' : 'liveRefusedFirst'));
         } else if (error instanceof Faulty) {
-            write(this.#status, () => say(hasPicture ? 'liveFault' : 'liveFaultFirst', error.message));
+            write(this.#status, () => error.say(hasPicture ? 'liveFault' : 'liveFaultFirst'));
         } else if (this.#shaders) {
             this.listener.broken(error);
         } else {

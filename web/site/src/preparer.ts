@@ -1,7 +1,9 @@
 // Asks a worker to read scenes for the shaders, and for the same pictures by Rust.
+import { Asked } from './asked';
 import type { Fault } from './module';
-import type { Answer, Question, Request } from './preparing';
+import type { Answer, Request } from './preparing';
 import type { Texts } from './store';
+import { messageOf, say, type Key } from './words';
 
 /** A vector: x, y and z. */
 export type Vector = [number, number, number];
@@ -34,25 +36,19 @@ export class Faulty extends Error {
     constructor(readonly fault: Fault) {
         super(fault.message);
     }
+
+    /** Returns the message for a view: after `key` for a fault of the texts, and otherwise as one of the renderer. */
+    say(key: Key): string {
+        return say(this.fault.text < 2 ? key : 'failed', this.message);
+    }
 }
 
 /** A worker with one scene. */
 export class Preparer {
-    readonly #worker = new Worker('preparing.js', { type: 'module' });
-    readonly #waiting = new Map<number, (answer: Answer) => void>();
-    #questions = 0;
+    readonly #worker: Asked<{ request: Request }, Answer>;
 
     constructor(module: WebAssembly.Module) {
-        this.#worker.onmessage = ({ data }: MessageEvent<Answer>) => {
-            this.#waiting.get(data.question)?.(data);
-            this.#waiting.delete(data.question);
-        };
-        this.#worker.onerror = ({ message }) => {
-            const fault = { text: 2, line: 0, column: 0, length: 0, message };
-            this.#waiting.forEach((answer, question) => answer({ question, bytes: [], facts: '', fault }));
-            this.#waiting.clear();
-        };
-        this.#worker.postMessage({ module } satisfies Question);
+        this.#worker = new Asked('preparing.js', module);
     }
 
     /** Reads both texts. Throws {@link Faulty} if one of them is wrong. */
@@ -77,20 +73,13 @@ export class Preparer {
         return new Float32Array(bytes[0]?.buffer ?? new ArrayBuffer(0));
     }
 
-    /** Ends the worker. */
-    end(): void {
-        this.#worker.terminate();
-    }
-
     #prepared({ bytes, facts }: Answer): Prepared {
         return { buffers: bytes, facts: JSON.parse(facts) as Facts };
     }
 
     async #ask(request: Request): Promise<Answer> {
-        const question = ++this.#questions;
-        const answer = await new Promise<Answer>((resolve) => {
-            this.#waiting.set(question, resolve);
-            this.#worker.postMessage({ question, request } satisfies Question);
+        const answer = await this.#worker.ask({ request }).catch((error: unknown) => {
+            throw new Faulty({ text: 2, line: 0, column: 0, length: 0, message: messageOf(error) });
         });
         if (answer.fault) {
             throw new Faulty(answer.fault);

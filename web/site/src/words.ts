@@ -93,7 +93,7 @@ const ENGLISH = {
     comparing: 'Comparing…',
     ulps: '{0} {0|unit|units} in the last place',
     compareFigures: '{0} of {1} pixels {0|differs|differ}, RMSE {2}, at most {3}, {4} {4|unit|units} in the last place.',
-    compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. Deterministic mode: one ray through the middle of '
+    compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. Deterministic light: one ray through the middle of '
         + 'each pixel. Click or tap a pixel to follow its path.',
     noCompare: 'Without WebGPU there are no shaders to compare.',
     planAbove: 'from above: x to the right, z downwards',
@@ -216,7 +216,7 @@ const SPANISH: Record<Key, string> = {
     comparing: 'Comparando…',
     ulps: '{0} {0|unidad|unidades} en el último lugar',
     compareFigures: '{0|Difiere|Difieren} {0} de {1} píxeles, RMSE {2}, como máximo {3}, {4} {4|unidad|unidades} en el último lugar.',
-    compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. Modo determinista: un rayo por el centro '
+    compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. Luz determinista: un rayo por el centro '
         + 'de cada píxel. Pulse un píxel para seguir su camino.',
     noCompare: 'Sin WebGPU no hay sombreadores que comparar.',
     planAbove: 'desde arriba: x a la derecha, z hacia abajo',

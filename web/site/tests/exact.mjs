@@ -93,6 +93,17 @@ export const tests = {
         check(readFileSync(await download.path()).toString().startsWith('P3\n9000 7\n255\n'), 'the whole picture');
     },
 
+    async 'a worker that cannot be loaded is a message'({ open, url, browser, faults }) {
+        const context = await browser.newContext();
+        await context.route(/(checking|preparing|worker)\.js$/, (route) => route.abort());
+        const page = await open(url, { context });
+        await page.waitForFunction(() => /could not be loaded: checking.js/.test(document.getElementById('config-faults').textContent));
+        await page.click('#tab-live');
+        await page.waitForFunction(() => /could not be loaded: preparing.js/.test(document.getElementById('live-status').textContent));
+        // The browser reports each script that it does not get.
+        faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes('ERR_FAILED')));
+    },
+
     async 'too little memory is a message and the page goes on'({ open, url }) {
         const page = await open(url);
         await digest(page);

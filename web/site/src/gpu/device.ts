@@ -54,6 +54,7 @@ export class Device {
             const fail = (failure: Unavailable) => {
                 this.#failure ??= failure;
                 this.#waiting.forEach((end) => end(failure));
+                gpu.destroy();
                 resolve(failure);
             };
             void gpu.lost.then(({ message }) => fail(new Unavailable('gpuLost', message)));
