@@ -93,10 +93,6 @@ class Page {
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
         const isKept = !(this.#isTyped || losesModules)
             || this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
-        if (texts.scene !== this.#texts.scene) {
-            this.#picture.clear();
-            this.#studio.clear();
-        }
         this.#isLoading = true;
         this.#editors[0].text = texts.config;
         this.#editors[1].text = texts.scene;
@@ -109,6 +105,12 @@ class Page {
             this.#studio.modules = texts.modules;
         }
         return isKept;
+    }
+
+    /** Removes all pictures, because texts of another origin are loaded. */
+    clear(): void {
+        this.#picture.clear();
+        this.#studio.clear();
     }
 
     /** Shows the view of a link. */
@@ -266,7 +268,9 @@ async function start(): Promise<void> {
         engines.value = 'native';
     }
     const use = async (texts: Texts | Promise<Texts>, isTyped = false) => {
-        page.load(await texts, isTyped);
+        const loaded = await texts;
+        page.clear();
+        page.load(loaded, isTyped);
         await page.render();
     };
     languages.addEventListener('change', () => {
@@ -289,6 +293,7 @@ async function start(): Promise<void> {
     addEventListener('hashchange', () => {
         if (link.isLink(location.hash)) {
             link.read(location.hash).then(async ({ view: shown, ...texts }) => {
+                page.clear();
                 page.load(texts);
                 await page.renderLink();
                 page.show(shown);

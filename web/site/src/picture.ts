@@ -50,6 +50,7 @@ export class Picture {
         this.#saves.forEach((button) => (button.disabled = true));
         this.#cancel.disabled = false;
         this.#bar.hidden = false;
+        this.#canvas.ariaBusy = 'true';
         this.#bar.removeAttribute('value');
         this.say(() => say('preparing'));
         const start = performance.now();
@@ -64,6 +65,7 @@ export class Picture {
         const isRendered = () => this.say(() => `${say('rendering')} ${size()}`);
         const watcher: Watcher = {
             begin: current((width, height, step) => {
+                this.#canvas.ariaBusy = 'false';
                 resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
                 size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
                 isRendered();
@@ -116,6 +118,7 @@ export class Picture {
 
     #end(): void {
         this.#stop = null;
+        this.#canvas.ariaBusy = 'false';
         this.#cancel.disabled = true;
         this.#bar.hidden = true;
     }
