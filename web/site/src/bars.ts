@@ -5,8 +5,8 @@ import * as store from './store';
 const [LEAST, MOST, STEP] = [0.15, 0.85, 0.02];
 
 /**
- * Lets the user move a bar. The property `--ID` of the page is the part of the room that is before the bar with this id.
- * The room begins at the first element of `data-between`, and ends at the second one.
+ * Lets the user move a bar. The property `--ID` of the page is the part of the room that is before the bar with this
+ * id. The room begins at the first element of `data-between`, and ends at the second one.
  */
 export function movable(bar: HTMLElement): void {
     const [first, last] = (bar.dataset.between ?? '').split(' ').map((id) => document.getElementById(id));

@@ -155,7 +155,8 @@ export class Comparison {
             paint(this.#map, map(difference, isUlps, this.#facts.width));
         }
         write(element('compare-kind'), () => say(isUlps ? 'scaleLogarithmic' : 'scaleLinear'));
-        write(element('compare-most'), () => (isUlps ? say('ulps', difference.largestUlps) : difference.largest.toExponential(2)));
+        write(element('compare-most'), () => (
+            isUlps ? say('ulps', difference.largestUlps) : difference.largest.toExponential(2)));
         write(this.#figures, () => say('compareFigures', difference.differing, difference.pixels,
             difference.rmse.toExponential(2), difference.largest.toExponential(2), difference.largestUlps));
         this.#figures.dataset.differing = String(difference.differing);

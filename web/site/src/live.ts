@@ -92,7 +92,7 @@ export class Live {
         this.#move(moved ?? this.#start);
     }
 
-    /** Renders by these shaders from now on, or by the exact renderer if there are none. Needs {@link show} afterwards. */
+    /** Renders by these shaders from now on, or by the exact renderer without any. Needs {@link show} afterwards. */
     set shaders(shaders: Shaders | null) {
         this.#shaders = shaders;
         this.#facts = null;
@@ -286,7 +286,8 @@ export class Live {
         write(this.#status, () => [
             `${width} × ${height}`,
             range ? say('probeRange', ...range) : samples === null ? say('lightFixed') : say('liveSamples', samples),
-            rate !== null ? say('liveRate', rate.toFixed(1)) : duration < WINDOW ? '' : say('liveDuration', (duration / 1000).toFixed(1)),
+            rate !== null ? say('liveRate', rate.toFixed(1)) : '',
+            rate === null && duration >= WINDOW ? say('liveDuration', (duration / 1000).toFixed(1)) : '',
             name,
         ].filter(Boolean).join(', '));
     }

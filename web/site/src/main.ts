@@ -152,7 +152,8 @@ class Page {
             return;
         }
         const rays = cost.reduce((product, factor) => product * factor, 1);
-        this.say(() => say('linkShown') + (rays < MANY_RAYS ? '' : ` ${say('linkCosts', ...cost, rays.toPrecision(2))}`));
+        this.say(() => say('linkShown')
+            + (rays < MANY_RAYS ? '' : ` ${say('linkCosts', ...cost, rays.toPrecision(2))}`));
     }
 
     /** Lists the earlier texts. */
@@ -214,7 +215,8 @@ class Page {
         // The clipboard is missing where the page is not from a trusted origin.
         const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
         field.select();
-        this.say(() => say(isCopied ? 'copied' : 'made') + (text.length > LONG_LINK ? ` ${say('tooLong', text.length)}` : ''));
+        this.say(() => say(isCopied ? 'copied' : 'made')
+            + (text.length > LONG_LINK ? ` ${say('tooLong', text.length)}` : ''));
     }
 }
 

@@ -168,7 +168,8 @@ export class PixelView {
                 const name = this.names[place] ?? '';
                 const [a, b] = [own?.[place] ?? NaN, other?.[place] ?? NaN];
                 const isSame = same(a, b);
-                const row = line([name, text(a, name), wgsl ? text(b, name) : '—'], isSame ? '' : first ? 'differs' : 'first');
+                const mark = isSame ? '' : first ? 'differs' : 'first';
+                const row = line([name, text(a, name), wgsl ? text(b, name) : '—'], mark);
                 if (!isSame) {
                     differing += 1;
                     first ??= { step, name, bits: `\nRust  ${binary(a)}\nWGSL  ${binary(b)}` };
@@ -179,8 +180,8 @@ export class PixelView {
                 group = vector;
                 rows.push(row);
             }
-            bodies.push(folded(() => (
-                wgsl ? say(differing > 0 ? 'stepDiffers' : 'stepSame', step, differing) : say('stepAlone', step)), rows));
+            const title = wgsl ? differing > 0 ? 'stepDiffers' : 'stepSame' : 'stepAlone';
+            bodies.push(folded(() => say(title, step, differing), rows));
         }
         const head = document.createElement('thead');
         head.append(line(['', 'Rust', 'WGSL'], ''));

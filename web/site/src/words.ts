@@ -68,7 +68,8 @@ const ENGLISH = {
     busy: 'Calculating…',
     liveHelp: 'Drag to turn, with Shift or the right button to move, wheel or two fingers to come closer. '
         + 'Keys: arrows, Shift+arrows, + and -, Home.',
-    liveHelpTouch: 'Drag with one finger to turn, with two fingers to move or to come closer. Tap a pixel to follow its path.',
+    liveHelpTouch: 'Drag with one finger to turn, with two fingers to move or to come closer. '
+        + 'Tap a pixel to follow its path.',
     liveSamples: '{0} {0|sample|samples}',
     liveRate: '{0} frames/s',
     liveDuration: 'the last frame took {0} s',
@@ -92,9 +93,10 @@ const ENGLISH = {
     blink: 'Blink',
     comparing: 'Comparing…',
     ulps: '{0} {0|unit|units} in the last place',
-    compareFigures: '{0} of {1} pixels {0|differs|differ}, RMSE {2}, at most {3}, {4} {4|unit|units} in the last place.',
-    compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. Deterministic light: one ray through the middle of '
-        + 'each pixel. Click or tap a pixel to follow its path.',
+    compareFigures: '{0} of {1} pixels {0|differs|differ}, RMSE {2}, at most {3}, '
+        + '{4} {4|unit|units} in the last place.',
+    compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. '
+        + 'Deterministic light: one ray through the middle of each pixel. Click or tap a pixel to follow its path.',
     noCompare: 'Without WebGPU there are no shaders to compare.',
     planAbove: 'from above: x to the right, z downwards',
     planFront: 'against z: x to the right, y upwards',
@@ -215,9 +217,10 @@ const SPANISH: Record<Key, string> = {
     blink: 'Parpadear',
     comparing: 'Comparando…',
     ulps: '{0} {0|unidad|unidades} en el último lugar',
-    compareFigures: '{0|Difiere|Difieren} {0} de {1} píxeles, RMSE {2}, como máximo {3}, {4} {4|unidad|unidades} en el último lugar.',
-    compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. Luz determinista: un rayo por el centro '
-        + 'de cada píxel. Pulse un píxel para seguir su camino.',
+    compareFigures: '{0|Difiere|Difieren} {0} de {1} píxeles, RMSE {2}, como máximo {3}, '
+        + '{4} {4|unidad|unidades} en el último lugar.',
+    compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. '
+        + 'Luz determinista: un rayo por el centro de cada píxel. Pulse un píxel para seguir su camino.',
     noCompare: 'Sin WebGPU no hay sombreadores que comparar.',
     planAbove: 'desde arriba: x a la derecha, z hacia abajo',
     planFront: 'en sentido contrario a z: x a la derecha, y hacia arriba',
@@ -286,7 +289,7 @@ function grouped(value: string | number): string {
     return isLong ? text.replace(/\B(?=(\d{3})+$)/g, ofLanguage([',', '\u202f'])) : text;
 }
 
-/** Returns the words for `key`, with `values` in the places {0}, {1} and so on. {0|one|many} stands for one of two words. */
+/** Returns the words for `key`, with `values` in the places {0}, {1} and so on. {0|one|many} is one of two words. */
 export function say(key: Key, ...values: (string | number)[]): string {
     return words[key].replace(/\{(\d)(?:\|(.*?)\|(.*?))?\}/g, (_, place, one?: string, many?: string) => {
         const value = values[Number(place)] ?? '';
@@ -323,11 +326,13 @@ export function valuesOf(english: string): string {
 const SPANISH_EDITOR: Record<string, string> = {
     'Find': 'Buscar', 'Replace': 'Reemplazar', 'next': 'siguiente', 'previous': 'anterior', 'all': 'todo',
     'match case': 'mayúsculas', 'regexp': 'expresión regular', 'by word': 'palabra entera', 'replace': 'reemplazar',
-    'replace all': 'reemplazar todo', 'close': 'cerrar', 'current match': 'coincidencia actual', 'on line': 'en la línea',
+    'replace all': 'reemplazar todo', 'close': 'cerrar', 'current match': 'coincidencia actual',
+    'on line': 'en la línea',
     'replaced match on line $': 'reemplazado en la línea $', 'replaced $ matches': '$ reemplazos',
     'Go to line': 'Ir a la línea', 'go': 'ir', 'Selection deleted': 'Selección borrada', 'to': 'a',
     'Folded lines': 'Líneas plegadas', 'Unfolded lines': 'Líneas desplegadas', 'folded code': 'líneas plegadas',
-    'unfold': 'desplegar', 'Fold line': 'Plegar la línea', 'Unfold line': 'Desplegar la línea', 'Completions': 'Propuestas',
+    'unfold': 'desplegar', 'Fold line': 'Plegar la línea', 'Unfold line': 'Desplegar la línea',
+    'Completions': 'Propuestas',
     'Diagnostics': 'Errores', 'No diagnostics': 'Sin errores', 'Control character': 'Carácter de control',
 };
 

@@ -54,7 +54,8 @@ export const tests = {
             }
         }
         equal(count, differing, 'the pixels of the map that are not black');
-        check(/^0\s+\d+ units? in the last place\s+\(logarithmic scale\)$/.test(await page.innerText('#compare-scale')), 'the scale');
+        const scale = await page.innerText('#compare-scale');
+        check(/^0\s+\d+ units? in the last place\s+\(logarithmic scale\)$/.test(scale), scale);
         await shoot(page, 'compare-map');
 
         const box = await page.locator('#compare-stage').boundingBox();
@@ -71,7 +72,8 @@ export const tests = {
         check((await page.getAttribute('#pixel-plan polyline', 'points')).split(' ').length >= 2, 'the way of the ray');
         await shoot(page, 'pixel');
         const unfolded = page.locator('#pixel-steps [aria-expanded=true]');
-        check(await unfolded.count() === 1 && /^step \d+: \d+ numbers? differs?$/.test(await unfolded.textContent()), 'one step is open');
+        equal(await unfolded.count(), 1, 'the open steps');
+        check(/^step \d+: \d+ numbers? differs?$/.test(await unfolded.textContent()), await unfolded.textContent());
         const { height } = await page.locator('#pixel-steps').boundingBox();
         check(height < 1200, `the table is ${height} pixels high`);
         await unfolded.click();

@@ -97,9 +97,11 @@ export const tests = {
         const context = await browser.newContext();
         await context.route(/(checking|preparing|worker)\.js$/, (route) => route.abort());
         const page = await open(url, { context });
-        await page.waitForFunction(() => /could not be loaded: checking.js/.test(document.getElementById('config-faults').textContent));
+        const says = (id, words) => page.waitForFunction(([name, text]) =>
+            document.getElementById(name).textContent.includes(text), [id, words]);
+        await says('config-faults', 'could not be loaded: checking.js');
         await page.click('#tab-live');
-        await page.waitForFunction(() => /could not be loaded: preparing.js/.test(document.getElementById('live-status').textContent));
+        await says('live-status', 'could not be loaded: preparing.js');
         // The browser reports each script that it does not get.
         faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes('ERR_FAILED')));
     },

@@ -35,11 +35,14 @@ async function change(page, act) {
 const FAILURES = {
     'is missing': ['This browser has no WebGPU.', () => {
         const { get } = Object.getOwnPropertyDescriptor(Navigator.prototype, 'gpu');
-        Object.defineProperty(Navigator.prototype, 'gpu', { get() { return window.works ? get.call(this) : undefined; } });
+        const found = { get() { return window.works ? get.call(this) : undefined; } };
+        Object.defineProperty(Navigator.prototype, 'gpu', found);
     }],
     'has no adapter': ['This browser has WebGPU, but no graphics device for it.', () => {
         const { requestAdapter } = GPU.prototype;
-        GPU.prototype.requestAdapter = function() { return window.works ? requestAdapter.call(this) : Promise.resolve(null); };
+        GPU.prototype.requestAdapter = function() {
+            return window.works ? requestAdapter.call(this) : Promise.resolve(null);
+        };
     }],
     'throws': ['WebGPU failed: it is not enabled', () => {
         const { requestAdapter } = GPU.prototype;
@@ -51,10 +54,11 @@ const FAILURES = {
     'gives no device': ['WebGPU failed: no device', () => {
         const { requestDevice } = GPUAdapter.prototype;
         GPUAdapter.prototype.requestDevice = function(wanted) {
-            return window.works ? requestDevice.call(this, wanted) : Promise.reject(new DOMException('no device', 'OperationError'));
+            const failure = new DOMException('no device', 'OperationError');
+            return window.works ? requestDevice.call(this, wanted) : Promise.reject(failure);
         };
     }],
-    'never answers': ['WebGPU has not answered within 10 s.', () => {
+    'never answers': ['WebGPU has not answered within 15 s.', () => {
         const { requestDevice } = GPUAdapter.prototype;
         GPUAdapter.prototype.requestDevice = function(wanted) {
             return window.works ? requestDevice.call(this, wanted) : new Promise(() => null);
@@ -72,7 +76,8 @@ const FAILURES = {
         const { createComputePipelineAsync } = GPUDevice.prototype;
         GPUDevice.prototype.createComputePipelineAsync = async function(wanted) {
             const made = await createComputePipelineAsync.call(this, wanted);
-            if (!window.works) { setTimeout(() => this.createBuffer({ size: 2 ** 50, usage: GPUBufferUsage.STORAGE })); }
+            const huge = { size: 2 ** 50, usage: GPUBufferUsage.STORAGE };
+            if (!window.works) { setTimeout(() => this.createBuffer(huge)); }
             return made;
         };
     }],
@@ -191,18 +196,20 @@ export const tests = {
             await digest(page);
             await page.click('#tab-live');
             await page.waitForSelector('#live-none');
-            const width = (size) => page.waitForFunction((wanted) => document.getElementById('live-canvas').width === wanted, size);
+            const width = (size) => page.waitForFunction((wanted) =>
+                document.getElementById('live-canvas').width === wanted, size);
             await width(160);
             await still(page);
-            check((await page.textContent('#gpu-cause')).startsWith(words), `${name}: ${await page.textContent('#gpu-cause')}`);
+            const cause = await page.textContent('#gpu-cause');
+            check(cause.startsWith(words), `${name}: ${cause}`);
             const shown = await pixels(page, 'live-canvas');
             check(new Set(shown.bytes).size > 50, `${name}: the picture has many colours`);
             await page.focus('#live-canvas');
             check(await change(page, () => page.keyboard.press('ArrowRight')) > 1, `${name}: the view turns`);
             await shoot(page, `live-webgpu-${name.replaceAll(' ', '-')}`);
             await page.selectOption('#language', 'es');
-            check(/WebGPU|dispositivo/.test(await page.textContent('#gpu-cause')), 'the words in Spanish');
-            check(!(await page.textContent('#live-none')).includes(words), `${name}: ${await page.textContent('#live-none')}`);
+            const spanish = await page.textContent('#live-none');
+            check(/WebGPU|dispositivo/.test(spanish) && !spanish.includes(words), `${name}: ${spanish}`);
             for (const [tab, part] of [['compare', '#compare-none'], ['pixel', '#pixel-pane']]) {
                 await page.click(`#tab-${tab}`);
                 check(await page.isVisible('#live-none') && await page.isVisible(part), `${name}: ${tab} says so too`);
@@ -218,7 +225,8 @@ export const tests = {
 
     async 'an adapter without information has a name, and its device is used'({ open, url, browser }) {
         const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: 'en-GB' });
-        await context.addInitScript(() => Object.defineProperty(GPUAdapter.prototype, 'info', { get: () => undefined }));
+        await context.addInitScript(() =>
+            Object.defineProperty(GPUAdapter.prototype, 'info', { get: () => undefined }));
         const page = await openLive(open, url, SCENE, { context });
         check((await page.textContent('#live-status')).endsWith(', WebGPU'), await page.textContent('#live-status'));
     },
@@ -240,7 +248,8 @@ export const tests = {
         await page.selectOption('#examples', 'cylinders');
         await page.waitForSelector('#live-pane .busy');
         await page.waitForFunction(() => getComputedStyle(document.querySelector('#live-pane .busy')).opacity === '1');
-        check((await pixels(page, 'live-canvas')).bytes.every((byte) => byte === 0), 'the picture of the other scene is removed');
+        const { bytes } = await pixels(page, 'live-canvas');
+        check(bytes.every((byte) => byte === 0), 'the picture of the other scene is removed');
         await shoot(page, 'live-busy');
         await still(page);
         check((await pixels(page, 'live-canvas')).bytes.some((byte) => byte > 0), 'the new picture');

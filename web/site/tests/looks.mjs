@@ -53,7 +53,8 @@ export const tests = {
             const page = await openLive(open, url, SCENE, { viewport: { width, height } });
             const boxes = (...names) => Promise.all(names.map((name) => page.locator(name).boundingBox()));
             const [config, scene, summary] = await boxes('#config-editor', '#scene-editor', '#shader-summary');
-            check((config.height + scene.height) / 21 > least, `${config.height} and ${scene.height} pixels for the editors`);
+            const lines = (config.height + scene.height) / 21;
+            check(lines > least, `the editors have ${lines} lines`);
             check(summary.y + summary.height > height - 30, `the column ends at ${summary.y + summary.height}`);
             const [bar] = await boxes('#bar-editors');
             await page.mouse.move(bar.x + 50, bar.y + 3);
@@ -63,17 +64,20 @@ export const tests = {
             await page.focus('#bar-columns');
             await page.keyboard.press('ArrowRight');
             const [moved] = await boxes('#config-editor');
-            check(Math.abs(moved.height - config.height - 100) < 40 && moved.width > config.width + 10, JSON.stringify(moved));
+            const [higher, wider] = [moved.height - config.height, moved.width - config.width];
+            check(Math.abs(higher - 100) < 40 && wider > 10, `the editor is ${higher} higher and ${wider} wider`);
             await page.reload();
             await digest(page);
             equal(JSON.stringify(await boxes('#config-editor')), JSON.stringify([moved]), 'the editor keeps its size');
             await page.click('#tab-live');
             await page.click('#shader-part summary');
-            await edit(page, 'fn background_color', 'override gain: f32 = 0.5; // slider 0..2 step .25\nfn background_color');
+            const name = 'fn background_color';
+            await edit(page, name, `override gain: f32 = 0.5; // slider 0..2 step .25\n${name}`);
             await page.waitForSelector('#knobs input');
             const [editor, picture, knobs] = await boxes('#shader-editor', '#live-canvas', '#knobs');
             check(picture.y > 0 && picture.y + picture.height < height, `the picture is at ${picture.y}`);
-            check(knobs.x > editor.x + editor.width && knobs.y > 0 && knobs.y < height, 'the sliders are beside the picture');
+            check(knobs.x > editor.x + editor.width, 'the sliders are in the column of the picture');
+            check(knobs.y > 0 && knobs.y < height, `the sliders are at ${knobs.y}`);
             await shoot(page, `wide-${width}`);
         }
     },

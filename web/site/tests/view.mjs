@@ -120,8 +120,10 @@ export const tests = {
         const first = await digest(page);
         await type(page, 'config', SLOW);
         await page.click('#render');
-        await page.waitForFunction(() => !document.getElementById('bar').hidden && document.getElementById('bar').value > 0.01, null,
-            { polling: 50 });
+        await page.waitForFunction(() => {
+            const bar = document.getElementById('bar');
+            return !bar.hidden && bar.value > 0.01;
+        }, null, { polling: 50 });
         check((await page.textContent('#status')).startsWith('Rendering'), 'the status while the bar moves');
         await page.click('#cancel');
         equal(await page.textContent('#status'), 'Cancelled.', 'the status');

@@ -6,7 +6,7 @@ import { locate, type Composition, type ShaderFault } from './compose';
 const SMALLEST = 256;
 
 /** Time in which a browser must answer whether it has a device, in milliseconds. */
-const PATIENCE = 10_000;
+const PATIENCE = 15_000;
 
 /** A compiled entry point. */
 export interface Kernel {
