@@ -141,8 +141,9 @@ mod tests {
     use super::*;
     use crate::image::Rgb;
     use crate::input::size::Size;
-    use crate::layout::aos::Aos;
-    use crate::layout::soa::Soa;
+    use crate::input::config::Config;
+    use crate::render::Renderable;
+    use crate::sampling::scatter_vectors::Scatter;
 
     const SCENE: &str =
         "matte: a 1 1 1\nmatte: b 0 0 0\nsphere: 1 2 3 4 a\ncylinder: 5 6 7 8 0 2 0 b\nsphere: 0 0 0 1 b\n";
@@ -174,6 +175,17 @@ mod tests {
         assert_eq!((image.pixel(4), image.pixel(3), image.pixel(5)), (color, Rgb::default(), Rgb::default()));
     }
 
+    fn renders<L: Renderable>() {
+        let config = Config::parse(&b"image_width: 16\nsamples_per_pixel: 4\n"[..]).expect("it is valid");
+        let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
+        let picture = crate::render::render::<L>(&config, &scene, Scatter::Statement).expect("it is small");
+        let expected: L::Image =
+            crate::reference::render(&config, &scene, Scatter::Statement).expect("the picture is small");
+        for index in 0..picture.size().pixels() {
+            assert_eq!(picture.pixel(index), expected.pixel(index), "pixel {index}");
+        }
+    }
+
     #[test]
     fn room_is_made_for_as_many_as_there_are() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
@@ -193,15 +205,28 @@ mod tests {
         }
     }
 
-    #[test]
-    fn both_layouts_store_the_same_objects() {
-        stores_objects::<Aos>();
-        stores_objects::<Soa>();
+    /// Runs every test of a layout for `$layout`, in a module with its name. `tests/utest.sh` finds them by that name.
+    macro_rules! tests_of {
+        ($name:ident, $layout:ty) => {
+            mod $name {
+                #[test]
+                fn objects_are_stored_and_reordered() {
+                    super::stores_objects::<$layout>();
+                }
+
+                #[test]
+                fn pixels_are_stored() {
+                    super::stores_pixels::<$layout>();
+                }
+
+                #[test]
+                fn a_picture_is_that_of_the_reference() {
+                    super::renders::<$layout>();
+                }
+            }
+        };
     }
 
-    #[test]
-    fn both_layouts_store_the_same_pixels() {
-        stores_pixels::<Aos>();
-        stores_pixels::<Soa>();
-    }
+    tests_of!(aos, crate::layout::aos::Aos);
+    tests_of!(soa, crate::layout::soa::Soa);
 }
