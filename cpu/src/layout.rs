@@ -140,8 +140,8 @@ pub(crate) fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, E
 mod tests {
     use super::*;
     use crate::image::Rgb;
-    use crate::input::size::Size;
     use crate::input::config::Config;
+    use crate::input::size::Size;
     use crate::render::Renderable;
     use crate::sampling::scatter_vectors::Scatter;
 

@@ -130,7 +130,7 @@ fn caption(chart: &Chart) -> String {
 }
 
 fn growth(page: &mut String, results: &Results) {
-    let rows = results.growth.iter().map(|growth| {
+    let rows = results.growth.iter().filter(|growth| growth.parameter != "depth").map(|growth| {
         let (points, exponent) =
             (growth.law.points.to_string(), with_error(growth.law.exponent, growth.law.exponent_error));
         vec![growth.scene.clone(), growth.parameter.clone(), growth.engine.clone(), points, exponent]

@@ -26,9 +26,29 @@ fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
     Some([mean, low, high])
 }
 
+/// Returns for each scene, in the order of the data, the geometric mean of the ratios of `pairs`: second time by first.
+fn by_scene<'a>(pairs: impl Iterator<Item = (&'a Timing, &'a Timing)>) -> Option<String> {
+    let mut scenes: Vec<(&str, Vec<f64>)> = Vec::new();
+    for (first, second) in pairs {
+        let ratio = second.median.median / first.median.median;
+        match scenes.iter_mut().find(|(scene, _)| *scene == first.setting.scene) {
+            Some((_, ratios)) => ratios.push(ratio),
+            None => scenes.push((&first.setting.scene, vec![ratio])),
+        }
+    }
+    let parts = scenes.into_iter().filter_map(|(scene, values)| {
+        let [mean, ..] = ratios(values.into_iter())?;
+        Some(format!("{mean:.2} ({scene})"))
+    });
+    let parts: Vec<_> = parts.collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// Compares the layouts with the best instruction set.
 pub fn layouts(results: &Results) -> Option<String> {
-    let pairs = || pairs(results, |engine| engine.strip_prefix("aos-").map(|set| format!("soa-{set}")));
-    let [mean, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
+    let best = &results.machines.first()?.instruction_set;
+    let pairs = || pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| format!("soa-{best}")));
+    let [_, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
     // With fewer than three repeats, bounds are often disjoint by chance, so nothing follows from them.
     let bounded = || pairs().filter(|(a, b)| a.median.is_bounded() && b.median.is_bounded());
     let apart = bounded().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
@@ -37,51 +57,53 @@ pub fn layouts(results: &Results) -> Option<String> {
         count => format!("in {apart} of {count} settings their bounds lie apart"),
     };
     Some(format!(
-        "Structures of arrays take {} times the time of arrays of structures (geometric mean; {} to {}); {conclusion}.",
-        short(mean),
-        short(low),
-        short(high),
+        "With {best}, structures of arrays take {} times the time of arrays of structures (geometric means; {low:.2} to \
+         {high:.2}); {conclusion}.",
+        by_scene(pairs())?,
     ))
 }
 
-/// Says how many times as fast as the reference the renderer is.
+/// Says how many times as fast as the reference the renderer is, at the most samples or objects that both were measured
+/// with.
 pub fn reference(results: &Results) -> Option<String> {
     let best = results.machines.first()?.instruction_set.clone();
     let faster = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| "reference".to_owned()));
-    let pairs: Vec<_> = faster.collect();
-    let ratio = |(real, slow): &(&Timing, &Timing)| slow.median.median / real.median.median;
-    let [mean, ..] = ratios(pairs.iter().map(ratio))?;
-    let most = pairs.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
-    let least = pairs.iter().min_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
-    let place = |(real, _): &(&Timing, &Timing)| {
-        format!("{}, {}", real.setting.scene, setting(&real.setting.parameter, real.setting.value))
-    };
-    Some(format!(
-        "The renderer is {} times as fast as the reference (geometric mean over {} settings): least {} times ({}), most \
-         {} times ({}).",
-        short(mean),
-        pairs.len(),
-        short(ratio(least)),
-        place(least),
-        short(ratio(most)),
-        place(most)
-    ))
+    let mut largest: Vec<(&Timing, &Timing)> = Vec::new();
+    for pair in faster.filter(|(_, slow)| ["samples", "objects"].contains(&&*slow.setting.parameter)) {
+        let of = |timing: &'_ Timing| (timing.setting.scene.clone(), timing.setting.parameter.clone());
+        match largest.iter_mut().find(|(real, _)| of(real) == of(pair.0)) {
+            Some(old) if old.0.setting.value < pair.0.setting.value => *old = pair,
+            Some(_) => {}
+            None => largest.push(pair),
+        }
+    }
+    let parts = largest.into_iter().map(|(real, slow)| {
+        let at = setting(&real.setting.parameter, real.setting.value);
+        format!("{} ({}, {at})", short(slow.median.median / real.median.median), real.setting.scene)
+    });
+    let parts: Vec<_> = parts.collect();
+    (!parts.is_empty()).then(|| {
+        format!(
+            "In the small pictures of this page the renderer is {} times as fast as the reference. docs/measurements.md \
+             has whole pictures.",
+            parts.join(", ")
+        )
+    })
 }
 
+/// Compares each other instruction set with the best one.
 pub fn instruction_sets(results: &Results) -> Option<String> {
-    let is_there =
-        |set: &&str| results.timings.iter().any(|timing| timing.setting.engine.ends_with(&format!("-{set}")));
-    let sets: Vec<_> = InstructionSet::ALL.map(InstructionSet::name).into_iter().filter(is_there).collect();
-    let steps: Vec<_> = sets
-        .windows(2)
-        .filter_map(|pair| {
-            let (slower, faster) = (pair[0], pair[1]);
-            let both = pairs(results, move |engine| {
-                engine.strip_suffix(faster).filter(|layout| layout.ends_with('-')).map(|l| format!("{l}{slower}"))
-            });
-            let [mean, low, high] = ratios(both.map(|(fast, slow)| slow.median.median / fast.median.median))?;
-            Some(format!("{faster} is {} times as fast as {slower} ({} to {})", short(mean), short(low), short(high)))
+    let best = &results.machines.first()?.instruction_set;
+    let parts: Vec<_> = InstructionSet::ALL
+        .map(InstructionSet::name)
+        .into_iter()
+        .filter(|set| set != best)
+        .filter_map(|set| {
+            let both = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| format!("aos-{set}")));
+            Some(format!("{set} {}", by_scene(both)?))
         })
         .collect();
-    (!steps.is_empty()).then(|| format!("On average {}.", steps.join(", ")))
+    (!parts.is_empty()).then(|| {
+        format!("The time with another instruction set, as a multiple of that with {best}: {}.", parts.join("; "))
+    })
 }

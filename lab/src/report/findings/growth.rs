@@ -7,8 +7,10 @@ use crate::report::style::{seconds, short, with_error};
 pub fn scaling(results: &Results) -> Option<String> {
     let best = &results.machines.first()?.instruction_set;
     let of = |law: &PowerLaw| with_error(law.exponent, law.exponent_error);
+    // Time flattens with the depth, so it follows no power of it.
     let parts: Vec<_> = crate::bench::matrix::PARAMETERS
         .iter()
+        .filter(|parameter| **parameter != "depth")
         .filter_map(|parameter| {
             let find = |engine: &str| {
                 results.growth.iter().find(|growth| growth.parameter == *parameter && growth.engine == engine)
