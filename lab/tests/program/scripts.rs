@@ -100,6 +100,8 @@ fn scripts_refuse_what_they_do_not_know() {
         ("lab/slurm/submit", &["--bogus"]),
         ("lab/slurm/submit", &["no-cluster"]),
         ("tests/sbom.sh", &["--bogus"]),
+        ("docs/build-report", &["--bogus"]),
+        ("docs/build-report", &["--language", "fr"]),
         ("docs/measure-perf", &["--bogus"]),
         ("docs/measure-perf", &[]),
         ("docs/measure-perf", &["perf.csv", "many"]),
