@@ -1,5 +1,5 @@
-//! Converts measured data into charts and sentences. It writes one HTML page that needs no other file, and the files
-//! from which `docs/report` is built.
+//! Converts measured data into charts and sentences. It writes one HTML page that needs no other file, and the charts
+//! and sentences as files of their own.
 
 pub mod axis;
 pub mod chart;
