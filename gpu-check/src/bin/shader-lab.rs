@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use gpu_check::Error;
-use gpu_check::scenes::repository;
 use gpu_check::shader_lab::args::Arguments;
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
@@ -91,10 +90,7 @@ fn template(path: &Path) -> ExitCode {
         Ok(()) => {
             let program = std::env::args_os().next().map_or("shader-lab".into(), PathBuf::from);
             let [program, module] = [&program, path].map(quoted);
-            let [config, scene] = ["config.txt", "scene.txt"].map(|name| {
-                let path = Path::new("scenes/materials").join(name);
-                quoted(&if path.exists() { path } else { repository("scenes/materials").join(name) })
-            });
+            let [config, scene] = ["config.txt", "scene.txt"].map(|name| quoted(example().join(name)));
             said(&format!(
                 "wrote {}; now:\n{program} {module} --config {config} --scene {scene} --out out.png --watch\n",
                 shown(path)
@@ -102,6 +98,16 @@ fn template(path: &Path) -> ExitCode {
         }
         Err(error) => failed(&Error::from(error).to_string()),
     }
+}
+
+/// Returns the folder of an example, relative to the current folder or, if it is not there, in the checkout in which
+/// this program was built.
+fn example() -> PathBuf {
+    let folder = Path::new("scenes/materials");
+    let program = std::env::current_exe().unwrap_or_default();
+    let checkouts = program.ancestors().skip(1).map(|checkout| checkout.join(folder));
+    let mut places = std::iter::once(folder.to_owned()).chain(checkouts);
+    places.find(|place| place.is_dir()).unwrap_or_else(|| folder.to_owned())
 }
 
 /// Returns the name of a file as a shell reads it: in quotes, unless all characters stand for themselves.
