@@ -44,7 +44,7 @@ pub struct Quadratic<T> {
 pub struct Discriminant<T> {
     /// The discriminant.
     pub value: T,
-    /// The size.
+    /// The size of its terms.
     pub size: T,
 }
 
@@ -65,7 +65,7 @@ pub struct Roots<T: MulAdd> {
     pub small_is_ahead: T::Mask,
     /// The small root is below [`LAMBDA_MIN`].
     pub small_fails: T::Mask,
-    /// The large root is.
+    /// The large root is, which includes every negative one.
     pub large_fails: T::Mask,
 }
 
@@ -130,7 +130,7 @@ pub fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>), (s, s_
     let (xx, xx_error) = two_product(q.x, q.x);
     let (yy, yy_error) = two_product(q.y, q.y);
     let (zz, zz_error) = two_product(q.z, q.z);
-    // These sums do not wait for each other.
+    // The processor can overlap these two sums.
     let ((first, first_error), (second, second_error)) = (two_sum(xx, yy), two_sum(zz, -s));
     let (difference, third_error) = two_sum(first, second);
     let across = q.x.mul_add(q_error.x, q.y.mul_add(q_error.y, q.z * q_error.z));

@@ -20,7 +20,7 @@ use crate::simd::{SimdF64, fused::run_fused};
 /// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
 /// misses all three. Of parts at the same lambda, the first in this order counts. [`CylinderRecord::intersect`] follows
 /// this rule with rounding errors, but here rounding never changes a decision. `axis` is the axis of the scene file,
-/// and its length is the cylinder's height. `record` must be made from this axis.
+/// and its length is the cylinder's height. `record` must be made from this axis, and the length must be finite.
 ///
 /// ```
 /// use cpu::intersect::{self, CylinderPart, CylinderRecord};
@@ -76,14 +76,15 @@ pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -
 pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<f64>> {
     run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<f64>> {
         let caps = CompensatedCaps(*axis);
-        // Most rays from inside a wide cylinder are uncertain only because of a cap.
-        if !is_long(record) && is_inside(&record.seen_from(ray.origin)) && in_scale(ray.direction.dot(ray.direction)) {
+        let inside = is_inside(&record.seen_from(ray.origin));
+        // If a cylinder is not long, most uncertain rays from inside are uncertain only because of a cap.
+        if !is_long(record) && inside && in_scale(ray.direction.dot(ray.direction)) {
             let decision = with_caps(record, ray, &caps, Decision::Uncertain);
             if decision != Decision::Uncertain {
                 return decision;
             }
         }
-        decide(record, ray, &CompensatedSide::new(record, *axis, ray), &caps)
+        decide(record, ray, &CompensatedSide::new(record, *axis, ray, inside), &caps)
     })
 }
 
@@ -107,7 +108,8 @@ pub struct CylinderHits<T: Real> {
     pub top: T::Mask,
     /// The lanes whose hit is on the bottom cap, if there is a hit.
     pub bottom: T::Mask,
-    /// The lanes whose result is certain. The other lanes need [`precise`].
+    /// The lanes whose result is certain. The other lanes need the next step: the compensated formulas, or after them
+    /// [`precise`].
     pub certain: T::Mask,
 }
 
@@ -135,8 +137,8 @@ impl<V: SimdF64> CylinderHits<V> {
 }
 
 impl<V: SimdF64> SideLanes<V> {
-    /// Returns the hits of the lanes in `bits`. For most groups of rays the side alone decides, so the caps need no
-    /// test.
+    /// Returns the hits of all lanes. The caps are tested only if a lane in `bits` is [open](Self::open), because for
+    /// most groups of rays the side alone decides. So an open lane that is not in `bits` may stay uncertain.
     #[inline(always)]
     pub fn with_needed_caps(
         &self,
@@ -167,8 +169,9 @@ impl<T: Rounding> SideLanes<T> {
     where
         T: MulAdd,
     {
-        let side = CompensatedSide::new(record, axis, ray);
-        Self::of(side.entry(), side.exit(), side.misses, is_inside(&record.seen_from(ray.origin)))
+        let inside = is_inside(&record.seen_from(ray.origin));
+        let side = CompensatedSide::new(record, axis, ray, inside);
+        Self::of(side.entry(), side.exit(), side.misses, inside)
     }
 
     #[inline(always)]

@@ -77,14 +77,17 @@ pub struct CompensatedSide<'a, T: MulAdd> {
     roots: Roots<T>,
     /// The line certainly misses the infinite cylinder.
     pub misses: T::Mask,
+    /// The ray certainly starts inside the infinite cylinder.
+    inside: T::Mask,
     /// The large root is where the line enters, and it is negative. Otherwise it is where the line leaves.
     backward: T::Mask,
 }
 
 impl<'a, T: MulAdd> CompensatedSide<'a, T> {
-    /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file.
+    /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file, and
+    /// `inside` says whether the ray certainly starts inside the infinite cylinder.
     #[inline(always)]
-    pub fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>) -> Self {
+    pub fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>, inside: T::Mask) -> Self {
         let terms = Terms::new(record, axis, ray);
         let (near, far) = (terms.quadratic.near(), &terms.far);
         let is_near = near.size.less(far.size);
@@ -96,7 +99,7 @@ impl<'a, T: MulAdd> CompensatedSide<'a, T> {
             [roots.small_is_ahead, roots.small_fails, roots.large_fails].map(|is_certain| accurate & is_certain);
         let roots = Roots { accurate, small_is_ahead, small_fails, large_fails, ..roots };
         let backward = terms.quadratic.h.less(T::of(0.0));
-        Self { record, ray, terms, roots, misses, backward }
+        Self { record, ray, terms, roots, misses, inside, backward }
     }
 
     /// Returns the crossing at the small root where `is_small` holds, and at the large root elsewhere.
@@ -111,13 +114,13 @@ impl<'a, T: MulAdd> CompensatedSide<'a, T> {
         Crossing::new(record, ray, start, (lambda, error), hits, either(roots.small_fails, roots.large_fails))
     }
 
-    /// Where the line enters.
+    /// Returns the point where the line enters the infinite cylinder.
     #[inline(always)]
     pub fn entry(&self) -> Crossing<T> {
         self.crossing(!self.backward)
     }
 
-    /// Where it leaves.
+    /// Returns the point where the line leaves the infinite cylinder.
     #[inline(always)]
     pub fn exit(&self) -> Crossing<T> {
         self.crossing(self.backward)
@@ -137,8 +140,7 @@ impl<T: MulAdd<Mask = bool>> SideFormulas<T> for CompensatedSide<'_, T> {
 
     #[inline(always)]
     fn inside(&self) -> bool {
-        // Rays from inside have been decided by the caps, if they decide alone.
-        false
+        self.inside
     }
 
     #[inline(always)]
@@ -157,7 +159,7 @@ impl<T: MulAdd<Mask = bool>> SideFormulas<T> for CompensatedSide<'_, T> {
     }
 }
 
-/// Returns `r^2 V.V`, rounded, and a rounding error.
+/// Returns `r^2 V.V`, rounded, and its rounding error, itself rounded.
 #[inline(always)]
 fn rim<T: MulAdd>(radius: T, axis: Vec3<T>) -> (T, T) {
     let ((rr, rr_error), (xx, xx_error)) = (two_product(radius, radius), two_product(axis.x, axis.x));
@@ -220,7 +222,7 @@ impl<T: MulAdd> CapFormulas<T> for CompensatedCaps<T> {
 pub fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
     let (center, to_cap) = match part {
         CylinderPart::Side => {
-            let side = CompensatedSide::new(record, axis, ray);
+            let side = CompensatedSide::new(record, axis, ray, false);
             let (entry, exit) = (side.entry(), side.exit());
             let crossing = if entry.hits { entry } else { exit };
             return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error));

@@ -1,4 +1,4 @@
-//! Decides which part of a cylinder a ray hits, with formulas that compute nothing that is not needed.
+//! Decides which part of a cylinder one ray hits. A crossing or a cap is computed only if the decision needs it.
 //!
 //! The cylinder is convex, so the ray's line crosses its surface only where it enters and where it leaves. If the ray
 //! enters through the side, no cap is nearer. If it leaves through the side, only the cap that faces the ray can be
@@ -17,15 +17,15 @@ pub(super) type Hit<T> = Option<(T, CylinderPart)>;
 pub(super) trait SideFormulas<T: Rounding> {
     /// Whether the line certainly misses the infinite cylinder.
     fn misses(&self) -> bool;
-    /// Whether the crossings can be certain. If not, neither hits nor fails.
+    /// Whether the crossings can be accurate. If not, no crossing is certain.
     fn is_accurate(&self) -> bool;
     /// Whether the ray certainly starts inside.
     fn inside(&self) -> bool;
-    /// Whether the [entry](Self::entry) certainly is behind. This is cheaper than the entry.
+    /// Whether lambda at the [entry](Self::entry) certainly is below the least lambda. This is cheaper than the entry.
     fn enters_behind(&self) -> bool;
-    /// Where the line enters.
+    /// Returns the point where the line enters the infinite cylinder.
     fn entry(&self) -> Crossing<T>;
-    /// Where it leaves.
+    /// Returns the point where it leaves the infinite cylinder.
     fn exit(&self) -> Crossing<T>;
 }
 
@@ -94,7 +94,7 @@ impl<T: Rounding> CapFormulas<T> for PlainCaps {
     }
 }
 
-/// Returns the hit by these formulas.
+/// Returns the closest hit or a miss, if these formulas of the side and of the caps decide it.
 #[inline(always)]
 pub(super) fn decide<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
@@ -142,9 +142,10 @@ fn caps_alone<T: Rounding<Mask = bool>>(
     if side.inside() { with_caps(record, ray, caps, Decision::Uncertain) } else { Decision::Uncertain }
 }
 
-/// Returns the closest hit with a cap or with the side. `leaving` is the hit where the ray leaves the side, or a miss.
-/// The ray certainly does not enter through the side. It may be uncertain where the ray leaves if it starts inside the
-/// infinite cylinder. Then only a hit with a cap is certain, as for rays that run nearly along the axis.
+/// Returns the closest hit with a cap or with the side. The ray certainly does not hit the side where its line enters
+/// the infinite cylinder. `leaving` is the hit with the side where the line leaves, or a certain miss there. It may be
+/// uncertain if the ray certainly starts inside the infinite cylinder. Then only a hit with a cap is certain, as for
+/// rays that run nearly along the axis.
 #[inline(always)]
 pub(super) fn with_caps<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,

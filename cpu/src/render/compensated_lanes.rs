@@ -26,7 +26,8 @@ pub fn precise_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, 
     (lambda, part)
 }
 
-/// This function is not inlined, so that the loop over the objects keeps its registers.
+/// Replaces lambda and part of the `uncertain` lanes. This function is not inlined, so that the loop over the objects
+/// keeps its registers.
 #[cold]
 #[inline(never)]
 fn compensated_or_precise(lanes: &mut Lanes, uncertain: u32, cylinder: Cylinder) {

@@ -57,7 +57,8 @@ modules! {
     "exact/error_free" in "wgsl/exact/error_free.wgsl" needs ["exact"];
     "exact/error_bound" in "wgsl/exact/error_bound.wgsl" needs ["cylinder"];
     "exact/sphere" in "wgsl/exact/sphere.wgsl" needs ["sphere" "exact/error_bound"];
-    "exact/compensated_roots" in "wgsl/exact/compensated_roots.wgsl" needs ["exact/sphere"];
+    "exact/compensated_roots" in "wgsl/exact/compensated_roots.wgsl"
+        needs ["exact/sphere" "exact/error_free"];
     "exact/compensated_sphere" in "wgsl/exact/compensated_sphere.wgsl"
         needs ["exact/compensated_roots" "exact/error_free"];
     "exact/cylinder_side" in "wgsl/exact/cylinder_side.wgsl" needs ["exact/error_bound"];

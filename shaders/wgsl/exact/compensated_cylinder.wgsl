@@ -123,16 +123,17 @@ fn exact_cylinder_compensated(cylinder: CylinderRecord, axis: vec3<real>, ray: R
     let far = select(cylinder.top, cylinder.bottom, down);
     let facing = exact_plane_compensated(cylinder, axis, ray, near, down);
     let other = exact_plane_compensated(cylinder, axis, ray, far, !down);
-    // Most rays from inside a wide cylinder are uncertain only because of a cap.
     let view = cylinder_seen_from(cylinder, ray.origin);
-    if !exact_is_long(cylinder) && exact_is_inside(view.c, exact_squares(cylinder, ray.origin)) {
+    let inside = exact_is_inside(view.c, exact_squares(cylinder, ray.origin));
+    // If a cylinder is not long, most uncertain rays from inside are uncertain only because of a cap.
+    if !exact_is_long(cylinder) && inside {
         let decision = exact_cylinder_with_caps(cylinder, ray, decision_uncertain(), facing, other, down);
         if decision.certain {
             return decision;
         }
     }
     let terms = exact_side_terms(cylinder, axis, ray);
-    let side = exact_cylinder_without_caps(exact_crossings(terms, cylinder, ray), false);
+    let side = exact_cylinder_without_caps(exact_crossings(terms, cylinder, ray), inside);
     if !side.needs_caps {
         return side.decision;
     }

@@ -274,7 +274,7 @@ pub fn side_rows() -> ([Row; 3], [f64; 2]) {
     let (near, of_h) = near_discriminant(|| run().quadratic, of_c[1], &terms_of_h, DIRECTION_CROSS, to_size);
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
-        row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + 4 D)"),
+        row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + 4 F)"),
         row("discriminant of a side, near", ROOTS, near, "u M"),
         row("discriminant of a side, far", FILE, far_discriminant_of_side(), "u M"),
     ];

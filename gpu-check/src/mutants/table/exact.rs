@@ -118,8 +118,8 @@ mutants! {
         "/ (cylinder.half_height * real(4.0))" => "/ (cylinder.half_height * real(2.0))",
         "real(9.094947017729282e-13)" => "real(1.0)",
         "of_distance + of_slope" => "of_distance",
-        "if !exact_is_long(cylinder) && exact_is_inside" => "if exact_is_inside",
-        "!exact_is_long(cylinder) && exact_is_inside(view.c, exact_squares(cylinder, ray.origin))" => "true",
+        "!exact_is_long(cylinder) && inside" => "true",
+        "exact_is_inside(view.c, exact_squares(cylinder, ray.origin))" => "true",
         "select(cylinder.bottom, cylinder.top, down)" => "select(cylinder.top, cylinder.bottom, down)",
     ;
     "exact/order":
