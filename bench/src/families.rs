@@ -133,7 +133,7 @@ fn side_floor([radius, length, number, turn]: Point) -> FamilyScene {
     )
 }
 
-/// Returns cylinders around each other that are hardly apart.
+/// Returns cylinders around the same middle whose radii hardly differ.
 fn films([gap, number, length, _]: Point) -> FamilyScene {
     let (gap, number, length) = (log(gap, 1e-14, 1e-2), count(number, 2.0, 20.0), log(length, 0.1, 10.0));
     let film = |place: usize| {

@@ -10,15 +10,16 @@ fn ratios(file: &str) -> Vec<Vec<f64>> {
     file.split("\n$ ").skip(1).map(|command| command.lines().skip(1).filter_map(of).collect()).collect()
 }
 
-/// Whether `cell` is `ratio`, rounded to two digits, or to two places after the point if `hundredths`.
+/// Whether `cell` shows `ratio` rounded: to hundredths if `hundredths` is true, and to two digits otherwise.
 fn is_rounded(cell: &str, ratio: f64, hundredths: bool) -> bool {
     let unit = if hundredths { 0.01 } else { 10_f64.powf(ratio.log10().floor() - 1.0) };
     cell.parse::<f64>().is_ok_and(|shown| (shown - ratio).abs() <= 0.51 * unit)
 }
 
-/// Returns the cells of the row whose first cell is `name`, without that cell.
+/// Returns the cells of the row whose first cell is `name`, without that cell. There is at least one.
 fn row(page: &Page, name: &str) -> Vec<String> {
     let row = page.rows.iter().find(|row| row[0] == name).unwrap_or_else(|| panic!("there is no row [{name}]"));
+    assert!(row.len() > 1, "the row [{name}] has no figure");
     row[1..].to_vec()
 }
 
@@ -49,7 +50,9 @@ fn pages_have_the_figures_of_the_measurements() {
         assert!(is_right, "{name}: {cells:?}, but measured {} and {}", reference[index], literal[index]);
     }
     let sets = ratios(&project.text("docs/measurements/sets.txt"));
-    for (name, all) in ["avx512", "avx2", "portable", "structures of arrays"].into_iter().zip(&sets) {
+    let names = ["avx512", "avx2", "portable", "structures of arrays"];
+    assert!(sets.len() >= names.len(), "docs/measurements/sets.txt lacks a set");
+    for (name, all) in names.into_iter().zip(&sets) {
         let cells = row(&page, name);
         let is_right = [0, 1, 2, 3, 8].into_iter().zip(&cells).all(|(index, cell)| is_rounded(cell, all[index], true));
         assert!(is_right, "{name}: {cells:?}, but measured {all:?}");
@@ -70,7 +73,8 @@ fn pages_have_the_figures_of_the_measurements() {
     assert!(performance.contains(&text), "docs/performance.md does not have [{text}]");
 }
 
-/// Returns the numbers in `text`, sorted, without the separator of thousands and with a point before the decimals.
+/// Returns all numbers in `text`, sorted as text, so that two languages can be compared. `thousands` and `decimals` are
+/// the separators of the language: the first is left out, and a point replaces the second.
 fn numbers(text: &str, thousands: char, decimals: char) -> Vec<String> {
     let letters: Vec<char> = text.chars().collect();
     let is_digit = |index: usize| letters.get(index).is_some_and(char::is_ascii_digit);

@@ -75,7 +75,7 @@ pub struct CompensatedSide<'a, T: MulAdd> {
     terms: Terms<T>,
     /// What is certain about the two roots, if the numbers are in scale.
     roots: Roots<T>,
-    /// The line certainly misses the infinite cylinder.
+    /// The ray's line certainly misses the infinite cylinder.
     pub misses: T::Mask,
     /// The ray certainly starts inside the infinite cylinder.
     inside: T::Mask,

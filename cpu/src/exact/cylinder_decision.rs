@@ -15,11 +15,11 @@ pub(super) type Hit<T> = Option<(T, CylinderPart)>;
 
 /// A way to compute where a ray crosses an infinite cylinder.
 pub(super) trait SideFormulas<T: Rounding> {
-    /// Whether the line certainly misses the infinite cylinder.
+    /// Whether the ray's line certainly misses the infinite cylinder.
     fn misses(&self) -> bool;
     /// Whether the crossings can be accurate. If not, no crossing is certain.
     fn is_accurate(&self) -> bool;
-    /// Whether the ray certainly starts inside.
+    /// Whether the ray certainly starts inside the infinite cylinder.
     fn inside(&self) -> bool;
     /// Whether lambda at the [entry](Self::entry) certainly is below the least lambda. This is cheaper than the entry.
     fn enters_behind(&self) -> bool;

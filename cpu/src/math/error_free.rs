@@ -36,8 +36,8 @@ pub fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     )
 }
 
-/// Returns the cross product of `a` with its rounding error and `b` as the sum of two vectors. The second one is about
-/// as small as the rounding errors of the products.
+/// Returns the cross product of `a + a_error` and `b` as two vectors whose sum it is. The second vector consists of
+/// rounding errors, and of the part of `a_error`.
 #[inline(always)]
 pub fn cross_with_error<T: MulAdd>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     let more = cross(a_error, b);

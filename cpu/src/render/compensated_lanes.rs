@@ -3,9 +3,9 @@
 use crate::counters::{Counter, add};
 use crate::exact::cylinder::{SideLanes, precise};
 use crate::exact::{cylinder_compensated::CompensatedCaps, error_bound::in_scale};
-use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
+use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
 use crate::math::{real::Real as _, vec3::Vec3};
-use crate::render::fallback::for_each_lane;
+use crate::render::fallback::{for_each_lane, precise_lane_by_lane};
 use crate::simd::{Kernel, MOST_LANES, Simd, SimdF64, columns::Columns, instruction_set::InstructionSet};
 
 /// A cylinder and its axis in the scene file.
@@ -18,10 +18,10 @@ type Lanes = Columns<8, MOST_LANES>;
 /// formulas or, if these are uncertain too, from dyadic arithmetic, and lambda is NaN for a miss. All other lanes keep
 /// the given values.
 #[inline(always)]
-pub fn precise_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, cylinder: Cylinder) -> (V, V) {
+pub fn uncertain_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, cylinder: Cylinder) -> (V, V) {
     let Ray { origin: o, direction: d } = *ray;
     let mut lanes = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, hits.0, hits.1]);
-    compensated_or_precise(&mut lanes, uncertain, cylinder);
+    replace_uncertain(&mut lanes, uncertain, cylinder);
     let [.., lambda, part] = lanes.load(0);
     (lambda, part)
 }
@@ -30,15 +30,10 @@ pub fn precise_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, 
 /// keeps its registers.
 #[cold]
 #[inline(never)]
-fn compensated_or_precise(lanes: &mut Lanes, uncertain: u32, cylinder: Cylinder) {
+fn replace_uncertain(lanes: &mut Lanes, uncertain: u32, cylinder: Cylinder) {
     let left = InstructionSet::fused().run(Compensated { lanes, uncertain, cylinder });
     add(Counter::Compensated, u64::from((uncertain & !left).count_ones()));
-    for_each_lane(left, |lane| {
-        let [x, y, z, dx, dy, dz, ..] = lanes.get(lane);
-        let ray = Ray { origin: [x, y, z].into(), direction: [dx, dy, dz].into() };
-        let (lambda, part) = precise(cylinder.0, cylinder.1, &ray).unwrap_or((f64::NAN, CylinderPart::Side));
-        lanes.set(lane, [x, y, z, dx, dy, dz, lambda, f64::from(part as u32)]);
-    });
+    precise_lane_by_lane(lanes, left, &|ray| precise(cylinder.0, cylinder.1, ray));
 }
 
 /// A kernel that intersects the rays of the `uncertain` lanes by the compensated formulas. It returns the lanes that

@@ -24,9 +24,10 @@ pub fn precise<V: SimdF64>(ray: &Ray<V>, (lambda, part): (V, V), uncertain: u32,
     (lambda, part)
 }
 
+/// Replaces lambda and part of the lanes whose bits are set in `uncertain`, as [`precise`] does.
 #[cold]
 #[inline(never)]
-fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, intersect: Intersect<'_>) {
+pub fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, intersect: Intersect<'_>) {
     for_each_lane(uncertain, |lane| {
         let [x, y, z, dx, dy, dz, ..] = lanes.get(lane);
         let ray = Ray { origin: [x, y, z].into(), direction: [dx, dy, dz].into() };

@@ -1,7 +1,7 @@
 //! The closest hits of several rays, which are found at once.
 
 use crate::exact::{cylinder::SideLanes, cylinder_decision::PlainCaps};
-use crate::render::compensated_lanes::{Cylinder, precise_cylinder};
+use crate::render::compensated_lanes::{Cylinder, uncertain_cylinder};
 use crate::render::{fallback::closer_of_near, fallback::precise, lane_numbers::ObjectNumber};
 use crate::{
     accel::closest_hit::is_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
@@ -183,7 +183,7 @@ impl<V: SimdF64> HitLanes<V> {
         let certain = lanes.certain & in_scale(a);
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
-            hits = precise_cylinder(ray, hits, uncertain, cylinder);
+            hits = uncertain_cylinder(ray, hits, uncertain, cylinder);
         }
         self.update(id, hits, certain, rays);
     }
