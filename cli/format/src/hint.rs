@@ -5,10 +5,13 @@ use std::fmt;
 use std::ops::Range;
 
 use cpu::Error;
-use cpu::internals::input::text::{Tokens, parse_real, trim};
+use cpu::internals::input::text::{Tokens, parse_real};
 
 use crate::unseen::{self, find};
-use crate::{CONFIG, Field, Line, SCENE, Words, place};
+use crate::{CONFIG, Field, Line, SCENE, Words, place, rewrite};
+
+/// Largest number of names of materials that a caller stores for [`Hint::new`].
+pub const MOST_NAMES: usize = 10_000;
 
 /// The kind of an input file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,59 +89,6 @@ struct Writer<'a> {
     language: Language,
 }
 
-/// Length of the longest line that a hint repeats, in bytes.
-const LONGEST: usize = 200;
-
-const KEY: Words = ["a colon follows the key, and a blank the colon", "tras la clave va «:», y después un espacio"];
-const COMMENT: Words = ["the files have no comments, so leave it out", "los archivos no tienen comentarios; quítelo"];
-const BLANKS: Words = ["separate numbers by blanks alone", "separe los números solo con espacios"];
-
-/// Corrects the values of a line of the format.
-type Change = fn(&str, &Line) -> String;
-
-/// What people often write instead of values, in the order in which it is tried: what to do instead, and a function
-/// that does so in the values of a line.
-const CHANGES: [(Words, Change); 6] = [
-    (KEY, |values, _| values.to_owned()),
-    (BLANKS, |values, line| {
-        let is_config = line.fields.iter().all(|field| *field != Field::Name);
-        values.replace(|sign| ",;()[]{}<>\"'".contains(sign) || (is_config && ":/x×".contains(sign)), " ")
-    }),
-    (["write a decimal point, not a comma", "escriba un punto decimal, no una coma"], |values, _| {
-        let tokens = values.split_whitespace().map(|token| token.trim_end_matches([',', ';']).replace(',', "."));
-        tokens.collect::<Vec<_>>().join(" ")
-    }),
-    (["write digits alone", "escriba solo cifras"], |values, line| {
-        each(values, line, |field, token| {
-            let value = parse_real(token).filter(|value| field == Field::Count && value.fract() == 0.0)?;
-            Some(format!("{value:.0}"))
-        })
-    }),
-    (["the minus sign is -", "el signo menos es -"], |values, _| {
-        values.replace(['\u{2010}', '\u{2011}', '–', '—', '−'], "-")
-    }),
-    (["channels go from 0 to 1, not to 255", "los canales van de 0 a 1, no a 255"], |values, line| {
-        each(values, line, |field, token| {
-            let channel: u8 = std::str::from_utf8(token).ok().filter(|_| field == Field::Share)?.parse().ok()?;
-            Some(format!("{}", (f64::from(channel) / 0.255).round() / 1000.0))
-        })
-    }),
-];
-
-/// Returns the values of a line, each as `change` returns it for its field and token, or unchanged if that is `None`.
-fn each(values: &str, line: &Line, change: impl Fn(Field, &[u8]) -> Option<String>) -> String {
-    let fields = line.fields.iter().copied().chain(std::iter::repeat(Field::Name));
-    let changed = values.split_whitespace().zip(fields);
-    let changed = changed.map(|(token, field)| change(field, token.as_bytes()).unwrap_or_else(|| token.to_owned()));
-    changed.collect::<Vec<_>>().join(" ")
-}
-
-/// Whether `values` are valid values of `line`, except that a material may be unknown.
-fn is_valid(line: &Line, values: &str) -> bool {
-    let tokens: Vec<_> = Tokens::new(values.as_bytes()).collect();
-    tokens.len() == line.fields.len() && line.fields.iter().zip(tokens).all(|(field, token)| field.accepts(token))
-}
-
 impl Writer<'_> {
     fn say(&self, words: Words, values: &[&str]) -> String {
         self.language.say(words, values)
@@ -194,7 +144,7 @@ impl Writer<'_> {
     /// Returns a hint for a line whose first word is unknown.
     fn unknown(&self, word: &[u8]) -> String {
         if [&b"#"[..], b"//", b"/*", b";", b"%", b"--"].iter().any(|mark| word.starts_with(mark)) {
-            return self.say(COMMENT, &[]);
+            return self.say(rewrite::COMMENT, &[]);
         }
         let bare = word.strip_suffix(b":").unwrap_or(word);
         let words = |lines: &'static [Line]| lines.iter().filter_map(|line| line.tag.as_bytes().strip_suffix(b":"));
@@ -219,21 +169,10 @@ impl Writer<'_> {
         }
     }
 
-    /// Returns what to do and the line as it would be valid, if one of [`CHANGES`] makes it valid. `find_line` returns
-    /// the format for a tag.
+    /// Returns what to do and the line as it would be valid; see [`rewrite::line`].
     fn rewritten(&self, find_line: impl Fn(&str) -> Option<&'static Line>) -> Option<String> {
-        let text = std::str::from_utf8(trim(self.text)).ok().filter(|text| text.len() <= LONGEST)?;
-        let (key, rest) = text.split_at(text.find([':', '=', ' ', '\t'])?);
-        let line = find_line(&format!("{}:", key.trim_matches('"')))?;
-        let rest = rest.trim_start();
-        let rest = rest.strip_prefix([':', '=']).unwrap_or(rest);
-        let values = rest.split('#').next()?.split("//").next()?.split("/*").next()?.trim();
-        let has_comment = values != rest.trim();
-        let tried = CHANGES.iter().map(|(words, change)| (*words, change(values, line)));
-        let (words, values) = tried.into_iter().find(|(_, values)| is_valid(line, values))?;
-        let words = if has_comment && words == KEY { COMMENT } else { words };
-        let valid = values.split_whitespace().fold(line.tag.to_owned(), |line, token| line + " " + token);
-        Some(format!("{}: {valid}", self.say(words, &[]))).filter(|_| valid != text)
+        let (words, valid) = rewrite::line(self.text, find_line)?;
+        Some(format!("{}: {valid}", self.say(words, &[])))
     }
 
     /// Returns the problem with the tag of its line, and as the remedy a valid line or the line's format.

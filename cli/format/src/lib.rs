@@ -7,6 +7,7 @@
 
 pub mod hint;
 pub mod place;
+mod rewrite;
 pub mod unseen;
 
 use cpu::internals::input::text;

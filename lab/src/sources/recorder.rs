@@ -2,10 +2,7 @@
 
 use std::io::{self, BufRead, Read};
 
-use crate::format::hint::material;
-
-/// Largest number of names of materials that are stored. For an unknown name, a message suggests one of them.
-const MOST_NAMES: usize = 10_000;
+use crate::format::hint::{MOST_NAMES, material};
 
 /// A reader that passes on the bytes of another reader. It stores the last line with its number, and the names of
 /// materials.

@@ -2,13 +2,10 @@
 
 use cpu::internals::input::error::Error;
 use cpu::{Config, Scene};
-use format::hint::{Hint, Kind, Language, material};
+use format::hint::{Hint, Kind, Language, MOST_NAMES, material};
 
 use crate::fault::{Fault, Place};
 use crate::live::Live;
-
-/// Largest number of names of materials among which a hint seeks the one that was meant.
-const MOST_NAMES: usize = 10_000;
 
 /// The configuration and the scene as the caller wrote them, and the result of the last call.
 #[derive(Debug)]
