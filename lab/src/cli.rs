@@ -5,7 +5,7 @@ use cpu::internals::InstructionSet;
 use output::Options;
 
 use crate::Failure;
-use crate::commands::{bench, compare, completions, generate, help, inspect, render, report, view};
+use crate::commands::{bench, compare, completions, generate, help, inspect, render, report, shader, view};
 
 /// The exit statuses, shown after every help.
 pub const EXIT_STATUS: &str = "\
@@ -23,11 +23,17 @@ Examples:
   render-lab compare a.png b.png --heatmap difference.png
   render-lab help render";
 
+/// Returns the version, the commit, and the instruction set that the renderer chooses on this machine.
+fn version() -> String {
+    let set = InstructionSet::chosen().name();
+    format!("{} (commit {}, {set})", env!("CARGO_PKG_VERSION"), env!("LAB_COMMIT"))
+}
+
 /// Renders spheres and cylinders, compares pictures, and measures how long it all takes.
 #[derive(Debug, Parser)]
 #[command(
     name = "render-lab",
-    version,
+    version = version(),
     disable_help_subcommand = true,
     after_help = [EXAMPLES, EXIT_STATUS].join("\n\n"),
     max_term_width = 120
@@ -68,6 +74,8 @@ pub enum Command {
     Report(report::Arguments),
     /// Serve a page on this machine that edits a scene and shows its picture
     View(view::Arguments),
+    /// Start shader-lab, which renders with a user's WGSL
+    Shader(shader::Arguments),
     /// Write completions for a shell to standard output
     Completions(completions::Completions),
     /// Write manual pages into a folder
@@ -94,6 +102,7 @@ impl Command {
             Self::Bench(arguments) => arguments.run(options),
             Self::Report(arguments) => arguments.run(options),
             Self::View(arguments) => arguments.run(options),
+            Self::Shader(arguments) => arguments.run(),
             Self::Completions(arguments) => arguments.run(&mut Cli::command()),
             Self::Man(arguments) => arguments.run(Cli::command(), options),
             Self::Help(arguments) => arguments.run(Cli::command()),

@@ -8,6 +8,7 @@ pub mod help;
 pub mod inspect;
 pub mod render;
 pub mod report;
+pub mod shader;
 pub mod view;
 
 use serde::Serialize;

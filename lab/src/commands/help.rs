@@ -22,8 +22,20 @@ pub struct Arguments {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 11] =
-    ["bench", "compare", "completions", "config", "generate", "inspect", "man", "render", "report", "scene", "view"];
+pub const TOPICS: [&str; 12] = [
+    "bench",
+    "compare",
+    "completions",
+    "config",
+    "generate",
+    "inspect",
+    "man",
+    "render",
+    "report",
+    "scene",
+    "shader",
+    "view",
+];
 
 impl Arguments {
     /// Prints the help of the topic.

@@ -28,9 +28,9 @@ pub struct Arguments {
     config: PathBuf,
     /// Scene file
     scene: PathBuf,
-    /// Folder of the page, which web/build makes
-    #[arg(long, value_name = "FOLDER", default_value = "out/site")]
-    site: PathBuf,
+    /// Folder of the page [default: out/site, which web/build makes, or else the page installed with this program]
+    #[arg(long, value_name = "FOLDER")]
+    site: Option<PathBuf>,
     /// Port of the address 127.0.0.1; 0 takes any free port, but a browser keeps texts for each port
     #[arg(long, default_value_t = 8020)]
     port: u16,
@@ -50,7 +50,7 @@ impl Arguments {
         // The files are read once before the page exists, so that their errors are shown with their places.
         sources::config(&self.config, &[])?.check_picture().map_err(|error| error.in_file(&self.config))?;
         sources::scene(&self.scene)?;
-        let site = Site::read(&self.site)?;
+        let site = Site::read(&self.site.clone().unwrap_or_else(default_site))?;
         let server = Server::new(self.port).map_err(|error| {
             format!("cannot listen at 127.0.0.1:{}: {error}; choose another port with --port", self.port)
         })?;
@@ -66,6 +66,14 @@ impl Arguments {
         // The result is an error or never comes.
         server.serve(move |request, client| view.answer(&request, client)).map(|_| ()).map_err(Failure::from)
     }
+}
+
+/// Returns the folder of the page that was built here, or else of the one in the archive of this program.
+fn default_site() -> PathBuf {
+    let built = PathBuf::from("out/site");
+    let own = std::env::current_exe().ok();
+    let installed = own.and_then(|own| Some(own.parent()?.parent()?.join("share/exact-renderer/site")));
+    installed.filter(|folder| !built.is_dir() && folder.is_dir()).unwrap_or(built)
 }
 
 /// Opens the page in the user's browser.

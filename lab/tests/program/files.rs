@@ -80,3 +80,20 @@ fn help_explains_files_and_commands() {
     assert!(complaint(&["help", "bench", "scal"]).contains("no command or topic [scal]; did you mean [scale]?"));
     assert!(complaint(&["help", "bench", "nonsense"]).contains("no command or topic [nonsense]"));
 }
+
+#[test]
+#[cfg(unix)]
+fn shader_becomes_shader_lab() {
+    let folder = Folder::new();
+    let line = "printf '#!/bin/sh\\necho \"$@\"; exit 1' > shader-lab; chmod +x shader-lab
+        PATH=$PWD:$PATH $lab shader my.wgsl --watch; echo $?; PATH=$PWD/none $lab shader x";
+    let output = crate::bash(&folder, line);
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "my.wgsl --watch\n1\n");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        message.starts_with("Error: shader-lab is not installed") && message.contains("cargo install"),
+        "{message}"
+    );
+    let version = printed(&["--version"]);
+    assert!(version.starts_with("render-lab ") && version.contains("(commit "), "{version}");
+}

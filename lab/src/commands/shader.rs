@@ -1,0 +1,61 @@
+//! `render-lab shader`: starts `shader-lab`, which is a program of its own because it needs a Vulkan driver.
+
+use std::ffi::OsString;
+use std::io::ErrorKind;
+use std::process::Command;
+
+use clap::Args;
+
+use crate::Failure;
+
+/// The program that is started.
+const PROGRAM: &str = "shader-lab";
+
+/// Options of `shader`.
+#[derive(Debug, Args)]
+#[command(
+    disable_help_flag = true,
+    after_help = "\
+Examples:
+  render-lab shader --help
+  render-lab shader --template my.wgsl
+  render-lab shader my.wgsl --config scenes/materials/config.txt --scene scenes/materials/scene.txt --out out.png"
+)]
+pub struct Arguments {
+    /// The arguments of shader-lab
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENT")]
+    arguments: Vec<OsString>,
+}
+
+impl Arguments {
+    /// Replaces this process by `shader-lab`, which is looked for in `PATH`.
+    ///
+    /// # Errors
+    /// A message with the command that installs it, if it is not there.
+    pub fn run(&self) -> Result<(), Failure> {
+        let error = replace_by(Command::new(PROGRAM).args(&self.arguments));
+        Err(match error.kind() {
+            ErrorKind::NotFound => format!(
+                "{PROGRAM} is not installed. In a checkout of this project: cargo install --locked --path gpu-check \
+                 --bin {PROGRAM}"
+            ),
+            _ => format!("{PROGRAM} cannot be started: {error}"),
+        }
+        .into())
+    }
+}
+
+/// Replaces this process. Returns only if that fails.
+#[cfg(unix)]
+fn replace_by(command: &mut Command) -> std::io::Error {
+    std::os::unix::process::CommandExt::exec(command)
+}
+
+/// Runs the program, and ends this process with its status. Returns only if it cannot be started.
+#[cfg(not(unix))]
+fn replace_by(command: &mut Command) -> std::io::Error {
+    match command.status() {
+        Ok(status) => std::process::exit(status.code().unwrap_or(2)),
+        Err(error) => error,
+    }
+}
