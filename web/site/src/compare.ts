@@ -1,12 +1,16 @@
-// The comparison: the picture by Rust and by the shaders with a slider between them, blinking, or their difference.
-import { compare, LEGEND, map, type Difference } from './difference';
+// The comparison: the picture by Rust and by the shaders with a slider between them, blinking, or their difference. Two
+// pictures in files are compared in the same way.
+import { compare, compareBytes, LARGEST, LEGEND, map, RMSE, type Difference } from './difference';
+import { namedOf } from './files';
 import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
+import { shown, type Rgb } from './ppm';
 import { developed, paint, shownConfig } from './shown';
 import type { Texts } from './store';
-import { say, write } from './words';
+import { Viewer } from './viewer';
+import { messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -22,6 +26,8 @@ export interface Listener {
     /** WebGPU does not work any more. */
     broken(error: unknown): void;
     clicked(column: number, row: number): void;
+    /** The files are closed, so that the shaders are to be compared. */
+    closed(): void;
 }
 
 /** The comparison. */
@@ -38,9 +44,12 @@ export class Comparison {
     /** The colours by Rust in f64 and in f32, when they are known. */
     #truths: (Float64Array | null)[] = [null, null];
     #difference: Difference | null = null;
+    /** The files that are compared instead of the shaders. */
+    #names: [left: string, right: string] | null = null;
     #newest = 0;
 
     #shaders: Shaders | null = null;
+    readonly #viewer: Viewer;
 
     constructor(private readonly preparer: Preparer, private readonly listener: Listener) {
         element('compare-legend').style.background = LEGEND;
@@ -48,14 +57,17 @@ export class Comparison {
         this.#view.addEventListener('change', () => this.#draw());
         this.#blink.addEventListener('change', () => this.#draw());
         this.#with.addEventListener('change', () => void this.refresh());
-        element('compare-stage').addEventListener('click', (event) => {
-            const { left, top, width, height } = this.#shader.getBoundingClientRect();
-            const facts = this.#facts;
-            if (facts) {
-                const place = (part: number, size: number) => Math.min(Math.max(Math.floor(part * size), 0), size - 1);
-                listener.clicked(
-                    place((event.clientX - left) / width, facts.width), place((event.clientY - top) / height, facts.height));
-            }
+        element('compare-close').addEventListener('click', () => this.#close());
+        this.#viewer = new Viewer(element('compare-stage'), {
+            dragged: (x) => {
+                if (!this.#slider.disabled) {
+                    this.#slider.value = String(100 * x);
+                    this.#cut();
+                }
+                return !this.#slider.disabled;
+            },
+            moved: () => this.#cut(),
+            clicked: (column, row) => listener.clicked(column, row),
         });
         setInterval(() => this.#toggle(), BLINK);
         this.#cut();
@@ -76,6 +88,7 @@ export class Comparison {
 
     /** Removes the pictures, because another scene is loaded. */
     clear(): void {
+        this.#name(null);
         this.#newest += 1;
         this.#facts = null;
         this.#difference = null;
@@ -87,7 +100,7 @@ export class Comparison {
     async show({ config, scene }: Texts): Promise<void> {
         const own = ++this.#newest;
         const shaders = this.#shaders;
-        if (!shaders) {
+        if (!shaders || this.#names) {
             return;
         }
         this.#exact.ariaBusy = 'true';
@@ -139,6 +152,53 @@ export class Comparison {
         }
     }
 
+    /** Compares two files, or one with the exact picture. */
+    async showFiles(files: File[], exact: Rgb | null): Promise<void> {
+        const own = ++this.#newest;
+        try {
+            const [first, second] = await namedOf(files);
+            if (own !== this.#newest || !first) {
+                return;
+            }
+            const other = second ?? (exact && { name: say('picture'), picture: exact });
+            if (!other) {
+                throw new Error(say('oneFile'));
+            }
+            const size = ({ name, picture }: typeof first) => [name, picture.width, picture.height] as const;
+            if (first.picture.width !== other.picture.width || first.picture.height !== other.picture.height) {
+                throw new Error(say('sizesDiffer', ...size(first), ...size(other)));
+            }
+            this.#name([first.name, other.name]);
+            this.#facts = null;
+            this.#difference = compareBytes(first.picture.data, other.picture.data);
+            paint(this.#exact, shown(first.picture, 1));
+            paint(this.#shader, shown(other.picture, 1));
+            this.#viewer.fit();
+            this.#exact.ariaBusy = 'false';
+            this.#draw();
+        } catch (error) {
+            this.#close();
+            write(element('compare-names'), () => messageOf(error));
+        }
+    }
+
+    /** Compares the shaders again instead of files. */
+    #close(): void {
+        if (this.#names) {
+            this.clear();
+            this.listener.closed();
+        }
+    }
+
+    #name(names: [left: string, right: string] | null): void {
+        this.#names = names;
+        element('compare-pane').classList.toggle('files', names !== null);
+        write(element('compare-names'), () => (names ? say('filesNames', ...names) : ''));
+        if (names && this.#view.value === 'ulps') {
+            this.#view.value = 'linear';
+        }
+    }
+
     #draw(): void {
         const difference = this.#difference;
         const isMap = this.#view.value !== 'both';
@@ -147,25 +207,28 @@ export class Comparison {
         this.#slider.disabled = isMap || this.#blink.checked;
         this.#shader.style.visibility = 'visible';
         this.#cut();
-        if (!difference || !this.#facts) {
+        if (!difference) {
             return;
         }
         const isUlps = this.#view.value === 'ulps';
         if (isMap) {
-            paint(this.#map, map(difference, isUlps, this.#facts.width));
+            paint(this.#map, map(difference, isUlps, this.#exact.width));
         }
         write(element('compare-kind'), () => say(isUlps ? 'scaleLogarithmic' : 'scaleLinear'));
-        write(element('compare-most'), () => (
-            isUlps ? say('ulps', difference.largestUlps) : difference.largest.toExponential(2)));
-        write(this.#figures, () => say('compareFigures', difference.differing, difference.pixels,
-            difference.rmse.toExponential(2), difference.largest.toExponential(2), difference.largestUlps));
-        this.#figures.dataset.differing = String(difference.differing);
+        const { differing, pixels, rmse, largest, largestUlps } = difference;
+        const isAccepted = largest < LARGEST && rmse < RMSE;
+        // Differences of bytes are up to 255, and those of linear colours are small.
+        const [root, most] = [rmse, largest].map((one) => (this.#names ? one.toFixed(3) : one.toExponential(2)));
+        const key = !this.#names ? 'compareFigures' : isAccepted ? 'filesAccepted' : 'filesRefused';
+        write(element('compare-most'), () => (isUlps ? say('ulps', largestUlps) : most ?? ''));
+        write(this.#figures, () => say(key, differing, pixels, root ?? '', most ?? '', largestUlps));
+        this.#figures.dataset.differing = String(differing);
     }
 
     /** Shows the shader's picture to the right of the slider. */
     #cut(): void {
         const left = this.#blink.checked ? 0 : Number(this.#slider.value);
-        this.#shader.style.clipPath = `inset(0 0 0 ${left}%)`;
+        this.#shader.style.clipPath = `inset(0 0 0 ${100 * this.#viewer.partAt(left / 100)}%)`;
         element('compare-line').style.left = `${left}%`;
         element('compare-line').hidden = this.#blink.checked || this.#view.value !== 'both';
     }

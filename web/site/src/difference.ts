@@ -1,4 +1,4 @@
-// The difference of the exact picture and of that of the shaders, in linear colours.
+// The difference of the exact picture and of that of the shaders, in linear colours, and that of two files, in bytes.
 
 /** The pixels of two pictures compared. */
 export interface Difference {
@@ -53,6 +53,19 @@ export function compare(exact: Float64Array, shader: Float32Array): Difference {
         largestUlps = Math.max(largestUlps, mostUlps);
     }
     return { linear, ulps, pixels, differing, rmse: Math.sqrt(squares / Math.max(shader.length, 1)), largest, largestUlps };
+}
+
+/** The limits of the course: it accepts a largest difference and an RMSE below them. */
+export const [LARGEST, RMSE] = [150, 10];
+
+/** Compares the bytes of two pictures. As in the course, the difference of a pixel is the mean of its channels'. */
+export function compareBytes(one: Uint8Array, other: Uint8Array): Difference {
+    const linear = new Float64Array(one.length / 3).map((_, pixel) => [0, 1, 2].reduce((sum, channel) => (
+        sum + Math.abs((one[3 * pixel + channel] ?? 0) - (other[3 * pixel + channel] ?? 0))), 0) / 3);
+    const [squares, largest] = linear.reduce(([sum, most], value) => [sum + value ** 2, Math.max(most, value)], [0, 0]);
+    const pixels = linear.length;
+    const differing = linear.filter((value) => value > 0).length;
+    return { linear, ulps: linear, pixels, differing, rmse: Math.sqrt(squares / pixels), largest, largestUlps: 0 };
 }
 
 /** The colours of the map from no difference to the largest one. */

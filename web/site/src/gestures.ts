@@ -1,17 +1,23 @@
-// Mouse, touch and keyboard on a picture: turn, move, come closer, click.
+// Mouse, touch and keyboard on a picture: drag, move, come closer, click.
 
-/** What the user wants. Angles are in radians, moves are parts of the distance to the target. */
-export interface Wishes {
-    orbit(right: number, up: number): void;
-    pan(right: number, up: number): void;
-    zoom(factor: number): void;
-    reset(): void;
-    /** A click at a place of the picture, from 0 to 1 each way. */
-    click(x: number, y: number): void;
+/** A place in the picture, from 0 to 1 each way. */
+export interface Place {
+    x: number;
+    y: number;
 }
 
-/** The angle and the move for a drag over the whole picture, and for a key. */
-const [DRAG_ANGLE, DRAG_MOVE, KEY_ANGLE, KEY_MOVE] = [Math.PI, 1, Math.PI / 36, 0.05];
+/** What the user wants. Moves are parts of the picture. A key has no place. */
+export interface Wishes {
+    drag(right: number, down: number, at: Place | null): void;
+    pan(right: number, up: number): void;
+    /** `factor` is below 1 to come closer. */
+    zoom(factor: number, at: Place | null): void;
+    reset(): void;
+    click(at: Place): void;
+}
+
+/** The moves of a key, with Shift and without. */
+const [KEY_MOVE, KEY_DRAG] = [0.05, 1 / 36];
 
 /** The factor of the distance for a key and for a step of a mouse wheel. */
 const CLOSER = 0.9;
@@ -39,9 +45,15 @@ export class Gestures {
         element.addEventListener('contextmenu', (event) => event.preventDefault());
         element.addEventListener('wheel', (event) => {
             event.preventDefault();
-            wishes.zoom(event.deltaY > 0 ? 1 / CLOSER : CLOSER);
+            wishes.zoom(event.deltaY > 0 ? 1 / CLOSER : CLOSER, this.placeOf(event));
         }, { passive: false });
         element.addEventListener('keydown', (event) => this.#key(event));
+    }
+
+    /** Returns where in the picture an event is. */
+    placeOf(event: { clientX: number; clientY: number }): Place {
+        const { left, top, width, height } = this.element.getBoundingClientRect();
+        return { x: (event.clientX - left) / width, y: (event.clientY - top) / height };
     }
 
     #down(event: PointerEvent): void {
@@ -64,22 +76,22 @@ export class Gestures {
         if (other) {
             // Two fingers: the distance between them zooms, and their middle moves by half of this finger's way.
             const distance = (one: Pointer) => Math.hypot(one.x - other.x, one.y - other.y) || 1;
-            this.wishes.zoom(distance(old) / distance(now));
-            this.wishes.pan((-right * DRAG_MOVE) / 2, (down * DRAG_MOVE) / 2);
+            const middle = { clientX: (now.x + other.x) / 2, clientY: (now.y + other.y) / 2 };
+            this.wishes.zoom(distance(old) / distance(now), this.placeOf(middle));
+            this.wishes.pan(-right / 2, down / 2);
         } else if (event.shiftKey || (event.buttons & 2) !== 0) {
-            this.wishes.pan(-right * DRAG_MOVE, down * DRAG_MOVE);
+            this.wishes.pan(-right, down);
         } else if (right !== 0 || down !== 0) {
-            this.wishes.orbit(right * DRAG_ANGLE, down * DRAG_ANGLE);
+            this.wishes.drag(right, down, this.placeOf(event));
         }
     }
 
     #up(event: PointerEvent): void {
         this.#pointers.delete(event.pointerId);
-        const { left, top, width, height } = this.element.getBoundingClientRect();
         const start = this.#start;
         this.#start = null;
         if (start && Math.hypot(event.clientX - start.x, event.clientY - start.y) < STILL) {
-            this.wishes.click((event.clientX - left) / width, (event.clientY - top) / height);
+            this.wishes.click(this.placeOf(event));
         }
     }
 
@@ -94,9 +106,9 @@ export class Gestures {
         if (arrow && event.shiftKey) {
             this.wishes.pan(arrow[0] * KEY_MOVE, arrow[1] * KEY_MOVE);
         } else if (arrow) {
-            this.wishes.orbit(-arrow[0] * KEY_ANGLE, -arrow[1] * KEY_ANGLE);
+            this.wishes.drag(-arrow[0] * KEY_DRAG, -arrow[1] * KEY_DRAG, null);
         } else if (event.key === '+' || event.key === '-') {
-            this.wishes.zoom(event.key === '+' ? CLOSER : 1 / CLOSER);
+            this.wishes.zoom(event.key === '+' ? CLOSER : 1 / CLOSER, null);
         } else if (event.key === 'Home') {
             this.wishes.reset();
         } else {

@@ -74,11 +74,13 @@ export class Live {
         element('live-save').addEventListener('click', () => take(true));
         element('live-reset').addEventListener('click', () => this.#move(this.#start));
         new Gestures(this.#canvas, {
-            orbit: (right, up) => this.#move(this.#camera && camera.orbit(this.#camera, right, up)),
+            // A drag over the whole picture turns the camera by half a circle.
+            drag: (right, down) => this.#move(
+                this.#camera && camera.orbit(this.#camera, right * Math.PI, down * Math.PI)),
             pan: (right, up) => this.#move(this.#camera && camera.pan(this.#camera, right, up)),
             zoom: (factor) => this.#move(this.#camera && camera.zoom(this.#camera, factor)),
             reset: () => this.#move(this.#start),
-            click: (x, y) => this.#facts && listener.clicked(
+            click: ({ x, y }) => this.#facts && listener.clicked(
                 Math.floor(x * this.#facts.width), Math.floor(y * this.#facts.height), this.#facts),
         });
     }

@@ -58,6 +58,7 @@ class Page {
             replaceConfig: (config) => (this.#editors[0].text = config),
             say: (text) => this.say(text),
             render: () => void this.render(),
+            picture: () => this.#picture.pixels,
         });
         addEventListener('pagehide', () => this.#keep());
         document.addEventListener('keydown', (event) => {

@@ -1,9 +1,10 @@
 // The picture with its bar, its digest and the buttons that save it.
 import type { Engine, Watcher } from './engines';
 import type { Fault } from './module';
-import { png } from './ppm';
+import { png, read, type Rgb } from './ppm';
 import { resize } from './shown';
 import type { Texts } from './store';
+import { Viewer } from './viewer';
 import { say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
@@ -16,6 +17,7 @@ export class Picture {
     readonly #digest = element('digest');
     readonly #cancel = element<HTMLButtonElement>('cancel');
     readonly #saves = [element<HTMLButtonElement>('save-ppm'), element<HTMLButtonElement>('save-png')];
+    readonly #viewer = new Viewer(element('exact-stage'), {});
     #stop: (() => void) | null = null;
     #ppm: Uint8Array<ArrayBuffer> | null = null;
 
@@ -35,9 +37,15 @@ export class Picture {
         write(this.#status, text);
     }
 
+    /** The pixels of the picture, if it is finished. */
+    get pixels(): Rgb | null {
+        return this.#ppm && read(this.#ppm);
+    }
+
     /** Removes the picture, because another scene is loaded. */
     clear(): void {
         this.cancel();
+        this.#viewer.fit();
         this.#canvas.getContext('2d')?.reset();
     }
 
@@ -67,6 +75,7 @@ export class Picture {
             begin: current((width, height, step) => {
                 this.#canvas.ariaBusy = 'false';
                 resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
+                this.#canvas.dataset.step = String(step);
                 size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
                 isRendered();
             }),

@@ -1,5 +1,6 @@
-// Reads the PPM text of the renderer, and converts it to PNG.
-import { encode } from 'fast-png';
+// Reads PPM (P3 and P6) and PNG, and converts the renderer's text to PNG.
+import { convertIndexedToRgb, decode, encode, hasPngSignature } from 'fast-png';
+import { say } from './words';
 
 /** A picture with three bytes for each pixel. */
 export interface Rgb {
@@ -8,27 +9,73 @@ export interface Rgb {
     data: Uint8Array<ArrayBuffer>;
 }
 
-/** Returns the pixels of a PPM text of the renderer (variant P3). Throws if the text has too few numbers. */
-export function read(ppm: Uint8Array): Rgb {
-    const head = /^P3\n(\d+) (\d+)\n255\n/.exec(new TextDecoder().decode(ppm.subarray(0, 64)));
-    if (!head) {
-        throw new Error('this is no PPM text');
+/** Largest number of pixels, as `render-lab compare` has it. A few bytes can announce a picture of any size. */
+const MOST_PIXELS = 2 ** 26;
+
+/** Returns the pixels of a file. Throws if it is no valid picture with 8 bits a channel. */
+export function read(bytes: Uint8Array): Rgb {
+    return hasPngSignature(bytes) ? fromPng(bytes) : fromPpm(bytes);
+}
+
+function fromPpm(bytes: Uint8Array): Rgb {
+    const variant = String.fromCharCode(...bytes.subarray(0, 2));
+    if (variant !== 'P3' && variant !== 'P6') {
+        throw new Error(say('noPicture'));
     }
-    const [width, height] = [Number(head[1]), Number(head[2])];
-    const data = new Uint8Array(3 * width * height);
-    let place = 0;
-    let number = -1;
-    for (let index = head[0].length; index < ppm.length; index++) {
-        const digit = (ppm[index] ?? 0) - 48;
-        if (digit >= 0) {
-            number = Math.max(number, 0) * 10 + digit;
-        } else if (number >= 0) {
-            data[place++] = number;
-            number = -1;
+    let at = 2;
+    /** Returns the next number. A comment goes from # to the end of its line. */
+    const number = (): number => {
+        let isComment = false;
+        for (; at < bytes.length && (isComment || (bytes[at] ?? 0) <= 32 || bytes[at] === 35); at++) {
+            isComment = bytes[at] !== 10 && bytes[at] !== 13 && (isComment || bytes[at] === 35);
         }
+        const start = at;
+        let value = 0;
+        for (let digit = (bytes[at] ?? 0) - 48; digit >= 0 && digit <= 9; digit = (bytes[++at] ?? 0) - 48) {
+            value = value * 10 + digit;
+        }
+        return at > start ? value : NaN;
+    };
+    const [width, height, largest] = [number(), number(), number()];
+    const count = 3 * width * height;
+    if (largest !== 255 || !(count > 0 && count <= 3 * MOST_PIXELS && count <= bytes.length)) {
+        throw new Error(say('brokenPicture'));
     }
-    if (place !== data.length) {
-        throw new Error(`${place} numbers instead of ${data.length}`);
+    if (variant === 'P6') {
+        // One byte of white space is between the header and the pixels.
+        const data = bytes.slice(at + 1);
+        if (data.length !== count) {
+            throw new Error(say('brokenPicture'));
+        }
+        return { width, height, data };
+    }
+    const data = new Uint8Array(count);
+    for (let place = 0; place < count; place++) {
+        const value = number();
+        if (!(value <= 255)) {
+            throw new Error(say('brokenPicture'));
+        }
+        data[place] = value;
+    }
+    return { width, height, data };
+}
+
+function fromPng(bytes: Uint8Array): Rgb {
+    const [width, height] = [16, 20].map((place) => new DataView(bytes.buffer, bytes.byteOffset).getUint32(place));
+    if (!width || !height || width * height > MOST_PIXELS) {
+        throw new Error(say('brokenPicture'));
+    }
+    const png = decode(bytes);
+    const isIndexed = png.palette !== undefined;
+    if (png.depth !== 8 && !isIndexed) {
+        throw new Error(say('noPicture'));
+    }
+    const colors = isIndexed ? convertIndexedToRgb(png) : png.data;
+    const channels = colors.length / (width * height);
+    const isGrey = channels < 3;
+    const data = new Uint8Array(3 * width * height);
+    for (let place = 0; place < data.length; place++) {
+        data[place] = colors[Math.floor(place / 3) * channels + (isGrey ? 0 : place % 3)] ?? 0;
     }
     return { width, height, data };
 }

@@ -33,7 +33,7 @@ export function developed(colors: ArrayLike<number>, { width, height, gamma }: F
 /** Gives a canvas the size of a picture, which clears it. The layout needs the ratio of the picture. */
 export function resize(canvas: HTMLCanvasElement, width: number, height: number): void {
     [canvas.width, canvas.height] = [width, height];
-    (canvas.closest<HTMLElement>('#compare-stage') ?? canvas).style.setProperty('--ratio', String(width / height));
+    (canvas.closest<HTMLElement>('.viewer') ?? canvas).style.setProperty('--ratio', String(width / height));
 }
 
 /** Shows a picture in a canvas of its size. */

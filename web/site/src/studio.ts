@@ -2,6 +2,7 @@
 // them starts sooner.
 import { lines, taken, type Camera } from './camera';
 import { Comparison } from './compare';
+import { onFiles } from './files';
 import { Device, Unavailable, type Refused } from './gpu/device';
 import type { Edits } from './gpu/compose';
 import { Shaders } from './gpu/shaders';
@@ -11,6 +12,7 @@ import { ShaderEditor } from './shader-editor';
 import * as store from './store';
 import type { Renderer } from './module';
 import { PixelView, type Source } from './pixel';
+import type { Rgb } from './ppm';
 import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
@@ -23,6 +25,8 @@ export interface Owner {
     replaceConfig(config: string): void;
     say(text: () => string): void;
     render(): void;
+    /** The exact picture, if it is finished. */
+    picture(): Rgb | null;
 }
 
 /** The parts that exist once a view of the shaders is shown. */
@@ -53,6 +57,8 @@ export class Studio {
         this.#part.addEventListener('toggle', () => this.#part.open && this.#edit());
         this.#part.open = Object.keys(store.modules()).length > 0;
         document.getElementById('gpu-again')!.addEventListener('click', () => void this.#again());
+        const files = document.getElementById('files') as HTMLInputElement;
+        onFiles(document.getElementById('compare-files')!, files, (chosen) => void this.#compare(chosen));
     }
 
     /** Takes the texts of the editors, which are valid. */
@@ -136,6 +142,14 @@ export class Studio {
         live.isShown = this.#tabs.current === 'live-pane';
     }
 
+    /** Compares two files, or one with the exact picture. */
+    async #compare(files: File[]): Promise<void> {
+        this.#tabs.show('compare-pane');
+        this.#parts ??= this.#make();
+        const { comparison } = await this.#parts;
+        await comparison.showFiles(files, this.owner.picture());
+    }
+
     /** Opens the editor of the shaders. */
     #edit(): ShaderEditor {
         this.#editor ??= new ShaderEditor(this.renderer.wgsl(), {
@@ -188,6 +202,10 @@ export class Studio {
             refused,
             broken,
             clicked: (column, row) => follow(comparison.source, column, row),
+            closed: () => {
+                this.#stale.add('compare-pane');
+                void this.#shown(this.#tabs.current);
+            },
         });
         const parts: Parts = { live, comparison, pixel, shaders: [] };
         await this.#connect(parts);

@@ -98,6 +98,21 @@ const ENGLISH = {
     compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. '
         + 'Deterministic light: one ray through the middle of each pixel. Click or tap a pixel to follow its path.',
     noCompare: 'Without WebGPU there are no shaders to compare.',
+    fit: 'Fit',
+    pixelAt: 'column {0}, row {1}: {2}',
+    compareFiles: 'Compare files (PPM, PNG)…',
+    compareClose: 'Back to the shaders',
+    filesHelp: 'Two files, or one with the picture of the first tab. You can also drop them on the page. '
+        + 'Drag the line; wheel or two fingers zoom; Shift or the right button moves.',
+    filesNames: 'Left: {0}. Right: {1}.',
+    filesAccepted: 'The course accepts this difference: RMSE {2} (below 10), at most {3} (below 150). '
+        + '{0} of {1} pixels {0|differs|differ}.',
+    filesRefused: 'The course does not accept this difference: RMSE {2} (below 10 is needed), at most {3} '
+        + '(below 150 is needed). {0} of {1} pixels {0|differs|differ}.',
+    noPicture: 'this is neither PPM (P3 or P6) nor PNG with 8 bits a channel',
+    brokenPicture: 'the file ends early, is too large, or has something else where a number belongs',
+    sizesDiffer: '{0} has {1} × {2} pixels, and {3} has {4} × {5}. Only pictures of one size can be compared.',
+    oneFile: 'One file is compared with the picture of the first tab, which is not finished. Wait, or choose two files.',
     planAbove: 'from above: x to the right, z downwards',
     planFront: 'against z: x to the right, y upwards',
     pixel: 'Pixel',
@@ -222,6 +237,21 @@ const SPANISH: Record<Key, string> = {
     compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. '
         + 'Luz determinista: un rayo por el centro de cada píxel. Pulse un píxel para seguir su camino.',
     noCompare: 'Sin WebGPU no hay sombreadores que comparar.',
+    fit: 'Ajustar',
+    pixelAt: 'columna {0}, fila {1}: {2}',
+    compareFiles: 'Comparar archivos (PPM, PNG)…',
+    compareClose: 'Volver a los sombreadores',
+    filesHelp: 'Dos archivos, o uno con la imagen de la primera pestaña. También puede soltarlos en la página. '
+        + 'Arrastre la línea; rueda o dos dedos amplían; Mayús o el botón derecho desplazan.',
+    filesNames: 'A la izquierda: {0}. A la derecha: {1}.',
+    filesAccepted: 'El curso acepta esta diferencia: RMSE {2} (menor que 10), como máximo {3} (menor que 150). '
+        + '{0|Difiere|Difieren} {0} de {1} píxeles.',
+    filesRefused: 'El curso no acepta esta diferencia: RMSE {2} (debe ser menor que 10), como máximo {3} '
+        + '(debe ser menor que 150). {0|Difiere|Difieren} {0} de {1} píxeles.',
+    noPicture: 'no es PPM (P3 o P6) ni PNG de 8 bits por canal',
+    brokenPicture: 'el archivo termina antes de tiempo, es demasiado grande o tiene otra cosa donde va un número',
+    sizesDiffer: '{0} tiene {1} × {2} píxeles, y {3} tiene {4} × {5}. Solo se comparan imágenes de un tamaño.',
+    oneFile: 'Un archivo se compara con la imagen de la primera pestaña, que no ha terminado. Espere, o elija dos archivos.',
     planAbove: 'desde arriba: x a la derecha, z hacia abajo',
     planFront: 'en sentido contrario a z: x a la derecha, y hacia arriba',
     pixel: 'Píxel',

@@ -1,4 +1,9 @@
-// Tests of the comparison with Rust, of a pixel's path, and of probed values.
+// Tests of the comparison with Rust and of files, of the viewer, of a pixel's path, and of probed values.
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { encode } from 'fast-png';
 import { check, digest, equal, frame, pixels, rmse, shoot, still } from './tools.mjs';
 import { openLive } from './live.mjs';
 import { edit, openModule } from './shaders.mjs';
@@ -103,6 +108,21 @@ export const tests = {
         await page.focus('#compare-slider');
         await page.keyboard.press('End');
         equal(await clip(), 'inset(0px 0px 0px 100%)', 'the exact picture alone');
+        const box = await page.locator('#compare-stage').boundingBox();
+        const at = (part) => [box.x + part * box.width, box.y + 20];
+        await page.mouse.move(...at(0.5));
+        await page.mouse.down();
+        await page.mouse.move(...at(0.25), { steps: 4 });
+        await page.mouse.up();
+        equal(Math.round(await page.inputValue('#compare-slider')), 25, 'a drag moves the boundary');
+        check(await page.isVisible('#compare-stage'), 'and shows no other view');
+        await page.mouse.wheel(0, -100);
+        const part = Number(/([\d.]+)%\)/.exec(await clip())[1]);
+        check(Math.abs(part - 25) < 0.5 && await page.isVisible('.zoomed'), `the wheel zooms at the pointer: ${part}`);
+        const [, column] = /column (\d+), row \d+: \d+ \d+ \d+ \| \d+ \d+ \d+$/.exec(await page.innerText('#compare-pane .viewing'));
+        check(Math.abs(column - (await pixels(page, 'compare-exact')).width / 4) < 2, `the pointer is at column ${column}`);
+        await page.click('#compare-stage-fit');
+        check(await page.locator('.zoomed').count() === 0, 'the whole picture is shown again');
         await page.selectOption('#compare-view', 'linear');
         check(/e[-+]\d/.test(await page.textContent('#compare-most')), 'the scale of the linear map');
         await page.selectOption('#compare-view', 'both');
@@ -112,6 +132,49 @@ export const tests = {
             await page.waitForFunction((state) => document.getElementById('compare-shader').style.visibility === state, visibility);
         }
         await page.uncheck('#compare-blink');
+    },
+
+    async 'two files, or one and the picture, have the verdict of render-lab compare'({ open, url, browser }) {
+        const page = await open(url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+        await digest(page);
+        const { width, height, bytes } = await pixels(page, 'canvas');
+        const folder = mkdtempSync(join(tmpdir(), 'files-'));
+        const file = (name, content) => (writeFileSync(join(folder, name), content), join(folder, name));
+        const grey = Uint8Array.from(bytes, (byte, index) => (index < 3000 ? 255 - byte : byte ^ 3));
+        const [one, other] = [file('one.ppm', Buffer.concat([Buffer.from(`P6 # a comment\n${width} ${height}\n255\n`), Buffer.from(bytes)])),
+            file('other.png', encode({ width, height, data: grey, channels: 3, depth: 8 }))];
+        const text = file('text.ppm', `P3 ${width} ${height} 255 ${Array.from(grey).join('\n')}\n`);
+        const said = spawnSync(process.env.RENDER_LAB, ['compare', one, other, '--json'], { encoding: 'utf8' });
+        const { rmse: root, maximum, differing, accepted } = JSON.parse(said.stdout);
+        await page.tap('#tab-compare');
+        const shown = async (...files) => {
+            await page.evaluate(() => document.getElementById('compare-figures').replaceChildren());
+            await page.setInputFiles('#files', files);
+            await figures(page);
+            return page.textContent('#compare-figures');
+        };
+        const expected = `The course ${accepted ? 'accepts' : 'does not accept'} this difference: RMSE ${root.toFixed(3)}`;
+        for (const files of [[one, other], [one, text], [other]]) {
+            const words = await shown(...files);
+            check(words.startsWith(expected) && words.includes(`at most ${maximum.toFixed(3)}`), `${words} ${said.stdout}`);
+            equal(await page.getAttribute('#compare-figures', 'data-differing'), String(differing), 'the differing pixels');
+        }
+        check(!accepted && differing > width, said.stdout);
+        await shoot(page, 'phone-files');
+        check((await shown(one)).startsWith('The course accepts this difference: RMSE 0.000'), 'the picture itself');
+        equal(await page.textContent('#compare-names'), 'Left: one.ppm. Right: Picture.', 'the names');
+        await page.setInputFiles('#files', [file('bad.png', 'x')]);
+        await page.waitForFunction(() => document.getElementById('compare-names').textContent.startsWith('bad.png: this is neither'));
+        check(await page.isVisible('#compare-with'), 'the shaders are compared again');
+        // A file is dropped on the page, whichever view is shown.
+        await page.tap('#tab-exact');
+        await page.evaluate((list) => {
+            const dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File([new Uint8Array(list)], 'one.ppm'));
+            document.getElementById('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+        }, Array.from(Buffer.from('P6 1 1 255\n123')));
+        await page.waitForFunction(() => /one.ppm has 1 × 1 pixels, and Picture has/.test(document.getElementById('compare-names').textContent));
+        rmSync(folder, { recursive: true });
     },
 
     async 'a probed value is a picture, and a number for the clicked pixel'({ open, url }) {

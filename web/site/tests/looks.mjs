@@ -88,7 +88,7 @@ export const tests = {
         await page.waitForFunction(() => document.getElementById('examples').length > 1);
         const reached = [];
         await page.evaluate(() => document.activeElement.blur());
-        for (let step = 0; step < 20; step++) {
+        for (let step = 0; step < 24; step++) {
             await page.keyboard.press('Tab');
             const name = await page.evaluate(() => {
                 const here = document.activeElement;
@@ -105,7 +105,7 @@ export const tests = {
             reached.push(name);
         }
         const expected = 'examples,language,config-editor,bar-editors,scene-editor,shader-summary,bar-columns,'
-            + 'tab-exact,render,save-ppm,save-png,live,share';
+            + 'tab-exact,exact-stage,exact-stage-fit,exact-stage-actual,render,save-ppm,save-png,live,share';
         equal(reached.join(), expected, 'the order of the keyboard');
         await page.focus('#examples');
         await page.keyboard.press('l');

@@ -1,0 +1,41 @@
+// Pictures in files that the user chooses or drops on the page.
+import { read, type Rgb } from './ppm';
+import { messageOf } from './words';
+
+/** A picture with the name of its file. */
+export interface Named {
+    name: string;
+    picture: Rgb;
+}
+
+const isPicture = ({ name }: File): boolean => /\.(ppm|pnm|png)$/i.test(name);
+
+/** Reads pictures. Throws with the name of the file that is none. */
+export function namedOf(files: readonly File[]): Promise<Named[]> {
+    return Promise.all(files.slice(0, 2).map(async (file) => {
+        try {
+            return { name: file.name, picture: read(new Uint8Array(await file.arrayBuffer())) };
+        } catch (error) {
+            throw new Error(`${file.name}: ${messageOf(error)}`);
+        }
+    }));
+}
+
+/** Calls `take` with the pictures that the user chooses by a button, or drops anywhere. Editors take other files. */
+export function onFiles(button: HTMLElement, input: HTMLInputElement, take: (files: File[]) => void): void {
+    button.addEventListener('click', () => input.click());
+    input.addEventListener('change', () => {
+        take(Array.from(input.files ?? []));
+        input.value = '';
+    });
+    const ofDrag = (event: DragEvent) => Array.from(event.dataTransfer?.files ?? []);
+    document.addEventListener('dragover', (event) => event.dataTransfer?.types.includes('Files') && event.preventDefault());
+    document.addEventListener('drop', (event) => {
+        const pictures = ofDrag(event).filter(isPicture);
+        if (pictures.length > 0) {
+            event.preventDefault();
+            event.stopPropagation();
+            take(pictures);
+        }
+    }, { capture: true });
+}

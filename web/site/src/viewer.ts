@@ -1,0 +1,123 @@
+// A picture that is zoomed and moved, with the numbers of the pixel under the pointer. A stage holds one picture, or two
+// of the same size on top of each other.
+import { Gestures, type Place } from './gestures';
+import { say, write } from './words';
+
+/** The largest size of a pixel of the picture, in pixels of the screen. */
+const LARGEST = 64;
+
+/** What a viewer tells its owner. */
+export interface Owner {
+    /** Takes a drag to `x` in the stage, from 0 to 1, and returns true. Otherwise the drag moves the picture. */
+    dragged?(x: number): boolean;
+    /** The picture has another size or place. */
+    moved?(): void;
+    clicked?(column: number, row: number): void;
+}
+
+/** The viewer of a stage. */
+export class Viewer {
+    /** The picture's width in widths of the stage, and its left upper corner in parts of the stage. */
+    #zoom = 1;
+    #corner: Place = { x: 0, y: 0 };
+    readonly #canvases: HTMLCanvasElement[];
+    readonly #scale = document.createElement('span');
+    readonly #pixel = document.createElement('span');
+
+    constructor(private readonly stage: HTMLElement, private readonly owner: Owner) {
+        this.#canvases = Array.from(stage.querySelectorAll('canvas')).slice(0, 2);
+        const gestures = new Gestures(stage, {
+            drag: (right, down, at) => at && owner.dragged?.(at.x) || this.#pan(-right, down),
+            pan: (right, up) => this.#pan(right, up),
+            zoom: (factor, at) => this.#zoomTo(this.#zoom / factor, at),
+            reset: () => this.fit(),
+            click: (at) => {
+                this.#tell(at);
+                const pixel = this.#pixelAt(at);
+                pixel && owner.clicked?.(...pixel);
+            },
+        });
+        stage.addEventListener('pointermove', (event) => this.#tell(gestures.placeOf(event)));
+        const button = (name: string, text: () => string, act: () => void) => {
+            const made = document.createElement('button');
+            made.type = 'button';
+            made.id = `${stage.id}-${name}`;
+            write(made, text);
+            made.addEventListener('click', act);
+            return made;
+        };
+        const tools = document.createElement('div');
+        tools.className = 'viewing';
+        tools.append(
+            button('fit', () => say('fit'), () => this.fit()),
+            button('actual', () => '1:1', () => this.#zoomTo(this.#actual, null)),
+            this.#scale,
+            this.#pixel,
+        );
+        stage.after(tools);
+        new ResizeObserver(() => this.#show()).observe(stage);
+    }
+
+    /** Shows the whole picture. */
+    fit(): void {
+        this.#zoomTo(1, null);
+    }
+
+    /** Returns the part of the picture's width at `x`, a part of the stage's width. */
+    partAt(x: number): number {
+        return Math.min(Math.max((x - this.#corner.x) / this.#zoom, 0), 1);
+    }
+
+    /** The zoom at which a pixel of the picture has the size of a pixel of the screen. */
+    get #actual(): number {
+        return (this.#canvases[0]?.width ?? 1) / Math.max(this.stage.clientWidth * devicePixelRatio, 1);
+    }
+
+    /** Zooms and keeps what is at the place `at`, or in the middle. */
+    #zoomTo(zoom: number, at: Place | null): void {
+        const { x, y } = at ?? { x: 0.5, y: 0.5 };
+        const old = this.#zoom;
+        this.#zoom = Math.min(Math.max(zoom, Math.min(1, this.#actual)), Math.max(1, LARGEST * this.#actual));
+        const move = (place: number, corner: number) => place - ((place - corner) * this.#zoom) / old;
+        this.#corner = { x: move(x, this.#corner.x), y: move(y, this.#corner.y) };
+        this.#show();
+    }
+
+    #pan(right: number, up: number): void {
+        this.#corner = { x: this.#corner.x - right, y: this.#corner.y + up };
+        this.#show();
+    }
+
+    /** Shows the picture. A large one fills the stage, and a small one is in its middle. */
+    #show(): void {
+        const rest = 1 - this.#zoom;
+        const within = (corner: number) => (rest > 0 ? rest / 2 : Math.min(Math.max(corner, rest), 0));
+        this.#corner = { x: within(this.#corner.x), y: within(this.#corner.y) };
+        const { style } = this.stage;
+        style.setProperty('--move', `${100 * this.#corner.x}%, ${100 * this.#corner.y}%`);
+        style.setProperty('--zoom', String(this.#zoom));
+        this.stage.classList.toggle('zoomed', this.#zoom > 1);
+        // A finger scrolls the page over a whole picture, and moves a zoomed one.
+        style.touchAction = this.#zoom > 1 ? 'none' : 'pan-y';
+        this.#scale.textContent = `${Math.round((100 * this.#zoom) / this.#actual)} %`;
+        this.owner.moved?.();
+    }
+
+    #pixelAt({ x, y }: Place): [column: number, row: number] | null {
+        const { width, height } = this.#canvases[0] ?? { width: 0, height: 0 };
+        const [column, row] = [(x - this.#corner.x) / this.#zoom, (y - this.#corner.y) / this.#zoom];
+        const isInside = column >= 0 && column < 1 && row >= 0 && row < 1;
+        return isInside ? [Math.floor(column * width), Math.floor(row * height)] : null;
+    }
+
+    /** Writes the place and the bytes of the pixel at `at`. */
+    #tell(at: Place): void {
+        const pixel = this.#pixelAt(at);
+        const bytes = (canvas: HTMLCanvasElement) => pixel
+            && canvas.getContext('2d')?.getImageData(...pixel, 1, 1).data.slice(0, 3).join(' ');
+        // A large picture is shown in part, and its canvas has every `step`th pixel.
+        const step = Number(this.#canvases[0]?.dataset.step ?? 1);
+        const colors = this.#canvases.map(bytes).join(' | ');
+        write(this.#pixel, () => (pixel ? say('pixelAt', pixel[0] * step, pixel[1] * step, colors) : ''));
+    }
+}
