@@ -1,7 +1,6 @@
 //! Reads the configuration and the scene, and applies the settings of `--set`.
 
 pub mod located;
-pub mod recorder;
 
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -11,9 +10,10 @@ use cpu::internals::input::reader::Input;
 use cpu::internals::input::text::MAX_FILE_BYTES;
 use cpu::{Config, Error, Scene};
 
+use crate::format::faults::{self, MOST_FAULTS};
 use crate::format::hint::Kind;
+use crate::format::recorder::Recorder;
 use crate::{Failure, terminal};
-use recorder::Recorder;
 
 /// Returns the configuration in the file `path`, changed by `settings`. Each setting is `key=value`, such as `gamma=1`
 /// or `camera_position=0 0 -5`. It counts as one more line of the file, and the last line with a key is used.
@@ -98,7 +98,8 @@ pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure 
     }
 }
 
-/// Reads a file with the function `parse`. An error in a line gets the file name, the line and the column.
+/// Reads a file with the function `parse`. An error in a line gets the file name, the line and the column. The errors of
+/// later lines follow, up to [`MOST_FAULTS`].
 fn read<T>(
     path: &Path,
     kind: Kind,
@@ -108,10 +109,18 @@ fn read<T>(
     let file = Input::open(&path, MAX_FILE_BYTES).map_err(|error| Error::from(error).in_file(&path))?;
     let mut recorder = Recorder::new(BufReader::with_capacity(1 << 16, file));
     parse(&mut recorder).map_err(|error| {
-        match located::message(&error, kind, &path, recorder.last_line(), recorder.names()) {
-            Some(message) => message.into(),
-            None => error.in_file(&path).into(),
+        let mut messages = Vec::new();
+        faults::each(kind, &mut recorder, &error, |error, recorder| {
+            messages.extend(located::message(error, kind, &path, recorder.last_line(), recorder.names()));
+            messages.len() <= MOST_FAULTS
+        });
+        if messages.is_empty() {
+            return error.in_file(&path).into();
         }
+        if messages.len() > MOST_FAULTS {
+            messages[MOST_FAULTS] = format!("these are the first {MOST_FAULTS} errors of the file, and there are more");
+        }
+        messages.join("\n\n").into()
     })
 }
 
@@ -238,6 +247,18 @@ mod tests {
         assert!(scene("cylinder: 0 0 0 1 0 0 0 grey").starts_with("F:2:19: cylinder: the axis must have a length"));
         assert!(scene("refractive: g 1 2").starts_with("F:2:17: refractive: there is more than its 2 values\n"));
         assert!(scene("image_width: 3").ends_with("a line of the other file; the order is: CONFIG SCENE"));
+        // All wrong lines are shown. An object whose material is wrongly defined, or missing again, is no further error.
+        let lines =
+            ["metal: a 1 1 1", "metl: b 1 1 1 0", "sphere: 0 0 0 1 a", "sphere: 0 0 0 1 b", "sphere: 0 0 0 1 zzz"];
+        let all = scene(&format!("{}\nsphere: 0 0 0 2 zzz\n\nsphere: x\n", lines.join("\n")));
+        let places: Vec<_> = all.split("\n\n").map(|one| one.split(": ").next().unwrap_or_default()).collect();
+        assert_eq!(places, ["F:2:15", "F:3:1", "F:6:17", "F:9:9"], "{all}");
+        let many = about(&"gama: 1\n".repeat(22), Kind::Config);
+        assert!(
+            many.contains("\n\nF:20:1: ")
+                && many.ends_with("\n\nthese are the first 20 errors of the file, and there are more")
+        );
+        assert!(about(&"gama: 1\n".repeat(20), Kind::Config).ends_with("did you mean [gamma:]?"));
         // A long line is cut, and control characters are not printed.
         let long = scene(&format!("sphere: 0{}\u{1b}x", " ".repeat(500)));
         assert!(long.lines().all(|line| line.chars().count() < 200) && !long.contains('\u{1b}'), "{long}");

@@ -5,8 +5,10 @@
 //! field ([`place`]), and to say what to write instead ([`hint`]). Tests check that the tables agree with the parsers
 //! of `cpu`.
 
+pub mod faults;
 pub mod hint;
 pub mod place;
+pub mod recorder;
 mod rewrite;
 pub mod unseen;
 

@@ -7,21 +7,21 @@ export type Question = { module: WebAssembly.Module } | { question: number; text
 /** What the worker sends for each text. */
 export interface Verdict {
     question: number;
-    fault: Fault | null;
+    faults: Fault[];
 }
 
 let module: WebAssembly.Module | null = null;
 let renderer: Renderer | null = null;
 
-async function faultOf(text: TextNumber, content: string): Promise<Fault | null> {
+async function faultsOf(text: TextNumber, content: string): Promise<Fault[]> {
     try {
         renderer ??= module && (await Renderer.create(module));
         renderer?.write(text, content);
-        return renderer?.check(text) ?? null;
+        return renderer?.check(text) ?? [];
     } catch (error) {
         // The memory is exhausted. The next check begins with a new instance.
         renderer = null;
-        return { text, line: 0, column: 0, length: 0, message: String(error) };
+        return [{ text, line: 0, column: 0, length: 0, message: String(error) }];
     }
 }
 
@@ -30,6 +30,6 @@ addEventListener('message', ({ data }: MessageEvent<Question>) => {
         module = data.module;
     } else {
         const { question, text, content } = data;
-        void faultOf(text, content).then((fault) => postMessage({ question, fault } satisfies Verdict));
+        void faultsOf(text, content).then((faults) => postMessage({ question, faults } satisfies Verdict));
     }
 });

@@ -2,14 +2,14 @@
 import { Asked } from './asked';
 import type { Verdict } from './checking';
 import type { Editor } from './editor';
-import type { Fault, TextNumber } from './module';
+import { MOST_FAULTS, type Fault, type TextNumber } from './module';
 import { messageOf, ofLanguage, say } from './words';
 
 /** The checker of both texts. */
 export class Checker {
     readonly #worker: Asked<{ text: TextNumber; content: string }, Verdict>;
-    /** The last text of each editor whose fault is known, and this fault. */
-    readonly #known: ({ content: string; fault: Fault | null } | null)[] = [null, null];
+    /** The last text of each editor whose faults are known, and these faults. */
+    readonly #known: ({ content: string; faults: Fault[] } | null)[] = [null, null];
 
     constructor(
         module: WebAssembly.Module,
@@ -22,18 +22,21 @@ export class Checker {
     /** Checks both texts, and returns their first fault or null. */
     async check(): Promise<Fault | null> {
         const texts = [0, 1] as const;
-        const faults = await Promise.all(texts.map((text) => this.#fault(text, this.editors[text].text)));
-        return faults[0] ?? faults[1] ?? null;
+        const faults = await Promise.all(texts.map((text) => this.#faults(text, this.editors[text].text)));
+        return faults.flat()[0] ?? null;
     }
 
-    /** Marks a fault of a text and lists it, or removes the mark. */
-    show(text: TextNumber, fault: Fault | null): void {
-        this.editors[text].mark(fault ? [fault] : []);
-        const list = this.lists[text];
-        list.replaceChildren();
-        if (!fault) {
-            return;
+    /** Marks the faults of a text and lists them, instead of those before. */
+    show(text: TextNumber, faults: Fault[]): void {
+        this.editors[text].mark(faults);
+        this.lists[text].replaceChildren(...faults.map((fault) => this.#row(text, fault)));
+        if (faults.length === MOST_FAULTS) {
+            this.lists[text].append(say('firstFaults', MOST_FAULTS));
         }
+    }
+
+    #row(text: TextNumber, fault: Fault): HTMLElement {
+        const row = document.createElement('div');
         const message = document.createElement('pre');
         message.textContent = [fault.message, ofLanguage(fault.hints ?? ['', ''])].filter(Boolean).join('\n');
         if (fault.line > 0) {
@@ -41,24 +44,25 @@ export class Checker {
             button.type = 'button';
             button.textContent = say('line', fault.line);
             button.addEventListener('click', () => this.editors[text].show(fault));
-            list.append(button);
+            row.append(button);
         }
-        list.append(message);
+        row.append(message);
+        return row;
     }
 
-    /** Returns the fault of a text. A fault is shown only if the text is still in the editor. */
-    async #fault(text: TextNumber, content: string): Promise<Fault | null> {
+    /** Returns the faults of a text. They are shown only if the text is still in the editor. */
+    async #faults(text: TextNumber, content: string): Promise<Fault[]> {
         const known = this.#known[text];
         if (known?.content === content) {
-            this.show(text, known.fault);
-            return known.fault;
+            this.show(text, known.faults);
+            return known.faults;
         }
-        const { fault } = await this.#worker.ask({ text, content }).catch((error: unknown) => (
-            { fault: { text, line: 0, column: 0, length: 0, message: messageOf(error) } }));
+        const { faults } = await this.#worker.ask({ text, content }).catch((error: unknown) => (
+            { faults: [{ text, line: 0, column: 0, length: 0, message: messageOf(error) }] }));
         if (this.editors[text].text === content) {
-            this.#known[text] = { content, fault };
-            this.show(text, fault);
+            this.#known[text] = { content, faults };
+            this.show(text, faults);
         }
-        return fault;
+        return faults;
     }
 }

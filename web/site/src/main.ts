@@ -41,7 +41,7 @@ class Page {
     readonly #studio: Studio;
     readonly #picture = new Picture((fault) => {
         if (fault.text < 2) {
-            this.#checker.show(fault.text as 0 | 1, fault);
+            this.#checker.show(fault.text as 0 | 1, [fault]);
         }
         this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message)));
     });

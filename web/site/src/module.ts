@@ -20,6 +20,9 @@ export interface Fault {
     hints?: [english: string, spanish: string];
 }
 
+/** Largest number of faults of a text that the module returns. */
+export const MOST_FAULTS = 20;
+
 /** One row of the table that `render-lab help config` or `help scene` prints. */
 export interface Row {
     tag: string;
@@ -38,6 +41,7 @@ interface Exports {
     memory: WebAssembly.Memory;
     room(text: number, length: number): number;
     check(text: number): number;
+    fault_at(index: number): void;
     render(layout: number, isPublished: number, isPortable: number): number;
     digest(): void;
     table(text: number): void;
@@ -114,9 +118,12 @@ export class Renderer {
         new Uint8Array(this.#exports.memory.buffer).set(bytes, address);
     }
 
-    /** Returns the first fault of a text that was written before, or null. */
-    check(text: TextNumber): Fault | null {
-        return this.#exports.check(text) === 0 ? null : this.#fault();
+    /** Returns the faults of a text that was written before, at most {@link MOST_FAULTS}. */
+    check(text: TextNumber): Fault[] {
+        return Array.from({ length: this.#exports.check(text) }, (_, index) => {
+            this.#exports.fault_at(index);
+            return this.#fault();
+        });
     }
 
     /** Renders the two texts. Returns the picture as a PPM file, or the fault. */

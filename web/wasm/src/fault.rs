@@ -17,7 +17,7 @@ pub struct Place {
 }
 
 /// A message with its place.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Fault {
     /// The message, which is that of `render-aos` for its errors.
     pub message: Vec<u8>,

@@ -44,19 +44,23 @@ pub extern "C" fn room(text: usize, length: usize) -> *mut u8 {
     }
 }
 
-/// Checks the configuration (`text` is 0) or the scene, and returns 0 if it is valid and 1 if it has a fault.
-///
-/// The result is then the message, as after [`render`], and the four functions from [`fault_text`] on have its place.
+/// Checks the configuration (`text` is 0) or the scene, and returns the number of its faults, at most 20. [`fault_at`]
+/// chooses one of them.
 #[unsafe(no_mangle)]
-pub extern "C" fn check(text: usize) -> u32 {
+pub extern "C" fn check(text: usize) -> usize {
     let mut state = state();
-    let checked = if text == 0 { state.config().map(drop) } else { state.scene().map(drop) };
-    let status = u32::from(checked.is_err());
-    match checked {
-        Ok(()) => state.result.clear(),
-        Err(fault) => state.store(&fault),
+    state.faults = state.faults_of(text);
+    state.faults.len()
+}
+
+/// Makes the result the message of fault number `index` of the last [`check`], as after [`render`]. The functions from
+/// [`fault_text`] on have its place and its hint.
+#[unsafe(no_mangle)]
+pub extern "C" fn fault_at(index: usize) {
+    let mut state = state();
+    if let Some(fault) = state.faults.get(index).cloned() {
+        state.store(&fault);
     }
-    status
 }
 
 /// Renders the two texts, and returns 0 for a picture and 1 for an error.
@@ -142,7 +146,7 @@ pub extern "C" fn fault_hint(language: usize) {
     state.result = state.hints.get(language).cloned().unwrap_or_default().into_bytes();
 }
 
-/// Reads both texts for the shaders, and returns 0, or 1 with a fault as after [`check`].
+/// Reads both texts for the shaders, and returns 0, or 1 with a fault as after [`fault_at`].
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare() -> u32 {
     with_state(|state| {
@@ -152,7 +156,7 @@ pub extern "C" fn prepare() -> u32 {
 }
 
 /// Reads the configuration again for the shaders, and keeps the scene of the last [`prepare`]. Returns 0, or 1 with a
-/// fault as after [`check`].
+/// fault as after [`fault_at`].
 #[unsafe(no_mangle)]
 pub extern "C" fn aim() -> u32 {
     with_state(|state| {
@@ -164,7 +168,7 @@ pub extern "C" fn aim() -> u32 {
 }
 
 /// Makes the result a buffer for the shaders if `part` is 0 to 3, the binding in `shaders/wgsl/picture.wgsl`. For 4 the
-/// result is a JSON text with facts about the picture. Returns 0, or 1 with a fault as after [`check`].
+/// result is a JSON text with facts about the picture. Returns 0, or 1 with a fault as after [`fault_at`].
 #[unsafe(no_mangle)]
 pub extern "C" fn packed(part: u32) -> u32 {
     with_state(|state| {
@@ -174,14 +178,14 @@ pub extern "C" fn packed(part: u32) -> u32 {
 }
 
 /// Makes the result the linear colours in deterministic mode, as three f64 for each pixel. `is_single` is 1 for the
-/// twin of the shaders in f32, and 0 for the exact renderer. Returns 0, or 1 with a fault as after [`check`].
+/// twin of the shaders in f32, and 0 for the exact renderer. Returns 0, or 1 with a fault as after [`fault_at`].
 #[unsafe(no_mangle)]
 pub extern "C" fn truth(is_single: u32) -> u32 {
     with_state(|state| state.live.as_ref().ok_or_else(unprepared)?.truth(is_single != 0))
 }
 
 /// Makes the result the steps of a pixel's path by the twin in f32: for each step as many f32 as [`step_names`] has
-/// names. Returns 0, or 1 with a fault as after [`check`].
+/// names. Returns 0, or 1 with a fault as after [`fault_at`].
 #[unsafe(no_mangle)]
 pub extern "C" fn steps(pixel: usize) -> u32 {
     with_state(|state| Ok(state.live.as_ref().ok_or_else(unprepared)?.steps(pixel)))

@@ -2,7 +2,9 @@
 
 use cpu::internals::input::error::Error;
 use cpu::{Config, Scene};
-use format::hint::{Hint, Kind, Language, MOST_NAMES, material};
+use format::faults::{self, MOST_FAULTS};
+use format::hint::{Hint, Kind, Language};
+use format::recorder::Recorder;
 
 use crate::fault::{Fault, Place};
 use crate::live::Live;
@@ -14,6 +16,8 @@ pub struct State {
     pub texts: [Vec<u8>; 2],
     /// A file, a message or a list: the result of the last call that has one.
     pub result: Vec<u8>,
+    /// The faults of the last text that was checked.
+    pub faults: Vec<Fault>,
     /// The place of the last fault.
     pub fault: Place,
     /// The hints on the last fault.
@@ -28,6 +32,7 @@ impl State {
         Self {
             texts: [Vec::new(), Vec::new()],
             result: Vec::new(),
+            faults: Vec::new(),
             fault: Place { text: 0, line: 0, column: 0, length: 0 },
             hints: [String::new(), String::new()],
             live: None,
@@ -52,6 +57,16 @@ impl State {
         parse(&self.texts[1], 1, |input| Scene::parse(input))
     }
 
+    /// Returns the faults of a text, at most [`MOST_FAULTS`]. The first is that of [`State::config`] or [`State::scene`].
+    pub fn faults_of(&self, text: usize) -> Vec<Fault> {
+        let checked = if text == 0 { self.config().map(drop) } else { self.scene().map(drop) };
+        let Err(first) = checked else { return Vec::new() };
+        match self.texts.get(text) {
+            Some(bytes) if first.place.line > 0 => all(bytes, text, MOST_FAULTS),
+            _ => vec![first],
+        }
+    }
+
     /// Stores the message and the place of a fault as the result.
     pub fn store(&mut self, fault: &Fault) {
         self.result.clone_from(&fault.message);
@@ -60,27 +75,38 @@ impl State {
     }
 }
 
-/// Parses `bytes`, the text number `text`. The parsers stop in the first wrong line, so the bytes that they have read
-/// end with this line.
+/// Parses `bytes`, the text number `text`.
 fn parse<T>(bytes: &[u8], text: usize, parse: fn(&mut &[u8]) -> Result<T, Error>) -> Result<T, Fault> {
-    let mut rest = bytes;
-    parse(&mut rest).map_err(|error| {
-        let read = &bytes[..bytes.len() - rest.len()];
-        let read = read.strip_suffix(b"\n").unwrap_or(read);
-        let start = read.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
-        let line = read[start..].strip_suffix(b"\r").unwrap_or(&read[start..]);
-        let kind = if text == 0 { Kind::Config } else { Kind::Scene };
-        let names = read.split(|&byte| byte == b'\n').filter_map(material);
-        let names: Vec<_> = names.take(MOST_NAMES).map(<[u8]>::to_vec).collect();
-        let hint = |language| Hint::new(&error, kind, line, &names, language);
-        let (Some(hint), Some(spanish)) = (hint(Language::English), hint(Language::Spanish)) else {
-            return Fault::without_line(error, text);
-        };
-        let number = 1 + read.iter().filter(|&&byte| byte == b'\n').count();
-        let [column, length] = [&line[..hint.span.start], &line[hint.span.clone()]].map(units);
-        let place = Place { text, line: number, column: 1 + column, length };
-        Fault { message: error.message(), place, hints: [hint, spanish].map(|hint| hint.to_string()) }
-    })
+    parse(&mut &*bytes)
+        .map_err(|error| all(bytes, text, 1).into_iter().next().unwrap_or_else(|| Fault::without_line(error, text)))
+}
+
+/// Returns the first `most` faults of the text number `text` that are about a line.
+fn all(bytes: &[u8], text: usize, most: usize) -> Vec<Fault> {
+    let kind = if text == 0 { Kind::Config } else { Kind::Scene };
+    let mut input = Recorder::new(bytes);
+    let mut found = Vec::new();
+    let parsed = match kind {
+        Kind::Config => Config::parse(&mut input).map(drop),
+        Kind::Scene => Scene::parse(&mut input).map(drop),
+    };
+    if let Err(first) = parsed {
+        faults::each(kind, &mut input, &first, |error, input| {
+            found.extend(fault_in(error, kind, input, text));
+            found.len() < most
+        });
+    }
+    found
+}
+
+/// Returns the fault for an error in the last line of `input`, or `None` for an error that is not about a line.
+fn fault_in(error: &Error, kind: Kind, input: &Recorder<&[u8]>, text: usize) -> Option<Fault> {
+    let (number, line) = input.last_line();
+    let hint = |language| Hint::new(error, kind, line, input.names(), language);
+    let (hint, spanish) = (hint(Language::English)?, hint(Language::Spanish)?);
+    let [column, length] = [&line[..hint.span.start], &line[hint.span.clone()]].map(units);
+    let place = Place { text, line: number as usize, column: 1 + column, length };
+    Some(Fault { message: error.message(), place, hints: [hint, spanish].map(|hint| hint.to_string()) })
 }
 
 /// Returns the number of UTF-16 units of a text. A byte that is not UTF-8 counts as one character.

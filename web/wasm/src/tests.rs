@@ -40,9 +40,13 @@ fn texts_become_a_file_or_a_message() {
 
     write(1, b"\ntriangle: 1\n");
     assert_eq!((render(0, 0, 0), result_text().as_str()), (1, "Unknown scene entity: triangle"));
-    assert_eq!((check(1), fault()), (1, [1, 2, 1, 9]));
-    write(0, b"gamma: 0");
-    assert_eq!((check(0), result_text().as_str()), (1, "Invalid value for key: [gamma:]\nLine: \"gamma: 0\""));
+    assert_eq!(fault(), [1, 2, 1, 9]);
+    write(0, b"gamma: 0\n\nmax_depth: 0");
+    assert_eq!(check(0), 2);
+    fault_at(1);
+    assert_eq!(fault(), [0, 3, 12, 1]);
+    fault_at(0);
+    assert_eq!(result_text(), "Invalid value for key: [gamma:]\nLine: \"gamma: 0\"");
     assert_eq!(fault(), [0, 1, 8, 1]);
     for (text, place, hints) in [
         ("gamma: 2,2", [0, 1, 8, 3], ["point, not a comma: gamma: 2.2", "decimal, no una coma: gamma: 2.2"]),
@@ -54,7 +58,9 @@ fn texts_become_a_file_or_a_message() {
         ("gamma: x", [0, 1, 8, 1], ["the line is: gamma: number > 0", "número mayor que 0; la línea es: gamma: "]),
     ] {
         write(0, text.as_bytes());
-        assert_eq!((check(0), fault()), (1, place), "{text}");
+        assert_eq!(check(0), 1, "{text}");
+        fault_at(0);
+        assert_eq!(fault(), place, "{text}");
         for (language, hint) in hints.into_iter().enumerate() {
             fault_hint(language);
             assert!(result_text().contains(hint), "{text}: {}", result_text());

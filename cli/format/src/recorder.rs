@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read};
 
-use crate::format::hint::{MOST_NAMES, material};
+use crate::hint::{MOST_NAMES, material};
 
 /// A reader that passes on the bytes of another reader. It stores the last line with its number, and the names of
 /// materials.
@@ -30,6 +30,11 @@ impl<R: BufRead> Recorder<R> {
     /// Returns the names of the materials in the lines read so far, at most 10,000.
     pub fn names(&self) -> &[Vec<u8>] {
         &self.names
+    }
+
+    /// Adds a name, as if a line defined it.
+    pub(crate) fn add_name(&mut self, name: Option<Vec<u8>>) {
+        self.names.extend(name);
     }
 
     fn record(&mut self, bytes: &[u8]) {
