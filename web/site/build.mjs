@@ -23,7 +23,7 @@ await build({
     legalComments: 'eof',
     logLevel: 'warning',
 });
-for (const name of ['index.html', 'page.css', 'icon.svg']) {
+for (const name of ['index.html', '404.html', 'page.css', 'icon.svg']) {
     cpSync(join(here, name), join(out, name));
 }
 // The examples are the folders of scenes/, and a list of their names.

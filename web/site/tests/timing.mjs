@@ -1,5 +1,11 @@
-// Measures how long a new user waits for the first picture.
-import { check, digest, shoot } from './tools.mjs';
+// Measures what a new user loads, and how long they wait for the first picture.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { check, digest, equal, render, serve, shoot, site, SMALL } from './tools.mjs';
+
+/** Largest size of the compressed files that the first picture needs, in bytes. */
+const MOST_BYTES = 1_300_000;
 
 /** Limits in milliseconds. Machines that run other work at the same time are slower than the promise of 3 seconds. */
 const LIMIT = Number(process.env.FIRST_PICTURE_LIMIT ?? 30_000);
@@ -15,5 +21,31 @@ export const tests = {
         console.log(`first rows after ${rows.toFixed(0)} ms, the whole picture after ${whole.toFixed(0)} ms: ${await page.textContent('#status')}`);
         check(whole < LIMIT, `${whole} ms`);
         await shoot(page, 'start');
+        const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
+        const names = [...new Set(['index.html', ...files.map((file) => file.slice(url.length))])].filter((one) => one !== 'favicon.ico');
+        const bytes = names.reduce((sum, name) => sum + gzipSync(readFileSync(join(site, name))).length, 0);
+        console.log(`${bytes} compressed bytes in ${names.length} files`);
+        check(names.length > 6 && bytes < MOST_BYTES, `${bytes} bytes: ${names}`);
+    },
+
+    async 'the folder works under any path, and a wrong address leads to the page'({ open, faults }) {
+        const { url, close } = await serve(undefined, '/some/where/');
+        const page = await open(url);
+        const first = await digest(page);
+        const small = await render(page, SMALL);
+        check(small !== first, 'another picture');
+        await page.click('#share');
+        await page.waitForFunction(() => document.getElementById('link').value !== '');
+        check((await page.inputValue('#link')).startsWith(`${url}#`), 'a link leads to the page');
+        await page.click('#tab-live');
+        await page.waitForFunction(() => document.getElementById('live-canvas').dataset.frames > 0);
+        equal(faults.length, 0, 'the faults');
+        const wrong = await open(`${url}no/such/page`);
+        await wrong.waitForFunction((home) => document.querySelector('a').href === home, url);
+        await wrong.click('a');
+        equal(await digest(wrong), first, 'the first picture of a new user');
+        close();
+        // The browser itself reports the wrong address, and those that 404.html tried.
+        check(faults.splice(0).every((fault) => fault.includes('404')), 'other faults');
     },
 };

@@ -11,20 +11,24 @@ const KINDS = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/cs
 export const site = process.env.SITE;
 export const shots = process.env.SCREENSHOTS ?? '';
 
-/** Serves the built page as any web server does. WebAssembly gets no content type of its own, as from an old server. */
-export async function serve(change = (name, bytes) => bytes) {
+/**
+ * Serves the built page below the path `base`, as any web server does: for a wrong address, 404.html. WebAssembly gets no
+ * content type of its own, as from an old server.
+ */
+export async function serve(change = (name, bytes) => bytes, base = '/') {
     const server = createServer((request, response) => {
         const path = normalize(decodeURIComponent(new URL(request.url, 'http://x').pathname));
-        const name = path.endsWith('/') ? `${path}index.html` : path;
+        const own = path.startsWith(base) ? path.slice(base.length - 1) : '/missing';
+        const name = own.endsWith('/') ? `${own}index.html` : own;
         try {
             const bytes = change(name, readFileSync(join(site, name)));
             response.writeHead(200, { 'Content-Type': KINDS[extname(name)] ?? 'application/octet-stream' }).end(bytes);
         } catch {
-            response.writeHead(404).end('not found');
+            response.writeHead(404, { 'Content-Type': 'text/html' }).end(readFileSync(join(site, '404.html')));
         }
     });
     await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
-    return { url: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+    return { url: `http://127.0.0.1:${server.address().port}${base}`, close: () => server.close() };
 }
 
 /** Starts the browser, calls `use` with a function that opens the page, and closes the browser. */
