@@ -45,8 +45,8 @@ use std::ops::ControlFlow;
 
 use crate::render::{
     accumulation::Accumulator, camera_rays::TraceCameraRays, limits::Ended, limits::Limits, prepared::Prepared,
-    span::Span, span::spans_of_row, span_state::SpanState, specular_chains::TraceSpecularChains, stages::ColorPaths,
-    stages::DrawSamples, stages::FindBytes, trace_paths::TracePaths,
+    span::Span, span::spans_of_row, span_state::SpanState, span_state::Streams, specular_chains::TraceSpecularChains,
+    stages::ColorPaths, stages::DrawSamples, stages::FindBytes, trace_paths::TracePaths,
 };
 use crate::{
     counters::Counter, counters::add, image::Image, image::Rgb, input::config::Config, input::error::Error,
@@ -110,10 +110,30 @@ pub fn render_within<L: Renderable>(
     image: &mut L::Image,
     mut after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
 ) -> Result<Option<Ended>, Error> {
+    render_from(prepared, set, limits, (0, &[]), image, |row, image, _| after_row(row, image))
+}
+
+/// Renders as [`render_within`] does, from row `first_row` on. The states of the random streams before this row are
+/// `words`, which an earlier rendering got from [`Streams::visit`]. `after_row` also gets the streams after the row.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] if memory is short.
+pub fn render_from<L: Renderable>(
+    prepared: &Prepared<L>,
+    set: InstructionSet,
+    limits: &Limits,
+    (first_row, words): (usize, &[u64]),
+    image: &mut L::Image,
+    mut after_row: impl FnMut(usize, &L::Image, &mut Streams<'_>) -> ControlFlow<()>,
+) -> Result<Option<Ended>, Error> {
     debug_assert_eq!(image.size(), prepared.size);
     let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     state.set_limits(limits);
-    L::run(set, Picture { state, accumulator, target: Target::Image(image, &mut after_row) })
+    if first_row > 0 {
+        let mut words = words.iter();
+        state.streams().visit(|word| *word = words.next().copied().unwrap_or_default());
+    }
+    L::run(set, Picture { state, accumulator, first_row, target: Target::Image(image, &mut after_row) })
 }
 
 /// Renders the prepared scene. Calls `pixel` for every pixel, with its index and its mean colour before quantisation.
@@ -128,7 +148,7 @@ pub fn render_linear<L: Renderable>(
 ) -> Result<(), Error> {
     let (state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     // The result is always `None`.
-    let _ = L::run(set, Picture { state, accumulator, target: Target::Means(&mut pixel) })?;
+    let _ = L::run(set, Picture { state, accumulator, first_row: 0, target: Target::Means(&mut pixel) })?;
     Ok(())
 }
 
@@ -158,16 +178,17 @@ renderable!(Aos Soa);
 /// The destination of the pixels.
 enum Target<'a, I> {
     /// An image, which gets the bytes of the pixels, and the function to call after each row.
-    Image(&'a mut I, &'a mut dyn FnMut(usize, &I) -> ControlFlow<()>),
+    Image(&'a mut I, &'a mut dyn FnMut(usize, &I, &mut Streams<'_>) -> ControlFlow<()>),
     /// A function, which gets the means of the pixels. Then every mean is computed, even if bounds would give its
     /// bytes.
     Means(&'a mut dyn FnMut(usize, Vec3)),
 }
 
-/// A kernel that renders the whole picture, row by row.
+/// A kernel that renders the picture from row `first_row` on, row by row.
 pub struct Picture<'a, L: Layout> {
     state: SpanState<'a, L>,
     accumulator: Accumulator,
+    first_row: usize,
     target: Target<'a, L::Image>,
 }
 
@@ -177,7 +198,7 @@ impl<L: Layout> Kernel for Picture<'_, L> {
     #[inline(always)]
     fn call<S: Simd>(mut self, simd: S) -> Self::Output {
         let prepared = self.state.prepared;
-        for row in 0..prepared.size.height() {
+        for row in self.first_row..prepared.size.height() {
             self.state.row = row;
             self.state.candidates.begin_row(prepared, row);
             for span in spans_of_row(prepared.size.width(), prepared.samples, self.state.tracer.limits.samples) {
@@ -187,7 +208,7 @@ impl<L: Layout> Kernel for Picture<'_, L> {
                 }
             }
             if let Target::Image(image, after_row) = &mut self.target
-                && after_row(row + 1, image).is_break()
+                && after_row(row + 1, image, &mut self.state.streams()).is_break()
             {
                 return Ok(Some(Ended::Stopped));
             }

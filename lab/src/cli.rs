@@ -13,7 +13,8 @@ Exit status:
   0    done; for compare: accepted
   1    compare only: not accepted
   2    an error, or a command line that is not understood
-  130  interrupted; no file was written or changed";
+  3    render only: not finished, as --rows or --stop-after says; the checkpoint is written
+  130  interrupted; no file but the checkpoint was written or changed";
 
 /// The first commands to try, shown after the help of the whole program.
 const EXAMPLES: &str = "\

@@ -5,10 +5,10 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use clap::ValueEnum;
-use cpu::internals::{InstructionSet, Prepared};
+use cpu::internals::{InstructionSet, Limits, Prepared, Streams, render_from};
 use cpu::{Aos, Config, Error, Layout, Renderable, Scatter, Scene, Soa, Vec3};
 
-use crate::picture::Picture;
+use crate::checkpoint::Checkpoint;
 
 /// How objects and pixels lie in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, ValueEnum)]
@@ -41,6 +41,12 @@ pub enum ScatterName {
     Published,
     /// None, and one ray through the middle of each pixel: for comparing implementations
     Deterministic,
+}
+
+impl fmt::Display for ScatterName {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
+    }
 }
 
 impl From<ScatterName> for Scatter {
@@ -122,25 +128,28 @@ pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     Ok(means)
 }
 
-/// Renders the first `rows` rows with the real renderer, and returns their picture. Calls `after_row` with the number
-/// of finished rows after each row, as [`cpu::internals::render_into`] does. Returns `None` if `after_row` stopped the
-/// rendering.
+/// Renders with the real renderer, from the first row or from a checkpoint on, until `after_row` stops it. Returns the
+/// image, and the number of its finished rows. Calls `after_row` as [`render_from`] does.
 ///
 /// # Errors
 /// An error of the renderer.
 pub fn render_rows<L: Renderable>(
     prepared: &Prepared<L>,
-    rows: usize,
-    mut after_row: impl FnMut(usize) -> ControlFlow<()>,
-) -> Result<Option<Picture>, Error> {
+    start: Option<&Checkpoint>,
+    mut after_row: impl FnMut(usize, &L::Image, &mut Streams<'_>) -> ControlFlow<()>,
+) -> Result<(L::Image, usize), Error> {
     let mut image = <L::Image as cpu::Image>::black(prepared.size)?;
-    let mut done = 0;
-    let _ = cpu::internals::render_into(prepared, InstructionSet::chosen(), &mut image, |row, _| {
+    if let Some(start) = start {
+        start.fill(&mut image);
+    }
+    let from = start.map_or((0, &[][..]), |start| (start.rows, &start.words));
+    let mut done = from.0;
+    let (set, limits) = (InstructionSet::chosen(), Limits::default());
+    let _ = render_from(prepared, set, &limits, from, &mut image, |row, image, streams| {
         done = row;
-        after_row(row)?;
-        if row >= rows { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        after_row(row, image, streams)
     })?;
-    (done >= rows).then(|| Picture::of(&image)).transpose()
+    Ok((image, done))
 }
 
 impl fmt::Display for Engine {

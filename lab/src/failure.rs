@@ -11,6 +11,13 @@ pub enum Failure {
     Other(String),
     /// A signal stopped the command, and no results were kept.
     Interrupted,
+    /// The picture is not finished, and a checkpoint has what is needed to go on.
+    Kept {
+        /// The file, the rows that it has, and how to go on.
+        message: String,
+        /// Whether a signal stopped the command, and not one of its options.
+        interrupted: bool,
+    },
     /// The command line is not valid. Its message has been printed already.
     CommandLine,
     /// The help was printed. This is not an error: the exit status is 0.
@@ -19,14 +26,15 @@ pub enum Failure {
 
 impl Failure {
     /// Returns the exit status, with the numbers that `diff` and shells use: 1 for a difference, 2 for an error, 130
-    /// for an interruption. The help has 0.
+    /// for an interruption. A picture that an option left unfinished has 3, and the help has 0.
     #[must_use]
     pub const fn status(&self) -> u8 {
         match self {
             Self::Rejected => 1,
             Self::Help => 0,
             Self::Renderer(_) | Self::Other(_) | Self::CommandLine => 2,
-            Self::Interrupted => 130,
+            Self::Kept { interrupted: false, .. } => 3,
+            Self::Interrupted | Self::Kept { .. } => 130,
         }
     }
 
@@ -37,6 +45,7 @@ impl Failure {
             Self::Rejected | Self::CommandLine | Self::Help => None,
             Self::Renderer(error) => Some(String::from_utf8_lossy(&error.message_for_terminal()).into_owned()),
             Self::Other(text) => Some(text.clone()),
+            Self::Kept { message, .. } => Some(message.clone()),
             Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }
     }

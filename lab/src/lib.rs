@@ -8,6 +8,7 @@
 //! `cpu` does all rendering, on one thread.
 
 pub mod bench;
+pub mod checkpoint;
 pub mod cli;
 pub mod commands;
 pub mod difference;
@@ -56,7 +57,8 @@ fn run() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             if let Some(message) = failure.message() {
-                terminal::note(&format!("Error: {message}"));
+                let kind = if matches!(failure, Failure::Kept { .. }) { "Not finished" } else { "Error" };
+                terminal::note(&format!("{kind}: {message}"));
             }
             ExitCode::from(failure.status())
         }

@@ -6,8 +6,19 @@ use crate::render::{
 };
 use crate::{
     accel::stack::Stack, input::error::Error, layout::Layout, sampling::draw_order::PixelJitter,
-    simd::instruction_set::InstructionSet,
+    sampling::scatter_stream::ScatterSamples, simd::instruction_set::InstructionSet,
 };
+
+/// The random streams of a picture: the offsets of the samples, and the scatter samples.
+pub struct Streams<'a>(&'a mut PixelJitter, &'a mut ScatterSamples);
+
+impl Streams<'_> {
+    /// Calls `visit` with each word of the states of both streams, to read or to replace it.
+    pub fn visit(&mut self, mut visit: impl FnMut(&mut u64)) {
+        self.0.visit(&mut visit);
+        self.1.visit(&mut visit);
+    }
+}
 
 /// The prepared scene, and all that the stages of a span read and write. It is reused for every span.
 pub struct SpanState<'a, L: Layout> {
@@ -46,6 +57,11 @@ impl<'a, L: Layout> SpanState<'a, L> {
             tracer: PathTracer::new(prepared, set)?,
             stack: Boxed::new(|| Stack::EMPTY)?,
         })
+    }
+
+    /// Returns the random streams. Between two rows they are where the next row begins.
+    pub fn streams(&mut self) -> Streams<'_> {
+        Streams(&mut self.pixel_jitter, &mut self.tracer.scatter_samples)
     }
 
     /// Sets the limits of the picture. Before the call there are none.

@@ -39,6 +39,14 @@ impl BlockUniform {
         Self { state, used: LENGTH }
     }
 
+    /// Calls `visit` with each word of the stream's state, to read or to replace it.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
+        let mut used = self.used as u64;
+        visit(&mut used);
+        self.used = LENGTH.min(used as usize);
+        self.state.iter_mut().for_each(visit);
+    }
+
     /// Fills `draws` with the next random numbers of the stream.
     #[inline(always)]
     pub fn fill(&mut self, mut draws: &mut [f64]) {

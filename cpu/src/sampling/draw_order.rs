@@ -44,6 +44,12 @@ impl PixelJitter {
         Self { stream: BlockUniform::new(seed), passed_over: 0 }
     }
 
+    /// Calls `visit` with each word of the stream's state, after skipping the random numbers that were passed over.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
+        self.stream.skip(std::mem::take(&mut self.passed_over));
+        self.stream.visit(visit);
+    }
+
     /// Passes over the offsets of the next `samples` samples.
     #[inline(always)]
     pub fn pass_over(&mut self, samples: u64) {

@@ -45,6 +45,19 @@ impl ScatterSamples {
         Self { convention, set, generator, draws, samples: Columns::ZERO, next: ROOM, before: 0 }
     }
 
+    /// Calls `visit` with each word of the stream's state: of the generator, and of the samples that are made.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
+        self.generator.visit(visit);
+        let mut next = self.next as u64;
+        visit(&mut next);
+        self.next = ROOM.min(next as usize);
+        for number in self.samples.0.as_flattened_mut() {
+            let mut bits = number.to_bits();
+            visit(&mut bits);
+            *number = f64::from_bits(bits);
+        }
+    }
+
     /// Makes new samples if fewer than [`RESERVE`] are left.
     #[inline(always)]
     pub fn prepare(&mut self) {

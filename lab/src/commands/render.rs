@@ -1,5 +1,7 @@
 //! `render-lab render`: renders a scene into a file, and shows the progress, time and memory.
 
+mod stages;
+
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -14,11 +16,14 @@ use output::{Options, Output};
 use serde::Serialize;
 
 use crate::Failure;
+use crate::checkpoint::Origin;
 use crate::engine::{self, LayoutName, ScatterName};
 use crate::interrupt::Interrupt;
+use crate::picture::Picture;
 use crate::picture::kind::Kind;
 use crate::sources;
 use crate::terminal;
+use stages::Stages;
 
 /// Examples, shown after the help of `render`.
 const EXAMPLES: &str = "\
@@ -28,6 +33,7 @@ Examples:
   render-lab render config.txt scene.txt part.png --crop 100,40,64,64
   render-lab render config.txt scene.txt out.ppm --json --count
   render-lab render config.txt scene.txt - --quiet | pnmtojpeg > out.jpg
+  render-lab render config.txt scene.txt out.png --checkpoint long.rlc   # later: the same with --resume long.rlc
 
 Keys of --set: render-lab help config. The bytes are those of render-aos and render-soa.
 
@@ -57,6 +63,8 @@ pub struct Arguments {
     /// Write this part of the picture only. What comes before it is rendered all the same, for its random numbers
     #[arg(long, value_name = "COLUMN,ROW,WIDTH,HEIGHT", value_parser = parse_crop)]
     crop: Option<[usize; 4]>,
+    #[command(flatten)]
+    stages: Stages,
     /// Count rays and hits too: renders again, by the reference, which may take far longer
     #[arg(long)]
     count: bool,
@@ -126,7 +134,15 @@ impl Arguments {
             return Err("--json and the picture - both write to standard output; choose a file".into());
         }
         let kind = Kind::of(&self.out, Kind::Ppm)?;
-        output::refuse_inputs(&self.out, &[&self.config, &self.scene])?;
+        let inputs: Vec<&Path> = [&self.config, &self.scene].into_iter().map(PathBuf::as_path).collect();
+        for path in self.stages.files() {
+            output::refuse_inputs(path, &inputs)?;
+            if *path == self.out {
+                return Err("the picture and its checkpoint need a file each".into());
+            }
+        }
+        let kept = self.stages.files().map(PathBuf::as_path);
+        output::refuse_inputs(&self.out, &inputs.iter().copied().chain(kept).collect::<Vec<_>>())?;
         let config = sources::config(&self.config, &self.set)?;
         let scene = sources::scene(&self.scene)?;
         let interrupt = Interrupt::listen();
@@ -172,16 +188,21 @@ impl Arguments {
         let rows = rows_of(part, size.width(), size.height())?;
         let output = Output::open(&sources::output(&self.out), options)?;
         let (before, start) = (own_seconds(), Instant::now());
-        let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) };
-        let picture = engine::render_rows::<L>(&prepared, rows, |row| {
+        let origin = || Origin::new(config, scene, self.scatter);
+        let (from, mut run) = self.stages.begin(origin, size, rows, options)?;
+        let first = from.as_ref().map_or(0, |from| from.rows);
+        let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) }.with_position(first as u64);
+        bar.reset_eta();
+        let (image, done) = engine::render_rows::<L>(&prepared, from.as_ref(), |row, image, streams| {
             bar.set_position(row as u64);
-            interrupt.flow()
+            run.after_row(row, image, streams, interrupt)
         })?;
         bar.finish_and_clear();
-        let picture = picture.ok_or(Failure::Interrupted)?;
+        run.end(done, interrupt)?;
+        let picture = Picture::of(&image)?;
         let picture = if self.crop.is_some() { picture.crop(part)? } else { picture };
         output.fill(|file| picture.write(kind, file))?;
-        let primary_rays = ((rows * size.width()) as u64).saturating_mul(prepared.samples);
+        let primary_rays = (((done - first) * size.width()) as u64).saturating_mul(prepared.samples);
         let user_seconds = own_seconds() - before;
         Ok(Taken {
             width: picture.width,

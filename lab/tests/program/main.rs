@@ -1,6 +1,8 @@
 //! Runs the built program `render-lab` as a user would.
 
 mod bench;
+#[cfg(unix)]
+mod checkpoint;
 mod compare;
 #[cfg(unix)]
 mod completion;

@@ -32,27 +32,42 @@ done
 echo "77;cluster"
 "#;
 
-#[test]
-fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
-    let folder = Folder::new();
+/// Returns a command of a job script, with the stub as `sbatch`.
+fn job(folder: &Folder, script: &str) -> Command {
     let bin = folder.file("bin");
     fs::create_dir(&bin).expect("the folder is writable");
     fs::write(bin.join("sbatch"), STUB).expect("the folder is writable");
     fs::set_permissions(bin.join("sbatch"), fs::Permissions::from_mode(0o755)).expect("it is ours");
+    let path = std::env::var("PATH").expect("there is a search path");
+    let mut command = Command::new(test_support::project_root().join("lab/slurm").join(script));
+    command.env("PATH", format!("{}:{path}", bin.display())).env("STUB_LOG", folder.file("log"));
+    command.env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"));
+    command
+}
+
+#[test]
+fn a_job_submits_itself_again_until_the_picture_is_there() {
+    let folder = Folder::new();
+    let mut job = job(&folder, "render.sbatch");
+    job.current_dir(test_support::project_root()).env("STOP_AFTER", "0s");
+    job.args(["scenes/grid/config.txt", "scenes/grid/scene.txt", &folder.name("out.ppm")]);
+    let output = job.args(["--set", "image_width=16", "--set", "samples_per_pixel=2"]).output().expect("bash is there");
+    let log = fs::read_to_string(folder.file("log")).expect("the stub was called");
+    assert!(output.status.success(), "{output:?}\n{log}");
+    // The picture has 9 rows, and each job but the last finishes one of them and submits the next job.
+    assert_eq!(log.matches("render.sbatch scenes/grid/config.txt").count(), 8, "{log}");
+    assert_eq!(folder.names(), ["bin", "log", "out.ppm"]);
+}
+
+#[test]
+fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
+    let folder = Folder::new();
     let out = folder.file("out");
     fs::create_dir(&out).expect("the folder is writable");
     let empty = Results { quick: true, ..Results::default() };
     fs::write(out.join("empty.json"), serde_json::to_string(&empty).expect("it is plain")).expect("writable");
 
-    let path = std::env::var("PATH").expect("there is a search path");
-    let output = Command::new(test_support::project_root().join("lab/slurm/submit"))
-        .arg(&out)
-        .arg("--quick")
-        .env("PATH", format!("{}:{path}", bin.display()))
-        .env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"))
-        .env("STUB_LOG", folder.file("log"))
-        .output()
-        .expect("bash is there");
+    let output = job(&folder, "submit").arg(&out).arg("--quick").output().expect("bash is there");
     let log = fs::read_to_string(folder.file("log")).expect("the stub was called");
     assert!(output.status.success(), "{output:?}\n{log}");
     let said = String::from_utf8(output.stdout).expect("it is text");

@@ -1,0 +1,178 @@
+//! The options of `render` that make a picture in several runs, and when a run writes its checkpoint and stops.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use cpu::internals::Streams;
+use cpu::{Image, Size};
+use output::{Options, Output};
+
+use crate::checkpoint::{Checkpoint, Origin};
+use crate::interrupt::Interrupt;
+use crate::{Failure, terminal};
+
+/// Options of `render` for a picture that takes several runs.
+#[derive(Debug, Args)]
+pub struct Stages {
+    /// Keep in this file what is needed to go on later: every minute, when interrupted and at the end
+    #[arg(long, value_name = "FILE")]
+    checkpoint: Option<PathBuf>,
+    /// Go on from this checkpoint, and keep it up to date if --checkpoint names no other file; changes no byte
+    #[arg(long, value_name = "FILE")]
+    resume: Option<PathBuf>,
+    /// Time between two checkpoints, such as 30s or 5m; 0s writes one after each row
+    #[arg(long, value_name = "TIME", default_value = "1m", value_parser = duration)]
+    checkpoint_every: Duration,
+    /// Write the checkpoint and stop with status 3 at the end of the first row after this time, such as 50m or 2h
+    #[arg(long, value_name = "TIME", value_parser = duration)]
+    stop_after: Option<Duration>,
+    /// Render these rows of the picture, from A up to B and without B, and stop with status 3; A is the row that comes
+    /// next, and may be left out
+    #[arg(long, value_name = "A..B", value_parser = rows)]
+    rows: Option<(Option<usize>, Option<usize>)>,
+}
+
+/// Returns the time in a text such as `90s`, `10m`, `1.5h` or `2d`.
+fn duration(text: &str) -> Result<Duration, String> {
+    let (number, unit) = text.split_at(text.len() - text.chars().last().map_or(0, char::len_utf8));
+    let seconds = [("s", 1.0), ("m", 60.0), ("h", 3600.0), ("d", 86400.0)].into_iter().find(|(name, _)| *name == unit);
+    let seconds = seconds.and_then(|(_, seconds)| Some(number.parse::<f64>().ok()? * seconds));
+    let duration = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    duration.ok_or_else(|| "a number with s, m, h or d is needed, as in 10m".to_owned())
+}
+
+/// Returns the first row and the row after the last in a text such as `3..9`, `..9` or `3..`.
+fn rows(text: &str) -> Result<(Option<usize>, Option<usize>), String> {
+    let row = |text: &str| if text.is_empty() { Some(None) } else { text.parse().ok().map(Some) };
+    let range = text.split_once("..").and_then(|(first, end)| Some((row(first)?, row(end)?)));
+    let range = range.filter(|(first, end)| end.is_none_or(|end| end > first.unwrap_or(0)));
+    range.ok_or_else(|| "two rows are needed, the second larger, as in 0..100 or ..100".to_owned())
+}
+
+impl Stages {
+    /// Returns the file that this run keeps up to date, and the one from which it goes on.
+    pub fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.checkpoint.iter().chain(&self.resume)
+    }
+
+    /// Reads the checkpoint to go on from, and checks the options. `rows` is the number of rows that the run is to
+    /// finish, and `origin` that of the picture.
+    ///
+    /// # Errors
+    /// A message about an option, or about the checkpoint.
+    pub fn begin(&self, origin: impl FnOnce() -> Origin, size: Size, rows: usize, options: Options) -> Begun {
+        let Some(path) = self.files().next() else {
+            return match (self.rows, self.stop_after) {
+                (None, None) => Ok((None, Run { keep: None, last_row: rows, rows, until: None })),
+                _ => Err("--rows and --stop-after need --checkpoint FILE or --resume FILE".into()),
+            };
+        };
+        if self.checkpoint.is_some() && self.checkpoint != self.resume && path.exists() {
+            let name = terminal::name(path);
+            return Err(format!("{name}: the file exists; go on by --resume {name}, or delete it").into());
+        }
+        // An error of the file is found now, and not after the first minute.
+        drop(Output::open(path, options)?);
+        let origin = origin();
+        let start = self.resume.as_ref().map(|path| Checkpoint::read(path, &origin, size)).transpose()?;
+        let next = start.as_ref().map_or(0, |start| start.rows);
+        let (first, end) = self.rows.unwrap_or_default();
+        if first.is_some_and(|first| first != next) || end.is_some_and(|end| end <= next) {
+            return Err(format!("--rows: row {next} comes next, because the random numbers follow the rows").into());
+        }
+        let every = self.checkpoint_every;
+        let keep = Some(Keep { path: path.clone(), options, origin, every, written: Instant::now(), failed: None });
+        let until = self.stop_after.map(|time| (Instant::now(), time));
+        Ok((start, Run { keep, last_row: end.unwrap_or(rows).min(rows), rows, until }))
+    }
+}
+
+/// The checkpoint to start from, and the state of the run.
+pub type Begun = Result<(Option<Checkpoint>, Run), Failure>;
+
+/// A run: what it writes, and where it ends.
+#[derive(Debug)]
+pub struct Run {
+    keep: Option<Keep>,
+    /// The run stops after so many rows of the picture.
+    last_row: usize,
+    /// Number of rows that the picture needs.
+    rows: usize,
+    /// When the run began, and how long it may take.
+    until: Option<(Instant, Duration)>,
+}
+
+#[derive(Debug)]
+struct Keep {
+    path: PathBuf,
+    options: Options,
+    origin: Origin,
+    every: Duration,
+    /// When the checkpoint was written last, or when the run began.
+    written: Instant,
+    /// The failure to write the last checkpoint.
+    failed: Option<Failure>,
+}
+
+impl Run {
+    /// Is called after each row. Writes the checkpoint if it is time, and tells whether the run ends here.
+    pub fn after_row(
+        &mut self,
+        row: usize,
+        image: &impl Image,
+        streams: &mut Streams<'_>,
+        interrupt: &Interrupt,
+    ) -> ControlFlow<()> {
+        let is_late = self.until.is_some_and(|(began, time)| began.elapsed() >= time);
+        let ends = row >= self.last_row || is_late || interrupt.flow().is_break();
+        if let Some(keep) = &mut self.keep
+            && (ends || keep.written.elapsed() >= keep.every)
+        {
+            let result = Checkpoint::write((&keep.path, keep.options), &keep.origin, (row, image), streams);
+            keep.failed = result.err().map(Failure::from);
+            // A full disk may have room again a minute later, so the run goes on.
+            if let Some(message) = keep.failed.as_ref().and_then(Failure::message).filter(|_| !ends) {
+                terminal::note(&format!("no checkpoint was written: {message}"));
+            }
+            keep.written = Instant::now();
+        }
+        if ends { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Returns `Ok` if the picture is finished after `row` rows, and otherwise the reason why it is not.
+    ///
+    /// # Errors
+    /// [`Failure::Interrupted`], [`Failure::Kept`], or the error of the last checkpoint.
+    pub fn end(self, row: usize, interrupt: &Interrupt) -> Result<(), Failure> {
+        let is_finished = row >= self.rows;
+        let Some(keep) = self.keep else {
+            return if is_finished { Ok(()) } else { Err(Failure::Interrupted) };
+        };
+        match keep.failed {
+            Some(failure) => Err(failure),
+            None if is_finished => Ok(()),
+            None => {
+                let (name, rows) = (terminal::name(&keep.path), self.rows);
+                let message = format!("{name} has {row} of {rows} rows; go on by --resume {name}");
+                Err(Failure::Kept { message, interrupted: interrupt.flow().is_break() })
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_and_rows_are_understood_or_refused() {
+        assert_eq!(duration("10m"), Ok(Duration::from_secs(600)));
+        assert_eq!(duration("1.5h"), Ok(Duration::from_secs(5400)));
+        assert_eq!((rows("3..9"), rows("..9")), (Ok((Some(3), Some(9))), Ok((None, Some(9)))));
+        for text in ["", "10", "m", "-1s", "nans", "1e99d", "5µ", "3..3", "9..3", "a..b", "..0"] {
+            assert!(duration(text).is_err() && rows(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! Tests of pictures that are made in several runs.
+
+use std::fs;
+use std::time::Duration;
+
+use test_support::folder::Folder;
+
+use crate::{complaint, lab, printed, run};
+
+const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
+
+/// Returns the arguments that render the scene `grid` with `width` pixels in a row into `out`.
+fn arguments<'a>(out: &'a str, width: &'a str, options: &[&'a str]) -> Vec<&'a str> {
+    [&["render", GRID[0], GRID[1], out, "--quiet", "--no-sync", "--set", width][..], options].concat()
+}
+
+#[test]
+fn a_run_that_is_killed_at_random_moments_always_goes_on_to_the_same_bytes() {
+    let kills = std::env::var("RENDER_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(10);
+    let seed = std::time::UNIX_EPOCH.elapsed().map_or(1, |time| time.as_nanos() as u64) | 1;
+    let mut random = seed;
+    let folder = Folder::new();
+    let names = ["whole.ppm", "out.ppm", "keep"].map(|name| folder.name(name));
+    let [whole, out, keep] = names.each_ref().map(String::as_str);
+    let (mut killed, mut resumed) = (0, 0);
+    for round in 0.. {
+        let convention = ["--scatter", ["statement", "published"][round % 2]];
+        printed(&arguments(whole, "image_width=200", &convention));
+        while !fs::exists(out).expect("the folder is ours") {
+            let is_there = fs::exists(keep).expect("the folder is ours");
+            let how = [if is_there { "--resume" } else { "--checkpoint" }, keep, "--checkpoint-every", "0s"];
+            let layout = ["--layout", ["aos", "soa"][(killed + round) % 2]];
+            let options = [&how[..], &convention, &layout].concat();
+            let mut child = lab(&arguments(out, "image_width=200", &options)).spawn().expect("the program runs");
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            if killed < kills {
+                std::thread::sleep(Duration::from_micros((random >> 33) % 200_000));
+                child.kill().expect("it is ours");
+            }
+            let status = child.wait().expect("it is ours");
+            // A process that was killed has no code.
+            assert!(status.success() || status.code().is_none(), "seed {seed}: {status}");
+            killed += usize::from(!status.success());
+            resumed += usize::from(is_there);
+        }
+        assert!(fs::read(out).expect("it is there") == fs::read(whole).expect("it is there"), "seed {seed}");
+        fs::remove_file(out).and_then(|()| fs::remove_file(keep)).expect("they are ours");
+        if killed >= kills {
+            break;
+        }
+    }
+    println!("{killed} kills, resumed {resumed} times");
+    assert!(resumed > kills / 4, "{resumed} of {killed}");
+}
+
+#[test]
+fn a_run_stops_where_it_is_told_and_says_how_to_go_on() {
+    let folder = Folder::new();
+    let names = ["whole.ppm", "out.ppm", "keep"].map(|name| folder.name(name));
+    let [whole, out, keep] = names.each_ref().map(String::as_str);
+    printed(&arguments(whole, "image_width=64", &[]));
+    let stopped = |options: &[&str], rows: &str| {
+        let output = run(&arguments(out, "image_width=64", options));
+        let said = String::from_utf8(output.stderr).expect("it is text");
+        assert_eq!(said, format!("Not finished: {keep} has {rows} of 36 rows; go on by --resume {keep}\n"));
+        assert_eq!((output.status.code(), fs::exists(out).ok()), (Some(3), Some(false)), "{options:?}");
+    };
+    stopped(&["--checkpoint", keep, "--rows", "0..9"], "9");
+    stopped(&["--resume", keep, "--stop-after", "0s"], "10");
+    stopped(&["--resume", keep, "--rows", "10..20", "--layout", "soa"], "20");
+    let refusals: [(&[&str], &str); 8] = [
+        (&["--checkpoint", keep], "the file exists; go on by --resume"),
+        (&["--resume", keep, "--rows", "9..30"], "row 20 comes next"),
+        (&["--resume", keep, "--rows", "..20"], "row 20 comes next"),
+        (
+            &["--resume", keep, "--scatter", "published"],
+            "made with --scatter statement, and this run has --scatter pub",
+        ),
+        (&["--resume", keep, "--set", "gamma=1"], "it is of another configuration"),
+        (&["--resume", "README.md"], "is damaged, or no checkpoint"),
+        (&["--resume", "/nowhere"], "/nowhere"),
+        (&["--stop-after", "9s"], "need --checkpoint FILE"),
+    ];
+    for (options, reason) in refusals {
+        let said = complaint(&arguments(out, "image_width=64", options));
+        assert!(said.contains(reason), "{options:?}: {said}");
+    }
+    printed(&arguments(out, "image_width=64", &["--resume", keep]));
+    assert!(fs::read(out).expect("it is finished") == fs::read(whole).expect("it is there"));
+    // A finished checkpoint gives the picture again.
+    printed(&arguments(out, "image_width=64", &["--resume", keep, "--crop", "3,4,5,6"]));
+}
+
+#[test]
+fn an_interruption_writes_the_checkpoint() {
+    let folder = Folder::new();
+    let [out, keep] = ["out.ppm", "keep"].map(|name| folder.name(name));
+    let long = [&["--set", "samples_per_pixel=2000", "--checkpoint", &keep][..]].concat();
+    let child = lab(&arguments(&out, "image_width=400", &long)).stderr(std::process::Stdio::piped()).spawn();
+    let child = child.expect("the program runs");
+    std::thread::sleep(Duration::from_millis(500));
+    let id = child.id().to_string();
+    let sent = std::process::Command::new("kill").args(["-TERM", &id]).status().expect("there is kill");
+    let output = child.wait_with_output().expect("it is ours");
+    let said = String::from_utf8(output.stderr).expect("it is text");
+    assert!(sent.success() && output.status.code() == Some(130), "{said}");
+    assert!(said.starts_with("Not finished: ") && folder.names() == ["keep"], "{said}");
+}
