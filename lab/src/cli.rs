@@ -5,13 +5,15 @@ use cpu::internals::InstructionSet;
 use output::Options;
 
 use crate::Failure;
-use crate::commands::{bench, compare, completions, generate, help, inspect, render, report, shader, view};
+use crate::commands::{
+    bench, compare, completions, generate, help, inspect, render, report, shader, supervise, time, view,
+};
 
 /// The exit statuses, shown after every help.
 pub const EXIT_STATUS: &str = "\
 Exit status:
   0    done; for compare: accepted
-  1    compare only: not accepted
+  1    what was checked is not as it should be: compare, bench diff
   2    an error, or a command line that is not understood
   3    render only: not finished, as --rows or --stop-after says; the checkpoint is written
   130  interrupted; no file but the checkpoint was written or changed";
@@ -71,6 +73,11 @@ pub enum Command {
     Generate(generate::Arguments),
     /// Measure run time and error
     Bench(bench::Arguments),
+    /// Measure any commands in turn
+    Time(time::Arguments),
+    /// Run one command under limits
+    #[command(hide = true)]
+    Supervise(supervise::Arguments),
     /// Turn measured data into charts and one self-contained HTML page
     Report(report::Arguments),
     /// Serve a page on this machine that edits a scene and shows its picture
@@ -101,6 +108,8 @@ impl Command {
             Self::Inspect(arguments) => arguments.run(),
             Self::Generate(arguments) => arguments.run(options),
             Self::Bench(arguments) => arguments.run(options),
+            Self::Time(arguments) => arguments.run(),
+            Self::Supervise(arguments) => arguments.run(),
             Self::Report(arguments) => arguments.run(options),
             Self::View(arguments) => arguments.run(options),
             Self::Shader(arguments) => arguments.run(),

@@ -9,6 +9,8 @@ pub mod inspect;
 pub mod render;
 pub mod report;
 pub mod shader;
+pub mod supervise;
+pub mod time;
 pub mod view;
 
 use serde::Serialize;

@@ -19,6 +19,7 @@ pub mod interrupt;
 pub mod picture;
 pub mod report;
 pub mod sources;
+pub mod supervise;
 pub mod terminal;
 pub mod view;
 

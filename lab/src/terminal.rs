@@ -3,8 +3,11 @@
 //! This module does not use `print!` of the standard library, which panics if the stream cannot be written, and reports
 //! no error if the stream is closed.
 
+use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::Failure;
 
@@ -31,6 +34,43 @@ pub fn note(text: &str) {
     let _ = io::stderr().write_all(format!("{}\n", escape_lines(text)).as_bytes());
 }
 
+/// Returns the rows as lines whose columns are aligned. Columns of numbers are aligned to the right.
+#[must_use]
+pub fn table(rows: &[Vec<String>]) -> String {
+    let width = |place: usize| rows.iter().filter_map(|row| Some(row.get(place)?.chars().count())).max().unwrap_or(0);
+    let starts_a_number = |cell: &String| cell.is_empty() || cell.starts_with(|c: char| c.is_ascii_digit());
+    let is_number = |place: usize| rows.iter().skip(1).filter_map(|row| row.get(place)).all(starts_a_number);
+    let columns: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(|place| (width(place), is_number(place))).collect();
+    let line = |row: &Vec<String>| {
+        let cell = |(cell, &(width, is_number)): (&String, &(usize, bool))| {
+            if is_number { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
+        };
+        row.iter().zip(&columns).map(cell).collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    };
+    rows.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// Returns a progress bar of `steps` steps on standard error, with `what` in front of the time left. It shows nothing if
+/// standard error is not a terminal.
+#[must_use]
+pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
+    let style = ProgressStyle::with_template("{wide_bar} {pos} of {len} {msg}  {eta} left");
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+    let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::stderr());
+    bar.with_style(style).with_message(what)
+}
+
+/// Returns `words` as a command that a user can copy into a shell: unusual words are quoted.
+#[must_use]
+pub fn quoted<'a>(words: impl IntoIterator<Item = &'a OsStr>) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
+    let word = |word: &OsStr| match name(Path::new(word)) {
+        word if !word.is_empty() && word.chars().all(is_plain) => word,
+        word => format!("'{}'", word.replace('\'', "'\\''")),
+    };
+    words.into_iter().map(word).collect::<Vec<_>>().join(" ")
+}
+
 /// Returns the name of a file for messages, with all control characters escaped, including line ends.
 #[must_use]
 pub fn name(path: &Path) -> String {
@@ -51,5 +91,17 @@ mod tests {
     fn names_and_messages_cannot_command_a_terminal() {
         assert_eq!(name(Path::new("a\x1b[2J\nb")), r"a\u{1b}[2J\nb");
         assert_eq!(escape_lines("one\x1b\ntwo\r"), "one\\u{1b}\ntwo\\r");
+    }
+
+    #[test]
+    fn numbers_are_aligned_to_the_right() {
+        let rows = [["name", "time"], ["a", "12 s"], ["ñandú", "3 s"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(table(&rows), "name   time\na      12 s\nñandú   3 s");
+    }
+
+    #[test]
+    fn a_command_can_be_copied() {
+        let words = ["a b", "it's", "./x", ""].map(OsStr::new);
+        assert_eq!(quoted(words), r"'a b' 'it'\''s' ./x ''");
     }
 }

@@ -20,11 +20,22 @@ pub fn seconds_of_children() -> f64 {
     user(UsageWho::RUSAGE_CHILDREN)
 }
 
+fn memory(who: UsageWho) -> u64 {
+    let usage = getrusage(who).expect("a process may ask about itself");
+    u64::try_from(usage.max_rss()).unwrap_or(0) * 1024
+}
+
 /// Returns the largest resident memory of this process since its start, in bytes.
 #[must_use]
 pub fn peak_memory() -> u64 {
-    let usage = getrusage(UsageWho::RUSAGE_SELF).expect("a process may ask about itself");
-    u64::try_from(usage.max_rss()).unwrap_or(0) * 1024
+    memory(UsageWho::RUSAGE_SELF)
+}
+
+/// Returns the largest resident memory that one of the processes had that this process has started and waited for, in
+/// bytes. It is at least the memory that this process had when it started them.
+#[must_use]
+pub fn peak_memory_of_children() -> u64 {
+    memory(UsageWho::RUSAGE_CHILDREN)
 }
 
 #[cfg(test)]
@@ -41,6 +52,6 @@ mod tests {
         let script = "i=0; while [ $i -lt 200000 ]; do i=$((i+1)); done";
         let status = std::process::Command::new("sh").args(["-c", script]).status();
         assert!(status.is_ok_and(|status| status.success()) && seconds_of_children() > before[1]);
-        assert!(peak_memory() > 100_000, "{} bytes", peak_memory());
+        assert!(peak_memory() > 100_000 && peak_memory_of_children() > 100_000, "{} bytes", peak_memory());
     }
 }

@@ -13,11 +13,15 @@ pub fn turns_of(seconds: f64) -> u32 {
     (SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32
 }
 
+/// Returns the order of measurements in turn: every index below `count` in each of `rounds` rounds. Each round starts
+/// with a different index, so that a slow phase of the machine affects all of them.
+pub fn order(rounds: usize, count: usize) -> impl Iterator<Item = usize> {
+    (0..rounds).flat_map(move |round| (0..count).map(move |place| (place + round) % count))
+}
+
 /// Returns the seconds of `work(index)` for each index of `turns`, by `clock`, a function that returns the seconds
-/// until now. Each index has `rounds` times. Each time is the mean of `turns[index]` calls.
-///
-/// Each round measures every index once, and each round starts with a different index, so that a slow phase of the
-/// machine affects all of them.
+/// until now. Each index has `rounds` times, measured in the [`order`] of turns. Each time is the mean of `turns[index]`
+/// calls.
 ///
 /// # Errors
 /// An error of `work`.
@@ -28,15 +32,12 @@ pub fn in_turn<E>(
     mut work: impl FnMut(usize) -> Result<(), E>,
 ) -> Result<Vec<Vec<f64>>, E> {
     let mut times: Vec<Vec<f64>> = vec![Vec::with_capacity(rounds); turns.len()];
-    for round in 0..rounds {
-        for place in 0..turns.len() {
-            let index = (place + round) % turns.len();
-            let before = clock();
-            for _ in 0..turns[index] {
-                work(index)?;
-            }
-            times[index].push((clock() - before) / f64::from(turns[index]));
+    for index in order(rounds, turns.len()) {
+        let before = clock();
+        for _ in 0..turns[index] {
+            work(index)?;
         }
+        times[index].push((clock() - before) / f64::from(turns[index]));
     }
     Ok(times)
 }

@@ -1,5 +1,6 @@
 //! `render-lab bench`: measures, and writes the results to files.
 
+mod diff;
 mod measure;
 
 use std::path::{Path, PathBuf};
@@ -62,6 +63,8 @@ enum What {
         #[arg(required = true)]
         parts: Vec<PathBuf>,
     },
+    /// Say what became faster or slower between two records
+    Diff(diff::Arguments),
 }
 
 /// How it is measured, and where to.
@@ -105,6 +108,7 @@ impl Arguments {
                 terminal::print(&names.join("\n"))
             }
             What::Merge { out, parts } => merge(out, parts, options),
+            What::Diff(arguments) => arguments.run(),
         }
     }
 }

@@ -22,7 +22,7 @@ pub struct Arguments {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 12] = [
+pub const TOPICS: [&str; 13] = [
     "bench",
     "compare",
     "completions",
@@ -34,6 +34,7 @@ pub const TOPICS: [&str; 12] = [
     "report",
     "scene",
     "shader",
+    "time",
     "view",
 ];
 
@@ -83,7 +84,8 @@ mod tests {
     #[test]
     fn every_command_and_file_is_a_topic() {
         let command = Cli::command();
-        let commands = command.get_subcommands().map(clap::Command::get_name).filter(|&name| name != "help");
+        let shown = command.get_subcommands().filter(|command| !command.is_hide_set());
+        let commands = shown.map(clap::Command::get_name).filter(|&name| name != "help");
         let mut expected: Vec<_> = commands.chain(["config", "scene"]).collect();
         expected.sort_unstable();
         assert_eq!(TOPICS.to_vec(), expected);

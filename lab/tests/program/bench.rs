@@ -1,4 +1,5 @@
-//! Tests of `render-lab bench` and `render-lab report`. No test asserts a time, because the machine may be busy.
+//! Tests of `render-lab bench`, `time` and `report`. The only times that are compared differ by a factor of 100, because
+//! the machine may be busy.
 
 use std::fs;
 
@@ -50,6 +51,28 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     let findings: serde_json::Value = serde_json::from_str(&findings).expect("it is JSON");
     assert!(findings.as_array().is_some_and(|findings| findings.len() >= 3), "{findings}");
     assert!(folder.file("report/charts/scale-depth.svg").is_file());
+}
+
+#[cfg(unix)]
+#[test]
+fn commands_are_timed_in_turn_and_a_slower_one_is_found() {
+    let folder = Folder::new();
+    let busy = |steps: u32| format!("i=0; while [ $i -lt {steps} ]; do i=$((i+1)); done");
+    for (name, steps) in [("old", 10), ("new", 200_000)] {
+        folder.write("case.sh", busy(steps));
+        let output = crate::bash(&folder, &format!("$lab time --rounds 3 --json 'sh case.sh' true >{name}.json"));
+        assert!(output.status.success(), "{output:?}");
+    }
+    let diff = |old, new| {
+        let output = crate::run(&["bench", "diff", &folder.name(old), &folder.name(new), "--least", "400"]);
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let (status, text) = diff("old.json", "new.json");
+    assert!(status == Some(1) && text.contains("\nslower") && text.contains("1 slower, 0 faster, 1 within"), "{text}");
+    let (status, text) = diff("new.json", "old.json");
+    assert!(status == Some(0) && text.contains("\nfaster") && text.contains("sh case.sh"), "{text}");
+    assert!(complaint(&["time", "true", "exit 3"]).ends_with("Error: exit 3: exit status 3\n"));
+    assert!(complaint(&["time", "kill -SEGV $$"]).ends_with("ended by signal SIGSEGV\n"));
 }
 
 #[cfg(unix)]

@@ -1,0 +1,144 @@
+//! Compares two records of times, case by case.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use measure::statistics::Median;
+use serde::Serialize;
+use serde_json::Value;
+
+use super::commands::Record;
+use super::machine::Machine;
+use super::results::check::{MAX_BYTES, Total};
+use super::results::{Results, Timing};
+use crate::{Failure, sources, terminal};
+
+/// The times of a record: the machines, and the medians by the name of their case.
+#[derive(Clone, Debug)]
+pub struct Times {
+    machines: Vec<Machine>,
+    medians: BTreeMap<String, Median>,
+}
+
+/// A case whose time has changed beyond its spread.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Change {
+    /// The new median divided by the old one.
+    pub ratio: f64,
+    /// The bounds of the ratio, from the bounds of both medians.
+    pub bounds: [f64; 2],
+    /// The old and the new median, in seconds.
+    pub seconds: [f64; 2],
+    /// What was measured.
+    pub case: String,
+}
+
+/// The difference of two records.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Changes {
+    /// Cases that take longer now, the worst first.
+    pub slower: Vec<Change>,
+    /// Cases that take less time now, the best first.
+    pub faster: Vec<Change>,
+    /// Number of cases whose change is within the spread.
+    pub unchanged: usize,
+    /// Cases with fewer than three times in a record, so that they have no spread.
+    pub unknown: Vec<String>,
+    /// Cases that only the old record has.
+    pub only_old: Vec<String>,
+    /// Cases that only the new record has.
+    pub only_new: Vec<String>,
+    /// Whether the records come from different processors, so that the times say little.
+    pub other_processor: bool,
+}
+
+impl Times {
+    /// Reads the times in a file of `render-lab bench` or `render-lab time --json`; `-` is standard input.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no such record.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let explain = |error: String| format!("{}: {error}", terminal::name(path));
+        let bytes = cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES);
+        Ok(bytes.map_err(|error| error.to_string()).and_then(|bytes| Self::parse(&bytes)).map_err(explain)?)
+    }
+
+    fn parse(bytes: &[u8]) -> Result<Self, String> {
+        let value: Value = Total::default().parse(bytes)?;
+        let (machines, times): (_, Vec<_>) = if value.get("commands").is_some() {
+            let record: Record = serde_json::from_value(value).map_err(|error| error.to_string())?;
+            let times = record.commands.into_iter().map(|timed| (timed.command, timed.seconds));
+            (vec![record.machine], times.collect())
+        } else {
+            let results: Results = serde_json::from_value(value).map_err(|error| error.to_string())?;
+            (results.machines, results.timings.into_iter().map(named).collect())
+        };
+        if let Some((case, _)) = times.iter().find(|(_, seconds)| seconds.is_empty()) {
+            return Err(format!("{case} has no times; measure it again"));
+        }
+        Ok(Self { machines, medians: times.into_iter().map(|(case, times)| (case, Median::of(&times))).collect() })
+    }
+}
+
+fn named(Timing { setting, seconds, .. }: Timing) -> (String, Vec<f64>) {
+    let value = crate::report::style::setting(&setting.parameter, setting.value);
+    (format!("{} {}, {value}, {}", setting.suite, setting.scene, setting.engine), seconds)
+}
+
+impl Changes {
+    /// Compares `new` with `old`. A case has changed if its ratio differs from 1 by more than `least`, and the bounds of
+    /// the two medians do not meet.
+    #[must_use]
+    pub fn between(old: &Times, new: &Times, least: f64) -> Self {
+        let processor =
+            |times: &Times| times.machines.iter().map(|machine| machine.processor.clone()).collect::<Vec<_>>();
+        let mut changes = Self { other_processor: processor(old) != processor(new), ..Self::default() };
+        for (case, was) in &old.medians {
+            let Some(is) = new.medians.get(case) else {
+                changes.only_old.push(case.clone());
+                continue;
+            };
+            let (ratio, bounds) = (is.median / was.median, [is.low / was.high, is.high / was.low]);
+            let change = Change { ratio, bounds, seconds: [was.median, is.median], case: case.clone() };
+            match () {
+                () if !(was.is_bounded() && is.is_bounded()) => changes.unknown.push(case.clone()),
+                () if bounds[0] > 1.0 && ratio > 1.0 + least => changes.slower.push(change),
+                () if bounds[1] < 1.0 && ratio < 1.0 / (1.0 + least) => changes.faster.push(change),
+                () => changes.unchanged += 1,
+            }
+        }
+        changes.only_new = new.medians.keys().filter(|case| !old.medians.contains_key(*case)).cloned().collect();
+        changes.slower.sort_by(|a, b| b.ratio.total_cmp(&a.ratio));
+        changes.faster.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
+        changes
+    }
+
+    /// Whether both records have a case.
+    #[must_use]
+    pub fn has_common_cases(&self) -> bool {
+        self.slower.len() + self.faster.len() + self.unchanged + self.unknown.len() > 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn times(cases: &[(&str, &[f64])]) -> Times {
+        let medians = cases.iter().map(|(case, times)| ((*case).to_owned(), Median::of(times))).collect();
+        Times { machines: Vec::new(), medians }
+    }
+
+    #[test]
+    fn only_what_is_beyond_the_spread_has_changed() {
+        let old =
+            times(&[("a", &[1.0, 1.1, 1.2]), ("b", &[1.0; 3]), ("c", &[2.0; 3]), ("d", &[1.0]), ("e", &[1.0; 3])]);
+        let new = times(&[("a", &[1.15, 1.3, 1.4]), ("b", &[1.01; 3]), ("c", &[1.0; 3]), ("d", &[9.0]), ("f", &[1.0])]);
+        let changes = Changes::between(&old, &new, 0.02);
+        assert_eq!((changes.unchanged, changes.unknown.len(), changes.slower.len()), (2, 1, 0), "{changes:?}");
+        assert_eq!((changes.only_old, changes.only_new), (vec!["e".to_owned()], vec!["f".to_owned()]));
+        let [faster] = &changes.faster[..] else { panic!("{:?}", changes.faster) };
+        assert_eq!((faster.ratio, faster.bounds, &*faster.case), (0.5, [0.5; 2], "c"));
+        assert_eq!(Changes::between(&new, &old, 0.02).slower[0].ratio, 2.0);
+    }
+}

@@ -1,0 +1,74 @@
+//! `render-lab time`: measures any commands in turn.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use measure::turns::ratio;
+
+use crate::bench::commands::{Job, Record, Rounds, Timed};
+use crate::bench::machine::Machine;
+use crate::report::style::{seconds, short};
+use crate::{Failure, supervise, terminal};
+
+/// Options of `time`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  render-lab time './render-aos c.txt s.txt a.ppm' './render-soa c.txt s.txt b.ppm'
+  render-lab time --rounds 15 --json 'make -s test' > new.json && render-lab bench diff old.json new.json
+
+Each argument is one command, which sh runs. All commands run once in each round, and each round starts with another one.
+A time is the median of its rounds; in parentheses stand the bounds of the true median, with a confidence of at least
+95 % from six rounds on. User time includes that of sh, about half a millisecond. A command that fails is an error.")]
+pub struct Arguments {
+    /// Commands, each in quotes
+    #[arg(required = true, value_name = "COMMAND")]
+    commands: Vec<String>,
+    #[command(flatten)]
+    rounds: Rounds,
+    /// Print the figures as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Arguments {
+    /// Measures the commands, and prints what they took.
+    ///
+    /// # Errors
+    /// A command fails, or [`Failure::Interrupted`].
+    pub fn run(&self) -> Result<(), Failure> {
+        let machine = Machine::here();
+        if let Some(warning) = measure::busy::warning(machine.load) {
+            terminal::note(&warning);
+        }
+        let job = |command: &String| Job {
+            name: command.clone(),
+            words: ["sh", "-c", command].map(Into::into).to_vec(),
+            place: PathBuf::from("."),
+        };
+        let jobs: Vec<_> = self.commands.iter().map(job).collect();
+        let timed = self.rounds.measure(&jobs, &supervise::NONE)?;
+        let record = Record { machine, commands: timed.into_iter().collect::<Result<_, _>>()? };
+        if self.json { super::print_json(&record) } else { terminal::print(&table(&record.commands)) }
+    }
+}
+
+fn table(commands: &[Timed]) -> String {
+    let bounded = |median: f64, low: f64, high: f64, text: fn(f64) -> String| {
+        format!("{} ({} to {})", text(median), text(low), text(high))
+    };
+    let row = |timed: &Timed| {
+        // The system's clock of user time may count nothing for a short command.
+        let ratio = Some(ratio(&timed.seconds, &commands[0].seconds)).filter(|ratio| ratio.high.is_finite());
+        vec![
+            bounded(timed.median.median, timed.median.low, timed.median.high, seconds),
+            ratio.map_or_else(String::new, |ratio| bounded(ratio.median, ratio.low, ratio.high, short)),
+            seconds(timed.wall.median),
+            format!("{:.1} MB", timed.memory),
+            timed.joules.map_or_else(|| "no meter".to_owned(), |joules| format!("{} J", short(joules.median))),
+            terminal::escape_lines(&timed.command),
+        ]
+    };
+    let head = ["user time", "times the first", "elapsed", "memory", "energy", "command"].map(str::to_owned).to_vec();
+    terminal::table(&std::iter::once(head).chain(commands.iter().map(row)).collect::<Vec<_>>())
+}
