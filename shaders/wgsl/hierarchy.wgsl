@@ -1,12 +1,12 @@
 // The closest hit of a ray in a hierarchy of boxes. It stands in for closest_hit.wgsl in scenes of many objects, and
-// gives the same bits. gpu_check::hierarchy builds the hierarchy: a list of dominant objects, which every ray
+// gives the same bits. twin::hierarchy builds the hierarchy: a list of dominant objects, which every ray
 // intersects, and a tree of boxes over all others. A box is enlarged for each ray, so that it contains every point that
 // the formulas may report for this ray.
 //
 // The nodes of the tree are in depth-first order. Each knows where to go on if the ray misses its box, so the traversal
 // needs no stack. A parent's child that is nearer to the camera comes first.
 
-// gpu_check::hierarchy::Node
+// twin::hierarchy::Node
 struct HierarchyNode {
     low_x: f32,
     low_y: f32,
@@ -15,7 +15,7 @@ struct HierarchyNode {
     high_y: f32,
     high_z: f32,
     // An object of the box may seem enlarged by at most `linear` times the distance, and by at most `bend` times the
-    // square of the distance. gpu_check::hierarchy::margins derives both.
+    // square of the distance. twin::hierarchy::margins derives both.
     linear: f32,
     bend: f32,
     // The index of the first node that is not below this one.
@@ -49,7 +49,7 @@ struct Hierarchy {
 // computed distance is wrong by at most `(9 |p| + 10 |o|) u |r|`. It is moved outwards by 32 u of `(|p| + |o|) |r|`,
 // where `p` is the farthest plane of the tree along the axis.
 const STEP: f32 = 1.9073486e-6;
-// The largest reciprocal. For a smaller component of the direction, LEAST_STEP of gpu_check::hierarchy moves the planes
+// The largest reciprocal. For a smaller component of the direction, LEAST_STEP of twin::hierarchy moves the planes
 // by a lambda of 10^18, which is beyond every plane across the largest component.
 const LARGEST_RECIPROCAL: f32 = 1e28;
 // Largest number of visited nodes in all calls of a run. lavapipe ends loops silently after 65,535 iterations of all

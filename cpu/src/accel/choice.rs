@@ -25,7 +25,7 @@
 //! A [`Bvh`] also tests objects separately that reach much farther than all others (`accel/giants.rs`).
 //!
 //! Every structure gives the same closest hits. The reference has no structure: it intersects every object. WGSL has a
-//! hierarchy of its own (`gpu-check/src/hierarchy.rs`).
+//! hierarchy of its own (`shaders/twin/src/hierarchy.rs`).
 
 use crate::accel::{
     accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,

@@ -7,7 +7,7 @@ import type { Shaders } from './gpu/shaders';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { shown, type Rgb } from './ppm';
-import { developed, paint, shownConfig } from './shown';
+import { developed, paint, shownConfig, shownWidth } from './shown';
 import type { Texts } from './store';
 import { Viewer } from './viewer';
 import { messageOf, say, write } from './words';
@@ -106,7 +106,7 @@ export class Comparison {
         this.#exact.ariaBusy = 'true';
         try {
             const whole = await this.preparer.prepare({ config, scene });
-            const aimed = await this.preparer.aim(shownConfig(config, whole.facts, WIDTH, null));
+            const aimed = await this.preparer.aim(shownConfig(config, shownWidth(whole.facts, WIDTH), null));
             if (own !== this.#newest) {
                 return;
             }

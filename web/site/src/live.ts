@@ -7,7 +7,7 @@ import type { Mode, Shaders } from './gpu/shaders';
 import { Gestures } from './gestures';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
-import { developed, paint, shownConfig } from './shown';
+import { developed, paint, shownConfig, shownWidth, TESTS } from './shown';
 import { messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
@@ -17,6 +17,9 @@ const [WIDTH, WIDTH_WITHOUT] = [480, 160];
 
 /** Number of samples at which the view stops to add more, as the noise is below a step of a byte then. */
 const ENOUGH = 4096;
+
+/** Time of a frame, in milliseconds, below which the next one may have twice as many pixels. */
+const FAST = 100;
 
 /** Time over which frames are counted, in milliseconds. */
 const WINDOW = 1000;
@@ -43,6 +46,9 @@ export class Live {
     #scene = '';
     #shaders: Shaders | null = null;
     #facts: Facts | null = null;
+    /** The scene in its own size, and the largest number of tests in a frame of this device. */
+    #whole: Facts | null = null;
+    #tests = TESTS;
     #camera: Camera | null = null;
     /** The camera of the configuration. */
     #start: Camera | null = null;
@@ -119,6 +125,7 @@ export class Live {
                 this.#start = start;
                 this.#camera = start;
             }
+            this.#whole = whole.facts;
             const prepared = await this.preparer.aim(this.#aimed(whole.facts));
             if (!isCurrent()) {
                 return;
@@ -150,9 +157,9 @@ export class Live {
 
     /** Waits until the moved camera counts, without a frame. Throws {@link Faulty} if it has no picture. */
     async settle(): Promise<void> {
-        if (!this.#isAimed && this.#facts) {
+        if (!this.#isAimed && this.#whole) {
             this.#isAimed = true;
-            const aimed = await this.preparer.aim(this.#aimed(this.#facts)).catch((error: unknown) => {
+            const aimed = await this.preparer.aim(this.#aimed(this.#whole)).catch((error: unknown) => {
                 this.#isAimed = false;
                 throw error;
             });
@@ -225,9 +232,24 @@ export class Live {
             this.#mark();
             // The next frame shows a change during this one.
             this.#samples = this.#seen === this.#version ? this.#samples + 1 : 0;
-            this.#tell(performance.now() - start);
+            const duration = performance.now() - start;
+            this.#tell(duration);
+            this.#refine(duration);
             await new Promise(requestAnimationFrame);
         }
+    }
+
+    /** Takes a larger picture, if the last one was fast and smaller than the view. */
+    #refine(duration: number): void {
+        const whole = this.#whole;
+        if (duration < FAST && whole && this.#canvas.width < shownWidth(whole, this.#largest, Infinity)) {
+            this.#tests *= 2;
+            this.#move(this.#camera);
+        }
+    }
+
+    get #largest(): number {
+        return this.#shaders ? WIDTH : WIDTH_WITHOUT;
     }
 
     get #adds(): boolean {
@@ -268,7 +290,7 @@ export class Live {
 
     /** The configuration with the camera and the size of the view. */
     #aimed(facts: Facts): string {
-        return shownConfig(this.#config, facts, this.#shaders ? WIDTH : WIDTH_WITHOUT, this.#camera);
+        return shownConfig(this.#config, shownWidth(facts, this.#largest, this.#tests), this.#camera);
     }
 
     /** Writes the status after a frame that took `duration` milliseconds. */

@@ -156,7 +156,7 @@ export class Renderer {
         return this.#exports.aim() === 0 ? null : this.#fault();
     }
 
-    /** Returns a buffer for the shaders (0 to 3) or the facts about the picture (4). */
+    /** Returns a buffer for the shaders (0 to 3, and 8 for the hierarchy) or the facts about the picture (4). */
     packed(part: number): Uint8Array<ArrayBuffer> | Fault {
         return this.#bytesOr(this.#exports.packed(part));
     }

@@ -17,7 +17,8 @@ export interface Facts {
     height: number;
     gamma: number;
     depth: number;
-    objects: number;
+    /** The cost of a ray in tests of a ray against an object. */
+    tests: number;
     position: Vector;
     target: Vector;
     north: Vector;
@@ -25,7 +26,7 @@ export interface Facts {
     shapes: ShapeOf[];
 }
 
-/** A scene for the shaders: its facts, and the buffers with the bindings 0 to 3. */
+/** A scene for the shaders: its facts, the buffers with the bindings 0 to 3, and the hierarchy, which may be empty. */
 export interface Prepared {
     facts: Facts;
     buffers: Uint8Array<ArrayBuffer>[];

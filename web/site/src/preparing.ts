@@ -29,7 +29,7 @@ function answer(loaded: Renderer, request: Request): Pick<Answer, 'bytes' | 'fac
             loaded.write(0, request.config);
             loaded.write(1, request.scene);
             const fault = loaded.prepare();
-            return fault ?? read(loaded, [0, 1, 2, 3]);
+            return fault ?? read(loaded, [0, 1, 2, 3, 8]);
         }
         case 'aim': {
             loaded.write(0, request.config);

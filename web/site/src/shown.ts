@@ -2,17 +2,20 @@
 import { lines, type Camera } from './camera';
 import type { Facts } from './preparer';
 
-/** Largest number of tests of a ray against an object in a picture. With more, it would take seconds. */
-const TESTS = 2 ** 28;
+/** Largest number of tests of a ray against an object in a picture. SwiftShader takes half a second for them. */
+export const TESTS = 2 ** 26;
+
+/** Returns the width of a picture of the shaders: at most `largest` pixels, and as wide as `most` tests allow. */
+export function shownWidth({ width, height, tests, depth }: Facts, largest: number, most = TESTS): number {
+    const affordable = Math.sqrt((most / Math.max(tests * depth, 1)) * (width / height));
+    return Math.max(Math.min(width, largest, Math.floor(affordable)), Math.min(width, 16));
+}
 
 /**
- * Returns the configuration of a picture of the shaders: at most `largest` pixels wide, and seen by `camera` if there
- * is one. Of two lines with one key the last one counts.
+ * Returns the configuration of a picture with this width, seen by `camera` if there is one. Of two lines with one key the
+ * last one counts.
  */
-export function shownConfig(config: string, facts: Facts, largest: number, camera: Camera | null): string {
-    const { width, height, objects, depth } = facts;
-    const affordable = Math.sqrt((TESTS / Math.max(objects * depth, 1)) * (width / height));
-    const shown = Math.max(Math.min(width, largest, Math.floor(affordable)), Math.min(width, 16));
+export function shownConfig(config: string, shown: number, camera: Camera | null): string {
     const rows = camera ? lines(camera).map((row) => row.join(' ')) : [];
     return [config, `image_width: ${shown}`, ...rows, ''].join('\n');
 }

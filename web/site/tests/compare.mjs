@@ -4,8 +4,8 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { encode } from 'fast-png';
-import { check, digest, equal, frame, pixels, rmse, shoot, still } from './tools.mjs';
-import { openLive } from './live.mjs';
+import { check, digest, equal, frame, pixels, render, rmse, shoot, still } from './tools.mjs';
+import { openLive, SCENE } from './live.mjs';
 import { edit, openModule } from './shaders.mjs';
 
 /** Waits for the figures of a comparison, and returns the number of pixels that differ. */
@@ -38,6 +38,12 @@ export const tests = {
         check(rmse(exact.bytes, shader.bytes) < 1, 'the pictures look alike');
         await shoot(page, 'compare');
         equal(await compareSingle(page), 0, 'the pixels that differ from the same steps in Rust');
+        // So many objects are in a hierarchy, which keeps the bits.
+        const balls = Array.from({ length: 99 }, (_, index) => `sphere: ${(index % 11) - 5} ${0.2 * (index % 7)} ${index / 11} .3 glass`);
+        await render(page, { ...SCENE, scene: `${SCENE.scene}${balls.join('\n')}\n` });
+        equal(await figures(page), 0, 'the pixels that differ in a hierarchy');
+        await page.click('#compare-stage');
+        await page.waitForFunction(() => document.getElementById('pixel-first').textContent === 'No bit differs.');
     },
 
     async 'a planted fault is seen in the map, and the first difference is at its step'({ open, url }) {

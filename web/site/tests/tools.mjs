@@ -71,7 +71,7 @@ export const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex'
 
 /** Returns the digest that the page shows when the picture is finished. */
 export async function digest(page, timeout = 300_000) {
-    await page.waitForSelector('#digest code', { timeout });
+    await page.waitForSelector('#digest code', { timeout, state: 'attached' });
     return page.textContent('#digest code');
 }
 

@@ -5,11 +5,15 @@ use cpu::internals::{Camera, InstructionSet, Prepared, render_linear};
 use cpu::{Aos, Config, Scatter, Scene, Vec3};
 use serde::Serialize;
 use twin::head::{Part, head};
+use twin::hierarchy::{Hierarchy, WORTHWHILE};
 use twin::packed::buffer;
 use twin::picture::depth;
 use twin::{Picture, features_of};
 
 use crate::fault::Fault;
+
+/// The cost of a ray in the hierarchy of `scenes/ten-thousand` on SwiftShader, in tests of a ray against an object.
+const COST_IN_HIERARCHY: usize = 1536;
 
 /// The scene that the shaders show, and the same scene in the numbers of the shaders.
 #[derive(Debug)]
@@ -26,7 +30,8 @@ struct Facts {
     height: usize,
     gamma: f64,
     depth: u32,
-    objects: usize,
+    /// The cost of a ray in tests of a ray against an object.
+    tests: usize,
     position: [f64; 3],
     target: [f64; 3],
     north: [f64; 3],
@@ -70,7 +75,8 @@ impl Live {
         Ok(())
     }
 
-    /// Returns the bytes of a buffer of `shaders/wgsl/picture.wgsl`. `part` is its binding. Other parts are empty.
+    /// Returns the bytes of a buffer of `shaders/wgsl/picture.wgsl`. `part` is its binding. For 8 it is the hierarchy of
+    /// `shaders/wgsl/hierarchy.wgsl`, which is empty for a scene of few objects. Other parts are empty.
     pub fn packed(&self, part: u32) -> Vec<u8> {
         let pixels = Part::Pixels { first: 0, count: self.picture.size.pixels() as u32 };
         match part {
@@ -78,6 +84,7 @@ impl Live {
             1 => buffer(&self.picture.spheres),
             2 => buffer(&self.picture.cylinders),
             3 => buffer(&self.picture.materials),
+            8 if self.scene.objects.len() >= WORTHWHILE => Hierarchy::new(&self.picture).bytes(),
             _ => Vec::new(),
         }
     }
@@ -103,7 +110,7 @@ impl Live {
             height: picture.size.height(),
             gamma: config.gamma,
             depth: picture.max_depth,
-            objects: scene.objects.len(),
+            tests: scene.objects.len().min(COST_IN_HIERARCHY),
             position: config.camera_position.to_array(),
             target: config.camera_target.to_array(),
             north: config.camera_north.to_array(),

@@ -96,7 +96,7 @@ fn the_shaders_get_a_scene() {
     assert_eq!(sizes, [140, 24, 40, 28], "the sizes of the structures in WGSL");
     assert_eq!(packed(4), 0);
     let facts: serde_json::Value = serde_json::from_slice(&state().result).expect("it is JSON");
-    assert_eq!((&facts["width"], &facts["objects"], &facts["depth"]), (&8.into(), &2.into(), &3.into()));
+    assert_eq!((&facts["width"], &facts["tests"], &facts["depth"]), (&8.into(), &2.into(), &3.into()));
     assert_eq!(facts["shapes"][1], serde_json::json!(["cylinder", [2.0, 0.0, 0.0], 0.5, [0.0, 1.0, 0.0]]));
 
     let colors = |is_single| {

@@ -59,9 +59,22 @@ const MOVED = 'probed = vec3<f32>('.length - 'probe('.length;
 
 const ended = (text: string): string => (text.endsWith('\n') ? text : `${text}\n`);
 
-/** Joins the modules that `roots` need, each in the user's text if there is one, and the page's `own` text. */
-export function compose(modules: readonly Module[], roots: readonly string[], edits: Edits, own = ''): Composition {
-    const needed = new Set(roots.flatMap((root) => modules.find((one) => one.name === root)?.needed ?? []));
+/**
+ * Joins the modules that `roots` need, each in the user's text if there is one, and the page's `own` text. Rays find
+ * their closest hit in the hierarchy if `inHierarchy` holds, and otherwise by a loop over all objects.
+ */
+export function compose(
+    modules: readonly Module[],
+    roots: readonly string[],
+    edits: Edits,
+    inHierarchy: boolean,
+    own = '',
+): Composition {
+    const neededBy = (names: readonly string[]) => names.flatMap((name) => modules.find((one) => one.name === name)?.needed ?? []);
+    const needed = new Set(neededBy(roots));
+    if (inHierarchy && needed.delete('closest_hit')) {
+        neededBy(['hierarchy']).forEach((name) => needed.add(name));
+    }
     // The first module defines the number type. The list has each module after those that it needs.
     const parts = modules.filter(({ name }, index) => index === 0 || needed.has(name))
         .map(({ name, path, source }) => ({ name, path, source: ended(edits[name] ?? source) }));

@@ -12,6 +12,9 @@ export type Mode = 'image' | 'accumulate' | 'probe';
 /** The places of the first pixel and of the number of pixels in the structure Picture of picture.wgsl, in bytes. */
 const [FIRST_PIXEL, PIXEL_COUNT] = [96, 100];
 
+/** The binding of the hierarchy. */
+const HIERARCHY = 8;
+
 /** Largest number of pixels in one run, and of tests of a ray against an object, as gpu-check takes them. */
 const [BATCH, TESTS] = [1 << 18, 2 ** 28];
 
@@ -37,10 +40,12 @@ interface Loaded {
     facts: Facts;
     head: Uint8Array<ArrayBuffer>;
     inputs: GPUBuffer[];
+    /** The hierarchy, if the scene has many objects. */
+    hierarchy: GPUBuffer | null;
     attenuations: GPUBuffer;
     colors: GPUBuffer;
     states: GPUBuffer;
-    /** The number of pixels in one run. */
+    /** The largest number of pixels in one run. */
     batch: number;
 }
 
@@ -61,15 +66,14 @@ export class Shaders {
 
     /** Gives a scene to the device. A scene with one buffer replaces the camera alone. */
     load({ facts, buffers }: Prepared): void {
-        const [head, ...objects] = buffers;
+        const [head, ...objects] = buffers.slice(0, 4);
+        const tree = buffers[4];
         const old = this.#loaded;
         if (!head || (objects.length === 0 && !old)) {
             return;
         }
         const pixels = facts.width * facts.height;
-        const tests = Math.max(facts.objects * facts.depth, 1);
-        const affordable = Math.max(1024, Math.floor(TESTS / tests));
-        const batch = Math.min(BATCH, pixels, Math.floor(LARGEST / (4 * Math.max(facts.depth, 1))), affordable);
+        const batch = Math.min(BATCH, pixels, Math.floor(LARGEST / (4 * Math.max(facts.depth, 1))));
         const size = ({ width, height, depth }: Facts) => `${width * height} ${depth}`;
         const isSame = old && size(old.facts) === size(facts) && old.batch === batch;
         if (old && !isSame) {
@@ -78,23 +82,34 @@ export class Shaders {
             this.#bytes = null;
         }
         if (old && objects.length > 0) {
-            old.inputs.forEach((buffer) => buffer.destroy());
+            [...old.inputs, old.hierarchy].forEach((buffer) => buffer?.destroy());
         }
         const inputs = objects.length > 0 ? [head, ...objects].map((bytes) => this.device.buffer(bytes)) : old?.inputs ?? [];
+        const hierarchy = objects.length === 0 ? old?.hierarchy ?? null : tree?.length ? this.device.buffer(tree) : null;
         const [attenuations, colors, states] = isSame
             ? [old.attenuations, old.colors, old.states]
             : [4 * batch * facts.depth, 12 * pixels, 32 * batch].map((size) => this.device.buffer(size));
         if (attenuations && colors && states) {
-            this.#loaded = { facts, head, inputs, attenuations, colors, states, batch };
+            this.#loaded = { facts, head, inputs, hierarchy, attenuations, colors, states, batch };
         }
     }
 
     /** Compiles a kernel with the user's texts. Throws {@link Refused} if they are wrong. */
     async compile(mode: Mode): Promise<Kernel> {
         const [roots, own] = ROOTS[mode];
-        const composition = compose(this.modules, roots, this.edits, own);
+        const composition = compose(this.modules, roots, this.edits, this.#hierarchy !== null, own);
         const runnable = mode === 'probe' ? withoutEntry(composition) : composition;
         return this.#compiled(runnable, mode, WRITTEN[mode], this.#constants());
+    }
+
+    /** The hierarchy, if the rays use it: the user may have another module that loops over all objects. */
+    get #hierarchy(): GPUBuffer | null {
+        return 'closest_hit' in this.edits ? null : this.#loaded?.hierarchy ?? null;
+    }
+
+    /** Returns the buffers with the hierarchy at its binding. */
+    #withHierarchy(buffers: readonly GPUBuffer[]): (GPUBuffer | null)[] {
+        return [...buffers, ...Array<null>(HIERARCHY - buffers.length).fill(null), this.#hierarchy];
     }
 
     /**
@@ -102,19 +117,23 @@ export class Shaders {
      * function `isCurrent` says between two runs whether the frame is still wanted.
      */
     async render(mode: Mode, frame: number, isCurrent = () => true): Promise<boolean> {
+        const inHierarchy = this.#hierarchy !== null;
         const kernel = await this.compile(mode);
         const loaded = this.#loaded;
-        if (!loaded || !isCurrent()) {
+        // Another scene may have been loaded meanwhile, for which this kernel is not made.
+        if (!loaded || !isCurrent() || inHierarchy !== (this.#hierarchy !== null)) {
             return false;
         }
         const { gpu } = this.device;
         const { facts, head, inputs, attenuations, colors, states, batch } = loaded;
         const pixels = facts.width * facts.height;
         gpu.queue.writeBuffer(this.#frame, 0, new Uint32Array([frame]));
-        const isWhole = batch >= pixels;
-        const part = isWhole ? colors : this.device.buffer(12 * batch);
-        for (let first = 0; first < pixels; first += batch) {
-            const count = Math.min(batch, pixels - first);
+        const tests = this.#hierarchy ? facts.tests : facts.shapes.length;
+        const run = Math.min(batch, Math.max(1024, Math.floor(TESTS / Math.max(tests * facts.depth, 1))));
+        const isWhole = run >= pixels;
+        const part = isWhole ? colors : this.device.buffer(12 * run);
+        for (let first = 0; first < pixels; first += run) {
+            const count = Math.min(run, pixels - first);
             const patched = head.slice();
             const view = new DataView(patched.buffer);
             view.setUint32(FIRST_PIXEL, first, true);
@@ -122,7 +141,7 @@ export class Shaders {
             gpu.queue.writeBuffer(inputs[0] as GPUBuffer, 0, patched);
             const encoder = gpu.createCommandEncoder();
             const last = mode === 'accumulate' ? this.#frame : states;
-            this.device.dispatch(encoder, kernel, [...inputs, attenuations, part, last], count);
+            this.device.dispatch(encoder, kernel, this.#withHierarchy([...inputs, attenuations, part, last]), count);
             if (!isWhole) {
                 encoder.copyBufferToBuffer(part, 0, colors, 12 * first, 12 * count);
             }
@@ -179,11 +198,12 @@ export class Shaders {
 
     /** Returns the steps of a pixel's path: for each step as many numbers as `numbers` says. */
     async steps(pixel: number, numbers: number): Promise<Float32Array<ArrayBuffer>> {
-        const composition = compose(this.modules, ['kernels/steps'], this.edits);
+        const inHierarchy = this.#hierarchy !== null;
+        const composition = compose(this.modules, ['kernels/steps'], this.edits, inHierarchy);
         const written = [false, false, false, false, true, true];
         const kernel = await this.#compiled(composition, 'steps', written, this.#constants());
         const loaded = this.#loaded;
-        if (!loaded) {
+        if (!loaded || inHierarchy !== (this.#hierarchy !== null)) {
             return new Float32Array(0);
         }
         const patched = loaded.head.slice();
@@ -194,7 +214,7 @@ export class Shaders {
         const size = 4 * numbers * loaded.facts.depth;
         const steps = this.device.buffer(size);
         const encoder = this.device.gpu.createCommandEncoder();
-        this.device.dispatch(encoder, kernel, [...loaded.inputs, loaded.attenuations, steps], 1);
+        this.device.dispatch(encoder, kernel, this.#withHierarchy([...loaded.inputs, loaded.attenuations, steps]), 1);
         const bytes = await this.device.read(encoder, steps, size);
         steps.destroy();
         return new Float32Array(bytes);
@@ -213,13 +233,15 @@ export class Shaders {
         return Object.fromEntries(this.#loaded?.facts.constants ?? []);
     }
 
-    /** Compiles a kernel once for each text and set of constants. */
+    /** Compiles a kernel once for each text and set of constants. A composition in the hierarchy has its binding, too. */
     #compiled(
         composition: Composition,
         entry: string,
-        written: readonly boolean[],
+        own: readonly boolean[],
         constants: Record<string, number>,
     ): Promise<Kernel> {
+        const inHierarchy = composition.parts.some(({ name }) => name === 'hierarchy');
+        const written = inHierarchy ? [...own, ...Array<null>(HIERARCHY - own.length).fill(null), false] : own;
         const key = `${entry} ${JSON.stringify(constants)} ${composition.code}`;
         const known = this.#kernels.get(key);
         if (known) {

@@ -11,8 +11,8 @@ use crate::{Float, Picture};
 use build::{Item, build};
 use margins::{Growth, Margins};
 
-/// Number of objects from which on `shader-lab` renders in a hierarchy. On lavapipe, `scenes/grid` with its 101 objects
-/// is then rendered 1.6 times as fast.
+/// Number of objects from which on `shader-lab` and the page render in a hierarchy. On lavapipe, `scenes/grid` with its
+/// 101 objects is then rendered 1.6 times as fast.
 pub const WORTHWHILE: usize = 64;
 
 /// An object is dominant if its box is this many times larger than that of the median object.
@@ -135,13 +135,21 @@ fn move_dominant_to_front(items: &mut [Item]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes;
 
     #[test]
     fn a_node_holds_all_nodes_below_it_and_every_object_is_a_leaf_once() {
-        for seed in 0..20 {
-            let case = scenes::random(seed);
-            let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
+        for count in [1, 2, 3, 9, 64, 500] {
+            let mut text = String::from("matte: m .5 .5 .5\n");
+            for number in 0..count {
+                let [x, y, size] =
+                    [number * 7919 % 101, number * 104_729 % 53, 1 + number * 31 % 17 * (number * 5 % 13)];
+                text += &match number % 3 {
+                    0 => format!("cylinder: {x} {y} 0 {size} 0 {size} 1 m\n"),
+                    _ => format!("sphere: {x} {y} {size} {size} m\n"),
+                };
+            }
+            let scene = cpu::Scene::parse(text.as_bytes()).expect("it is valid");
+            let picture = Picture::<f32>::new(&cpu::Config::default(), &scene).expect("it is valid");
             let hierarchy = Hierarchy::new(&picture);
             let nodes = &hierarchy.nodes;
             let mut objects: Vec<_> =

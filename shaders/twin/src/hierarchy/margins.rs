@@ -31,7 +31,7 @@ use cpu::Vec3;
 use cpu::internals::accel::bounds::Bounds;
 use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::geometry::sphere::SphereRecord;
-use shaders::Precision;
+use modules::Precision;
 
 use crate::Float;
 
