@@ -27,9 +27,8 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
         let Some((key, value)) = setting.split_once('=') else {
             // A line of the file was given, as in `image_width: 10`.
             if let Some((key, value)) = setting.split_once(':').filter(|(_, value)| !value.trim().is_empty()) {
-                let line = format!("{}={}", key.trim(), value.trim());
-                let line = if line.contains(' ') { format!("\"{line}\"") } else { line };
-                return Err(format!("--set {setting}: KEY=VALUE is needed, as in --set {line}").into());
+                let option = option(key.trim(), value.trim());
+                return Err(format!("--set {setting}: KEY=VALUE is needed, as in {option}").into());
             }
             return Err(
                 format!("--set {setting}: a value is missing, as in --set {setting}={}", example(setting)).into()
@@ -46,6 +45,13 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
             // them.
             let words = message.as_deref().and_then(|message| message.split_once(": ")).map(|(_, words)| words);
             let words = words.map_or_else(|| error.to_string(), in_one_line);
+            // The corrected line becomes an option. Other remedies name the format of the line.
+            let corrected = words.rsplit_once(&format!(": {}: ", bare(key)));
+            let corrected = corrected.filter(|(remedy, _)| !remedy.ends_with("the line is"));
+            let words = match corrected {
+                Some((remedy, values)) => format!("{remedy}: {}", option(bare(key), values)),
+                None => words,
+            };
             return Err(format!("--set {setting}: {words}").into());
         }
     }
@@ -128,6 +134,12 @@ fn bare(key: &str) -> &str {
     key.trim().trim_end_matches(':')
 }
 
+/// Returns the option that sets `key`, as a shell needs it.
+fn option(key: &str, value: &str) -> String {
+    let quote = if value.contains(' ') { "\"" } else { "" };
+    format!("--set {quote}{key}={value}{quote}")
+}
+
 /// Returns an example of a valid value of `key`: its default.
 fn example(key: &str) -> &'static str {
     format::CONFIG
@@ -195,6 +207,8 @@ mod tests {
             "--set image_width: 10: KEY=VALUE is needed, as in --set image_width=10"
         );
         assert!(complaint("camera_north: 1 0 0").ends_with("as in --set \"camera_north=1 0 0\""));
+        assert!(complaint("gamma=2,2").ends_with("write a decimal point, not a comma: --set gamma=2.2"));
+        assert!(complaint("camera_north=0,1,0").ends_with("by blanks alone: --set \"camera_north=0 1 0\""));
         assert!(complaint("gamma=").ends_with("a value is missing, as in --set gamma=2.2"));
     }
 
@@ -283,6 +297,8 @@ mod tests {
             "camera_north: (0, 0, 1) // up -> F:1:15: -> by blanks alone: camera_north: 0 0 1",
             "aspect_ratio: 16:9 -> F:1:15: -> by blanks alone: aspect_ratio: 16 9",
             "image_width: 1e3 -> F:1:14: image_width: [1e3] is not written with digits alone -> : image_width: 1000",
+            "field_of_view: 90deg -> F:1:16: -> the number without its unit: field_of_view: 90",
+            "field_of_view: 1.5rad -> F:1:16: -> the line is: field_of_view: number in (0, 180)",
             "camera_north: 0 \u{2212}1 0 -> F:1:17: -> the minus sign is -: camera_north: 0 -1 0",
             "background_dark_color: 255 128 0 -> F:1:24: -> from 0 to 1, not to 255: background_dark_color: 1 0.502 0",
             "matte: a 255 0 0 -> F:1:10: -> not to 255: matte: a 1 0 0",

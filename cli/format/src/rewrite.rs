@@ -18,7 +18,7 @@ type Change = fn(&str, &Line) -> String;
 
 /// What people often write instead of values, in the order in which it is tried: what to do instead, and a function
 /// that does so in the values of a line.
-const CHANGES: [(Words, Change); 6] = [
+const CHANGES: [(Words, Change); 7] = [
     (KEY, |values, _| values.to_owned()),
     (BLANKS, |values, line| {
         let is_config = line.fields.iter().all(|field| *field != Field::Name);
@@ -32,6 +32,13 @@ const CHANGES: [(Words, Change); 6] = [
         each(values, line, |field, token| {
             let value = parse_real(token).filter(|value| field == Field::Count && value.fract() == 0.0)?;
             Some(format!("{value:.0}"))
+        })
+    }),
+    (["write the number without its unit", "escriba el número sin su unidad"], |values, line| {
+        each(values, line, |field, token| {
+            let token =
+                std::str::from_utf8(token).ok().filter(|token| field != Field::Name && !token.contains("rad"))?;
+            Some(token.trim_end_matches(|sign: char| sign == '°' || sign.is_alphabetic()).to_owned())
         })
     }),
     (["the minus sign is -", "el signo menos es -"], |values, _| {
