@@ -188,6 +188,8 @@ export class Studio {
         const follow = (source: Source | null | undefined, column: number, row: number) => {
             if (source) {
                 this.#tabs.show('pixel-pane');
+                // On a phone the page may be scrolled below the start of this view.
+                document.querySelector('.tabs')!.scrollIntoView({ block: 'nearest' });
                 void pixel.show(source, column, row);
             }
         };

@@ -103,8 +103,10 @@ const ENGLISH = {
     pixelAt: 'column {0}, row {1}: {2}',
     compareFiles: 'Compare files (PPM, PNG)…',
     compareClose: 'Back to the shaders',
-    filesHelp: 'Two files, or one with the picture of the first tab. You can also drop them on the page. '
-        + 'Drag the line; wheel or two fingers zoom; Shift or the right button moves.',
+    filesHelp: 'Two files, or one with the picture of the first tab.',
+    viewHelp: 'Files can also be dropped on the page. Drag the line; the wheel zooms, and a drag with Shift or the right '
+        + 'button moves the pictures.',
+    viewHelpTouch: 'Drag the line. Two fingers zoom and move the pictures.',
     filesNames: 'Left: {0}. Right: {1}.',
     filesAccepted: 'The course accepts this difference: RMSE {2} (below 10), at most {3} (below 150). '
         + '{0} of {1} pixels {0|differs|differ}.',
@@ -243,8 +245,10 @@ const SPANISH: Record<Key, string> = {
     pixelAt: 'columna {0}, fila {1}: {2}',
     compareFiles: 'Comparar archivos (PPM, PNG)…',
     compareClose: 'Volver a los sombreadores',
-    filesHelp: 'Dos archivos, o uno con la imagen de la primera pestaña. También puede soltarlos en la página. '
-        + 'Arrastre la línea; rueda o dos dedos amplían; Mayús o el botón derecho desplazan.',
+    filesHelp: 'Dos archivos, o uno con la imagen de la primera pestaña.',
+    viewHelp: 'También puede soltar archivos en la página. Arrastre la línea; la rueda amplía, y arrastrar con Mayús o el '
+        + 'botón derecho desplaza las imágenes.',
+    viewHelpTouch: 'Arrastre la línea. Dos dedos amplían y desplazan las imágenes.',
     filesNames: 'A la izquierda: {0}. A la derecha: {1}.',
     filesAccepted: 'El curso acepta esta diferencia: RMSE {2} (menor que 10), como máximo {3} (menor que 150). '
         + '{0|Difiere|Difieren} {0} de {1} píxeles.',

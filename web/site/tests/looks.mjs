@@ -192,8 +192,12 @@ export const tests = {
             if (tab === 'compare') {
                 await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
                 await shoot(page, 'phone-figures');
+                await page.selectOption('#compare-view', 'ulps');
+                check((await page.locator('#compare-legend').boundingBox()).width > 90, 'the colours of the scale are seen');
+                await page.evaluate(() => scrollTo(0, 150));
                 await page.tap('#compare-stage');
                 await page.waitForSelector('#pixel-steps tr');
+                check((await page.locator('.tabs').boundingBox()).y >= 0, 'the start of the next view is in sight');
             }
             equal(await page.evaluate(() => document.documentElement.scrollWidth), 390, `the width of ${tab}`);
             const small = await page.evaluate(() => Array.from(document.querySelectorAll('button, select'))
