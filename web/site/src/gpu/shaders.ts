@@ -109,7 +109,7 @@ export class Shaders {
 
     /** Returns the buffers with the hierarchy at its binding. */
     #withHierarchy(buffers: readonly GPUBuffer[]): (GPUBuffer | null)[] {
-        return [...buffers, ...Array<null>(HIERARCHY - buffers.length).fill(null), this.#hierarchy];
+        return Object.assign([...buffers], { [HIERARCHY]: this.#hierarchy });
     }
 
     /**
@@ -241,7 +241,7 @@ export class Shaders {
         constants: Record<string, number>,
     ): Promise<Kernel> {
         const inHierarchy = composition.parts.some(({ name }) => name === 'hierarchy');
-        const written = inHierarchy ? [...own, ...Array<null>(HIERARCHY - own.length).fill(null), false] : own;
+        const written = inHierarchy ? Object.assign([...own], { [HIERARCHY]: false }) : own;
         const key = `${entry} ${JSON.stringify(constants)} ${composition.code}`;
         const known = this.#kernels.get(key);
         if (known) {
