@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Looks for known faults of the dependencies: cargo deny check advisories, for the workspace and for tests/fuzz/targets.
+# Looks for known faults of the dependencies: cargo deny check advisories, for the workspace, python and tests/fuzz/targets.
 #
 #   tests/advisories.sh                            # if cargo-deny or the list is missing: says so and succeeds
 #   ADVISORIES_REQUIRED=1 tests/advisories.sh      # if cargo-deny or the list is missing: fails
@@ -22,7 +22,7 @@ log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 timeout 120 cargo deny fetch db >"$log" 2>&1 || ignored "the list cannot be had: $(awk 'NF { line = $0 } END { print substr(line, 1, 200) }' "$log")"
 
-for manifest in Cargo.toml tests/fuzz/targets/Cargo.toml; do
+for manifest in Cargo.toml python/Cargo.toml tests/fuzz/targets/Cargo.toml; do
     cargo deny --manifest-path "$manifest" check --disable-fetch advisories
     echo "advisories of $manifest ... ok"
 done

@@ -144,12 +144,27 @@ pub fn render_from<L: Renderable>(
 pub fn render_linear<L: Renderable>(
     prepared: &Prepared<L>,
     set: InstructionSet,
-    mut pixel: impl FnMut(usize, Vec3),
+    pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
-    let (state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     // The result is always `None`.
-    let _ = L::run(set, Picture { state, accumulator, first_row: 0, target: Target::Means(&mut pixel) })?;
+    let _ = render_linear_within(prepared, set, &Limits::default(), pixel)?;
     Ok(())
+}
+
+/// Renders as [`render_linear`] does, within `limits`. Returns `None` if the picture is complete, or the reason why it
+/// ended before.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] if memory is short.
+pub fn render_linear_within<L: Renderable>(
+    prepared: &Prepared<L>,
+    set: InstructionSet,
+    limits: &Limits,
+    mut pixel: impl FnMut(usize, Vec3),
+) -> Result<Option<Ended>, Error> {
+    let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
+    state.set_limits(limits);
+    L::run(set, Picture { state, accumulator, first_row: 0, target: Target::Means(&mut pixel) })
 }
 
 /// A layout for which the renderer is compiled. The kernel is large: it exists for each instruction set and

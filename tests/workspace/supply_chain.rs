@@ -36,7 +36,7 @@ fn no_dependency_needs_a_newer_compiler_than_the_project() {
 #[test]
 fn every_dependency_is_licensed_and_comes_from_the_one_registry() {
     let mut registered = 0;
-    for package in [packages(""), packages("tests/fuzz/targets")].concat() {
+    for package in [packages(""), packages("python"), packages("tests/fuzz/targets")].concat() {
         let Some(source) = package["source"].as_str() else { continue };
         assert_eq!(source, "registry+https://github.com/rust-lang/crates.io-index", "{}", package["id"]);
         assert!(package["license"].is_string(), "{}", package["id"]);

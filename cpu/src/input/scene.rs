@@ -64,14 +64,16 @@ pub struct Scene {
 }
 
 /// The scene that has been read so far, with the names of its materials. The finished scene does not need the names.
-#[derive(Default)]
-struct Parser {
-    scene: Scene,
-    names: HashMap<Vec<u8>, MaterialId>,
+#[derive(Debug, Default)]
+pub struct Parser {
+    /// The materials and objects of the lines so far.
+    pub scene: Scene,
+    /// The place of each material in the scene, by its name.
+    pub names: HashMap<Vec<u8>, MaterialId>,
     /// Length of all names in bytes.
     name_bytes: usize,
-    /// Number of the line that is read, from 1.
-    line: u64,
+    /// Number of the line that was read last, from 1.
+    pub line: u64,
 }
 
 /// A kind of line: the line's first token, the name in messages, and the function that reads the parameters.
@@ -124,7 +126,11 @@ fn refractive(tokens: &mut Tokens<'_>) -> Option<Material> {
 }
 
 impl Parser {
-    fn read_line(&mut self, line: &[u8]) -> Result<(), Error> {
+    /// Adds what `line`, a line of a scene file, describes. A blank line and an invalid one add nothing.
+    ///
+    /// # Errors
+    /// The fault of the line, as in [`Scene::parse`].
+    pub fn read_line(&mut self, line: &[u8]) -> Result<(), Error> {
         self.line += 1;
         let mut tokens = Tokens::new(line);
         let Some(tag) = tokens.next() else { return Ok(()) };

@@ -77,7 +77,8 @@ fn known_faults_fail_and_a_missing_list_is_ignored_unless_it_is_required() {
             env.env("PATH", folder.path()).env("ADVISORIES_REQUIRED", required).output().expect("bash is there");
         (output.status.code(), String::from_utf8(output.stdout).expect("it is text"))
     };
-    let ok = "advisories of Cargo.toml ... ok\nadvisories of tests/fuzz/targets/Cargo.toml ... ok\n".to_owned();
+    let manifests = ["Cargo.toml", "python/Cargo.toml", "tests/fuzz/targets/Cargo.toml"];
+    let ok: String = manifests.map(|manifest| format!("advisories of {manifest} ... ok\n")).concat();
     assert_eq!(advisories(&programs_with_deny(0, 0), "1"), (Some(0), ok));
     let ignored = |reason: &str| format!("advisories ... ignored: {reason}\n");
     let no_list = ignored("the list cannot be had: reason");

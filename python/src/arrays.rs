@@ -1,0 +1,43 @@
+//! Checks the arrays of numpy that a caller gives.
+
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::IntoPyDict;
+
+/// Returns the vectors in `value`, anything of which numpy can make an array of the shape (n, 3). Numbers that float64
+/// cannot hold are refused.
+///
+/// # Errors
+/// The exception of numpy, or a `ValueError` that names the array as `name`.
+pub fn vectors<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArray2<'py, f64>> {
+    let py = value.py();
+    let options = [("order", "C"), ("casting", "safe")].into_py_dict(py)?;
+    options.set_item("copy", false)?;
+    let array = py.import("numpy")?.call_method1("asarray", (value,))?;
+    let array = array.call_method("astype", ("float64",), Some(&options))?;
+    let shape = array.getattr("shape")?;
+    match array.extract::<PyReadonlyArray2<'py, f64>>() {
+        Ok(vectors) if vectors.shape()[1] == 3 => Ok(vectors),
+        _ => Err(PyValueError::new_err(format!("{name} has the shape {shape}, and (n, 3) is needed"))),
+    }
+}
+
+/// Returns the largest magnitude of all components of `vectors`, or 0 without vectors.
+///
+/// # Errors
+/// A `ValueError` that names the array as `name`, if a number is infinite or NaN.
+pub fn largest(name: &str, vectors: &[[f64; 3]]) -> PyResult<f64> {
+    // The maximum ignores NaN, and the sum of products with 0 is 0 unless a number is not finite.
+    let (mut largest, mut zero) = ([0.0_f64; 3], [0.0; 3]);
+    for vector in vectors {
+        for axis in 0..3 {
+            largest[axis] = largest[axis].max(vector[axis].abs());
+            zero[axis] += vector[axis] * 0.0;
+        }
+    }
+    if zero != [0.0; 3] {
+        return Err(PyValueError::new_err(format!("{name} has a number that is not finite")));
+    }
+    Ok(largest.into_iter().fold(0.0, f64::max))
+}
