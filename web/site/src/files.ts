@@ -29,7 +29,8 @@ export function onFiles(button: HTMLElement, input: HTMLInputElement, take: (fil
         input.value = '';
     });
     const ofDrag = (event: DragEvent) => Array.from(event.dataTransfer?.files ?? []);
-    document.addEventListener('dragover', (event) => event.dataTransfer?.types.includes('Files') && event.preventDefault());
+    document.addEventListener('dragover', (event) =>
+        event.dataTransfer?.types.includes('Files') && event.preventDefault());
     document.addEventListener('drop', (event) => {
         const pictures = ofDrag(event).filter(isPicture);
         if (pictures.length > 0) {

@@ -12,8 +12,8 @@ export function shownWidth({ width, height, tests, depth }: Facts, largest: numb
 }
 
 /**
- * Returns the configuration of a picture with this width, seen by `camera` if there is one. Of two lines with one key the
- * last one counts.
+ * Returns the configuration of a picture with this width, seen by `camera` if there is one. Of two lines with one key
+ * the last one counts.
  */
 export function shownConfig(config: string, shown: number, camera: Camera | null): string {
     const rows = camera ? lines(camera).map((row) => row.join(' ')) : [];

@@ -1,5 +1,5 @@
-// A picture that is zoomed and moved, with the numbers of the pixel under the pointer. A stage holds one picture, or two
-// of the same size on top of each other.
+// A picture that is zoomed and moved, with the numbers of the pixel under the pointer. A stage holds one picture, or
+// two of the same size on top of each other.
 import { Gestures, type Place } from './gestures';
 import { say, write } from './words';
 

@@ -104,8 +104,8 @@ const ENGLISH = {
     compareFiles: 'Compare files (PPM, PNG)…',
     compareClose: 'Back to the shaders',
     filesHelp: 'Two files, or one with the picture of the first tab.',
-    viewHelp: 'Files can also be dropped on the page. Drag the line; the wheel zooms, and a drag with Shift or the right '
-        + 'button moves the pictures.',
+    viewHelp: 'Files can also be dropped on the page. Drag the line; the wheel zooms, and a drag with Shift or the '
+        + 'right button moves the pictures.',
     viewHelpTouch: 'Drag the line. Two fingers zoom and move the pictures.',
     filesNames: 'Left: {0}. Right: {1}.',
     filesAccepted: 'The course accepts this difference: RMSE {2} (below 10), at most {3} (below 150). '
@@ -115,7 +115,8 @@ const ENGLISH = {
     noPicture: 'this is neither PPM (P3 or P6) nor PNG with 8 bits a channel',
     brokenPicture: 'the file ends early, is too large, or has something else where a number belongs',
     sizesDiffer: '{0} has {1} × {2} pixels, and {3} has {4} × {5}. Only pictures of one size can be compared.',
-    oneFile: 'One file is compared with the picture of the first tab, which is not finished. Wait, or choose two files.',
+    oneFile: 'One file is compared with the picture of the first tab, which is not finished. '
+        + 'Wait, or choose two files.',
     planAbove: 'from above: x to the right, z downwards',
     planFront: 'against z: x to the right, y upwards',
     pixel: 'Pixel',
@@ -246,8 +247,8 @@ const SPANISH: Record<Key, string> = {
     compareFiles: 'Comparar archivos (PPM, PNG)…',
     compareClose: 'Volver a los sombreadores',
     filesHelp: 'Dos archivos, o uno con la imagen de la primera pestaña.',
-    viewHelp: 'También puede soltar archivos en la página. Arrastre la línea; la rueda amplía, y arrastrar con Mayús o el '
-        + 'botón derecho desplaza las imágenes.',
+    viewHelp: 'También puede soltar archivos en la página. Arrastre la línea; la rueda amplía, y arrastrar con Mayús '
+        + 'o el botón derecho desplaza las imágenes.',
     viewHelpTouch: 'Arrastre la línea. Dos dedos amplían y desplazan las imágenes.',
     filesNames: 'A la izquierda: {0}. A la derecha: {1}.',
     filesAccepted: 'El curso acepta esta diferencia: RMSE {2} (menor que 10), como máximo {3} (menor que 150). '
@@ -257,7 +258,8 @@ const SPANISH: Record<Key, string> = {
     noPicture: 'no es PPM (P3 o P6) ni PNG de 8 bits por canal',
     brokenPicture: 'el archivo termina antes de tiempo, es demasiado grande o tiene otra cosa donde va un número',
     sizesDiffer: '{0} tiene {1} × {2} píxeles, y {3} tiene {4} × {5}. Solo se comparan imágenes de un tamaño.',
-    oneFile: 'Un archivo se compara con la imagen de la primera pestaña, que no ha terminado. Espere, o elija dos archivos.',
+    oneFile: 'Un archivo se compara con la imagen de la primera pestaña, que no ha terminado. '
+        + 'Espere, o elija dos archivos.',
     planAbove: 'desde arriba: x a la derecha, z hacia abajo',
     planFront: 'en sentido contrario a z: x a la derecha, y hacia arriba',
     pixel: 'Píxel',

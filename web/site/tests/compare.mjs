@@ -39,7 +39,8 @@ export const tests = {
         await shoot(page, 'compare');
         equal(await compareSingle(page), 0, 'the pixels that differ from the same steps in Rust');
         // So many objects are in a hierarchy, which keeps the bits.
-        const balls = Array.from({ length: 99 }, (_, index) => `sphere: ${(index % 11) - 5} ${0.2 * (index % 7)} ${index / 11} .3 glass`);
+        const balls = Array.from({ length: 99 }, (_, index) =>
+            `sphere: ${(index % 11) - 5} ${0.2 * (index % 7)} ${index / 11} .3 glass`);
         await render(page, { ...SCENE, scene: `${SCENE.scene}${balls.join('\n')}\n` });
         equal(await figures(page), 0, 'the pixels that differ in a hierarchy');
         await page.click('#compare-stage');
@@ -125,8 +126,9 @@ export const tests = {
         await page.mouse.wheel(0, -100);
         const part = Number(/([\d.]+)%\)/.exec(await clip())[1]);
         check(Math.abs(part - 25) < 0.5 && await page.isVisible('.zoomed'), `the wheel zooms at the pointer: ${part}`);
-        const [, column] = /column (\d+), row \d+: \d+ \d+ \d+ \| \d+ \d+ \d+$/.exec(await page.innerText('#compare-pane .viewing'));
-        check(Math.abs(column - (await pixels(page, 'compare-exact')).width / 4) < 2, `the pointer is at column ${column}`);
+        const words = await page.innerText('#compare-pane .viewing');
+        const [, column] = /column (\d+), row \d+: \d+ \d+ \d+ \| \d+ \d+ \d+$/.exec(words);
+        check(Math.abs(column - (await pixels(page, 'compare-exact')).width / 4) < 2, words);
         await page.click('#compare-stage-fit');
         check(await page.locator('.zoomed').count() === 0, 'the whole picture is shown again');
         await page.selectOption('#compare-view', 'linear');
@@ -147,8 +149,9 @@ export const tests = {
         const folder = mkdtempSync(join(tmpdir(), 'files-'));
         const file = (name, content) => (writeFileSync(join(folder, name), content), join(folder, name));
         const grey = Uint8Array.from(bytes, (byte, index) => (index < 3000 ? 255 - byte : byte ^ 3));
-        const [one, other] = [file('one.ppm', Buffer.concat([Buffer.from(`P6 # a comment\n${width} ${height}\n255\n`), Buffer.from(bytes)])),
-            file('other.png', encode({ width, height, data: grey, channels: 3, depth: 8 }))];
+        const head = Buffer.from(`P6 # a comment\n${width} ${height}\n255\n`);
+        const one = file('one.ppm', Buffer.concat([head, Buffer.from(bytes)]));
+        const other = file('other.png', encode({ width, height, data: grey, channels: 3, depth: 8 }));
         const text = file('text.ppm', `P3 ${width} ${height} 255 ${Array.from(grey).join('\n')}\n`);
         const said = spawnSync(process.env.RENDER_LAB, ['compare', one, other, '--json'], { encoding: 'utf8' });
         const { rmse: root, maximum, differing, accepted } = JSON.parse(said.stdout);
@@ -159,27 +162,31 @@ export const tests = {
             await figures(page);
             return page.textContent('#compare-figures');
         };
-        const expected = `The course ${accepted ? 'accepts' : 'does not accept'} this difference: RMSE ${root.toFixed(3)}`;
+        const verdict = accepted ? 'accepts' : 'does not accept';
+        const expected = `The course ${verdict} this difference: RMSE ${root.toFixed(3)}`;
         for (const files of [[one, other], [one, text], [other]]) {
             const words = await shown(...files);
-            check(words.startsWith(expected) && words.includes(`at most ${maximum.toFixed(3)}`), `${words} ${said.stdout}`);
-            equal(await page.getAttribute('#compare-figures', 'data-differing'), String(differing), 'the differing pixels');
+            check(words.startsWith(expected) && words.includes(`at most ${maximum.toFixed(3)}`), words + said.stdout);
+            equal(await figures(page), differing, 'the differing pixels');
         }
         check(!accepted && differing > width, said.stdout);
         await shoot(page, 'phone-files');
         check((await shown(one)).startsWith('The course accepts this difference: RMSE 0.000'), 'the picture itself');
         equal(await page.textContent('#compare-names'), 'Left: one.ppm. Right: Picture.', 'the names');
         await page.setInputFiles('#files', [file('bad.png', 'x')]);
-        await page.waitForFunction(() => document.getElementById('compare-names').textContent.startsWith('bad.png: this is neither'));
+        const says = (words) => page.waitForFunction((start) =>
+            document.getElementById('compare-names').textContent.startsWith(start), words);
+        await says('bad.png: this is neither');
         check(await page.isVisible('#compare-with'), 'the shaders are compared again');
         // A file is dropped on the page, whichever view is shown.
         await page.tap('#tab-exact');
         await page.evaluate((list) => {
             const dataTransfer = new DataTransfer();
             dataTransfer.items.add(new File([new Uint8Array(list)], 'one.ppm'));
-            document.getElementById('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+            const drop = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
+            document.getElementById('canvas').dispatchEvent(drop);
         }, Array.from(Buffer.from('P6 1 1 255\n123')));
-        await page.waitForFunction(() => /one.ppm has 1 × 1 pixels, and Picture has/.test(document.getElementById('compare-names').textContent));
+        await says('one.ppm has 1 × 1 pixels, and Picture has');
         rmSync(folder, { recursive: true });
     },
 

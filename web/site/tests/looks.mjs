@@ -193,7 +193,8 @@ export const tests = {
                 await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
                 await shoot(page, 'phone-figures');
                 await page.selectOption('#compare-view', 'ulps');
-                check((await page.locator('#compare-legend').boundingBox()).width > 90, 'the colours of the scale are seen');
+                const legend = await page.locator('#compare-legend').boundingBox();
+                check(legend.width > 90, 'the colours of the scale are seen');
                 await page.evaluate(() => scrollTo(0, 150));
                 await page.tap('#compare-stage');
                 await page.waitForSelector('#pixel-steps tr');

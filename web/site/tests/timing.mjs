@@ -22,7 +22,7 @@ export const tests = {
         check(whole < LIMIT, `${whole} ms`);
         await shoot(page, 'start');
         const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
-        const names = [...new Set(['index.html', ...files.map((file) => file.slice(url.length))])].filter((one) => one !== 'favicon.ico');
+        const names = [...new Set(['index.html', ...files.map((file) => file.slice(url.length))])];
         const bytes = names.reduce((sum, name) => sum + gzipSync(readFileSync(join(site, name))).length, 0);
         console.log(`${bytes} compressed bytes in ${names.length} files`);
         check(names.length > 6 && bytes < MOST_BYTES, `${bytes} bytes: ${names}`);

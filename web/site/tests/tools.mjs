@@ -12,8 +12,8 @@ export const site = process.env.SITE;
 export const shots = process.env.SCREENSHOTS ?? '';
 
 /**
- * Serves the built page below the path `base`, as any web server does: for a wrong address, 404.html. WebAssembly gets no
- * content type of its own, as from an old server.
+ * Serves the built page below the path `base`, as any web server does: for a wrong address, 404.html. WebAssembly gets
+ * no content type of its own, as from an old server.
  */
 export async function serve(change = (name, bytes) => bytes, base = '/') {
     const server = createServer((request, response) => {

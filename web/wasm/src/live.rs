@@ -75,8 +75,8 @@ impl Live {
         Ok(())
     }
 
-    /// Returns the bytes of a buffer of `shaders/wgsl/picture.wgsl`. `part` is its binding. For 8 it is the hierarchy of
-    /// `shaders/wgsl/hierarchy.wgsl`, which is empty for a scene of few objects. Other parts are empty.
+    /// Returns the bytes of a buffer of `shaders/wgsl/picture.wgsl`. `part` is its binding. For 8 it is the hierarchy
+    /// of `shaders/wgsl/hierarchy.wgsl`, which is empty for a scene of few objects. Other parts are empty.
     pub fn packed(&self, part: u32) -> Vec<u8> {
         let pixels = Part::Pixels { first: 0, count: self.picture.size.pixels() as u32 };
         match part {

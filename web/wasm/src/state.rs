@@ -57,7 +57,8 @@ impl State {
         parse(&self.texts[1], 1, |input| Scene::parse(input))
     }
 
-    /// Returns the faults of a text, at most [`MOST_FAULTS`]. The first is that of [`State::config`] or [`State::scene`].
+    /// Returns the faults of a text, at most [`MOST_FAULTS`]. The first is that of [`State::config`] or of
+    /// [`State::scene`].
     pub fn faults_of(&self, text: usize) -> Vec<Fault> {
         let checked = if text == 0 { self.config().map(drop) } else { self.scene().map(drop) };
         let Err(first) = checked else { return Vec::new() };

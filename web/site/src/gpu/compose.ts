@@ -70,7 +70,8 @@ export function compose(
     inHierarchy: boolean,
     own = '',
 ): Composition {
-    const neededBy = (names: readonly string[]) => names.flatMap((name) => modules.find((one) => one.name === name)?.needed ?? []);
+    const neededBy = (names: readonly string[]) =>
+        names.flatMap((name) => modules.find((one) => one.name === name)?.needed ?? []);
     const needed = new Set(neededBy(roots));
     if (inHierarchy && needed.delete('closest_hit')) {
         neededBy(['hierarchy']).forEach((name) => needed.add(name));

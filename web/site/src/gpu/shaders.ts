@@ -85,7 +85,8 @@ export class Shaders {
             [...old.inputs, old.hierarchy].forEach((buffer) => buffer?.destroy());
         }
         const inputs = objects.length > 0 ? [head, ...objects].map((bytes) => this.device.buffer(bytes)) : old?.inputs ?? [];
-        const hierarchy = objects.length === 0 ? old?.hierarchy ?? null : tree?.length ? this.device.buffer(tree) : null;
+        const built = tree?.length ? this.device.buffer(tree) : null;
+        const hierarchy = objects.length > 0 ? built : old?.hierarchy ?? null;
         const [attenuations, colors, states] = isSame
             ? [old.attenuations, old.colors, old.states]
             : [4 * batch * facts.depth, 12 * pixels, 32 * batch].map((size) => this.device.buffer(size));
@@ -233,7 +234,7 @@ export class Shaders {
         return Object.fromEntries(this.#loaded?.facts.constants ?? []);
     }
 
-    /** Compiles a kernel once for each text and set of constants. A composition in the hierarchy has its binding, too. */
+    /** Compiles a kernel once for each text and set of constants. `own` is without the binding of the hierarchy. */
     #compiled(
         composition: Composition,
         entry: string,
