@@ -104,8 +104,8 @@ pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure 
     }
 }
 
-/// Reads a file with the function `parse`. An error in a line gets the file name, the line and the column. The errors of
-/// later lines follow, up to [`MOST_FAULTS`].
+/// Reads a file with the function `parse`. An error in a line gets the file name, the line and the column. The errors
+/// of later lines follow, up to [`MOST_FAULTS`].
 fn read<T>(
     path: &Path,
     kind: Kind,
@@ -261,7 +261,7 @@ mod tests {
         assert!(scene("cylinder: 0 0 0 1 0 0 0 grey").starts_with("F:2:19: cylinder: the axis must have a length"));
         assert!(scene("refractive: g 1 2").starts_with("F:2:17: refractive: there is more than its 2 values\n"));
         assert!(scene("image_width: 3").ends_with("a line of the other file; the order is: CONFIG SCENE"));
-        // All wrong lines are shown. An object whose material is wrongly defined, or missing again, is no further error.
+        // All wrong lines are shown. An object whose material is wrongly defined, or missing again, is no more error.
         let lines =
             ["metal: a 1 1 1", "metl: b 1 1 1 0", "sphere: 0 0 0 1 a", "sphere: 0 0 0 1 b", "sphere: 0 0 0 1 zzz"];
         let all = scene(&format!("{}\nsphere: 0 0 0 2 zzz\n\nsphere: x\n", lines.join("\n")));

@@ -13,8 +13,9 @@ use crate::recorder::Recorder;
 /// Largest number of wrong lines that a caller shows of a file.
 pub const MOST_FAULTS: usize = 20;
 
-/// Calls `tell` for the error `first`, which a parser has returned after it read from `input`, and for the error of each
-/// wrong line after it. Then `input` has that line as its last one. `tell` returns whether the next error is wanted.
+/// Calls `tell` for the error `first`, which a parser has returned after it read from `input`, and for the error of
+/// each wrong line after it. Then `input` has that line as its last one. `tell` returns whether the next error is
+/// wanted.
 ///
 /// A material counts as defined after its wrong definition, or after the first line that misses it. So one mistake
 /// leads to one error.

@@ -167,9 +167,9 @@ pub extern "C" fn aim() -> u32 {
     })
 }
 
-/// Makes the result a buffer for the shaders if `part` is 0 to 3, the binding in `shaders/wgsl/picture.wgsl`, or 8, that
-/// of the hierarchy. For 4 the result is a JSON text with facts about the picture. Returns 0, or 1 with a fault as after
-/// [`fault_at`].
+/// Makes the result a buffer for the shaders if `part` is 0 to 3, the binding in `shaders/wgsl/picture.wgsl`, or 8,
+/// that of the hierarchy. For 4 the result is a JSON text with facts about the picture. Returns 0, or 1 with a fault as
+/// after [`fault_at`].
 #[unsafe(no_mangle)]
 pub extern "C" fn packed(part: u32) -> u32 {
     with_state(|state| {
