@@ -37,7 +37,7 @@ pub mod span;
 pub mod span_state;
 pub mod specular_chains;
 pub mod stages;
-pub(crate) mod surface_hit;
+pub mod surface_hit;
 pub mod trace_paths;
 
 use std::borrow::Borrow;

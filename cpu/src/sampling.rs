@@ -8,6 +8,6 @@
 
 pub mod block;
 pub(crate) mod draw_order;
-pub(crate) mod scatter_stream;
+pub mod scatter_stream;
 pub mod scatter_vectors;
 pub mod uniform;

@@ -6,7 +6,7 @@ use output::Options;
 
 use crate::Failure;
 use crate::commands::{
-    bench, compare, completions, generate, help, inspect, render, report, shader, supervise, time, view,
+    bench, compare, completions, convert, generate, help, inspect, render, report, shader, supervise, time, view,
 };
 
 /// The exit statuses, shown after every help.
@@ -63,10 +63,12 @@ impl Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Render a scene into a PPM or PNG file, with progress on a terminal
+    /// Render a scene into a picture, with progress on a terminal
     Render(render::Arguments),
     /// Say how far two pictures differ, and whether the course accepts it
     Compare(compare::Arguments),
+    /// Write a picture in another format: PPM, PNG, PFM, NPY, EXR
+    Convert(convert::Arguments),
     /// Say what is in a scene and how the renderer prepares for it
     Inspect(inspect::Arguments),
     /// Write a random scene, the same for the same seed, and a configuration that shows it
@@ -105,6 +107,7 @@ impl Command {
         match self {
             Self::Render(arguments) => arguments.run(options),
             Self::Compare(arguments) => arguments.run(options),
+            Self::Convert(arguments) => arguments.run(options),
             Self::Inspect(arguments) => arguments.run(),
             Self::Generate(arguments) => arguments.run(options),
             Self::Bench(arguments) => arguments.run(options),

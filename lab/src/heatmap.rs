@@ -62,7 +62,8 @@ fn signed(first: [u8; 3], second: [u8; 3]) -> f64 {
     f64::from(sum(second) - sum(first)) / 3.0
 }
 
-fn color_at(map: Gradient, position: f64) -> [u8; 3] {
+/// Returns the colour of `map` at a position from 0 to 1. All pictures with a scale take their colours from here.
+pub(crate) fn color_at(map: Gradient, position: f64) -> [u8; 3] {
     let color = map.eval_continuous(position.clamp(0.0, 1.0));
     [color.r, color.g, color.b]
 }
@@ -75,16 +76,32 @@ pub fn heatmap(first: &Picture, second: &Picture, scale: Scale) -> Result<Pictur
     let pairs = first.pixels.iter().zip(&second.pixels);
     let mut colors = with_room(first.pixels.len())?;
     colors.extend(pairs.map(|(&a, &b)| scale.color(a, b)));
-    let canvas = Canvas::new(first.width.max(LEAST_WIDTH), first.height + LEGEND);
-    let mut canvas = canvas.map_err(|_| "not enough memory for the heat map".to_owned())?;
-    canvas.paste((0, 0), &colors, first.width);
-    canvas.write((MARGIN, first.height + 4), CAPTIONS[usize::from(scale.is_signed)]);
-    let place = (MARGIN, first.height + 4 + annotate::LINE);
-    let size = (canvas.width - 2 * MARGIN, BAR);
     // All numbers below the bar have as many decimals as give the largest number two significant digits.
     let digits = (1.0 - scale.most.log10().floor()).clamp(0.0, 9.0) as usize;
     let number = |share: f64| format!("{:.digits$}", scale.bar(share).1);
-    annotate::color_bar(&mut canvas, place, size, |share| scale.bar(share).0, number);
+    framed(&colors, first.width, CAPTIONS[usize::from(scale.is_signed)], |canvas, place, size| {
+        annotate::color_bar(canvas, place, size, |share| scale.bar(share).0, number);
+    })
+}
+
+/// Returns a picture whose rows have `width` pixels, with its legend below: the caption, and what `draw` draws. `draw`
+/// gets the place and the size of the colour bar.
+///
+/// # Errors
+/// An error if memory is short.
+pub(crate) fn framed(
+    colors: &[[u8; 3]],
+    width: usize,
+    caption: &str,
+    draw: impl FnOnce(&mut Canvas, (usize, usize), (usize, usize)),
+) -> Result<Picture, String> {
+    let height = colors.len() / width;
+    let canvas = Canvas::new(width.max(LEAST_WIDTH), height + LEGEND);
+    let mut canvas = canvas.map_err(|_| "not enough memory for the picture and its scale".to_owned())?;
+    canvas.paste((0, 0), colors, width);
+    canvas.write((MARGIN, height + 4), caption);
+    let size = (canvas.width - 2 * MARGIN, BAR);
+    draw(&mut canvas, (MARGIN, height + 4 + annotate::LINE), size);
     Ok(Picture { width: canvas.width, height: canvas.height(), pixels: canvas.pixels })
 }
 

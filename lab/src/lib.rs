@@ -18,6 +18,7 @@ pub mod heatmap;
 pub mod interrupt;
 pub mod picture;
 pub mod report;
+pub mod show;
 pub mod sources;
 pub mod supervise;
 pub mod terminal;

@@ -1,8 +1,10 @@
-//! Reads and writes pictures: PPM (P3 and P6) and PNG.
+//! Reads and writes pictures of bytes, PPM (P3 and P6) and PNG, and pictures of numbers ([`floats`]): PFM, NPY and EXR.
 //!
 //! `test_support::p3` is for tests, and accepts only the format that the renderer writes. This module reads any valid
 //! PPM file, with comments and any white space, because `compare` gets pictures from other programs.
 
+mod exr;
+pub mod floats;
 pub mod kind;
 
 use std::io::{self, Cursor, Read, Write};
@@ -13,6 +15,8 @@ use cpu::{Error, Image, Rgb, Size};
 
 use crate::format::unseen;
 use crate::{Failure, terminal};
+use floats::Floats;
+use kind::Kind;
 
 /// Largest size of a file that is read, in bytes. A P3 file of [`MAX_PIXELS`] pixels without comments is smaller: it
 /// needs 12 bytes a pixel.
@@ -37,11 +41,20 @@ pub struct Picture {
     pub pixels: Vec<[u8; 3]>,
 }
 
-impl Picture {
+/// A picture of any format.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Any {
+    /// A picture of bytes.
+    Bytes(Picture),
+    /// A picture of floating-point numbers.
+    Floats(Floats),
+}
+
+impl Any {
     /// Reads a picture from a file. The first bytes of the file tell its format.
     ///
     /// # Errors
-    /// An error if the file cannot be read, is larger than [`MAX_FILE_BYTES`], or is neither a PPM nor an 8-bit PNG.
+    /// An error if the file cannot be read, is larger than [`MAX_FILE_BYTES`], or is no picture of a known format.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let open = || Input::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
         let read = || Self::parse(&picture_bytes(open()?)?);
@@ -53,11 +66,63 @@ impl Picture {
     /// # Errors
     /// The error of the bytes, as text.
     pub fn parse(bytes: &[u8]) -> Result<Self, String> {
-        match bytes {
-            [0x89, b'P', b'N', b'G', ..] => from_png(bytes),
-            [b'P', b'3' | b'6', ..] => from_ppm(bytes),
-            _ => Err(neither(bytes)),
+        match Kind::of_bytes(bytes) {
+            Some(Kind::Png) => from_png(bytes).map(Self::Bytes),
+            Some(Kind::Ppm) => from_ppm(bytes).map(Self::Bytes),
+            Some(Kind::Pfm) => floats::from_pfm(bytes).map(Self::Floats),
+            Some(Kind::Npy) => floats::from_npy(bytes).map(Self::Floats),
+            Some(Kind::Exr) => exr::parse(bytes).map(Self::Floats),
+            None => Err(neither(bytes)),
         }
+    }
+
+    /// Returns width and height in pixels.
+    #[must_use]
+    pub const fn size(&self) -> (usize, usize) {
+        match self {
+            Self::Bytes(picture) => (picture.width, picture.height),
+            Self::Floats(floats) => (floats.width, floats.height),
+        }
+    }
+
+    /// Writes the picture to `out` in the format `kind`, as [`Picture::write`] and [`Floats::write`] do.
+    ///
+    /// # Errors
+    /// An error of `out`, or of memory.
+    pub fn write(&self, kind: Kind, out: impl Write) -> io::Result<()> {
+        match self {
+            Self::Bytes(picture) => picture.write(kind, out),
+            Self::Floats(floats) => floats.write(kind, out),
+        }
+    }
+
+    /// Returns the picture as bytes. Numbers are taken as linear light, for `gamma`.
+    ///
+    /// # Errors
+    /// An error if memory is short.
+    pub fn into_picture(self, gamma: f64) -> Result<Picture, String> {
+        match self {
+            Self::Bytes(picture) => Ok(picture),
+            Self::Floats(floats) => floats.to_picture(gamma),
+        }
+    }
+}
+
+impl Picture {
+    /// Reads a picture as [`Any::read`] does. Numbers are taken as linear light.
+    ///
+    /// # Errors
+    /// The errors of [`Any::read`].
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        Ok(Any::read(path)?.into_picture(floats::GAMMA)?)
+    }
+
+    /// Returns the picture in the bytes of a file, as [`Picture::read`] does.
+    ///
+    /// # Errors
+    /// The error of the bytes, as text.
+    pub fn parse(bytes: &[u8]) -> Result<Self, String> {
+        Any::parse(bytes)?.into_picture(floats::GAMMA)
     }
 
     /// Returns a copy of an image that the renderer made.
@@ -131,7 +196,7 @@ const PIECE: usize = 1 << 16;
 fn neither(bytes: &[u8]) -> String {
     let mark = unseen::find(bytes).filter(|unseen| unseen.span.start == 0 && unseen.character == '\u{feff}');
     let cause = mark.map(|mark| format!(": it begins with {}; {}", mark.what[0], mark.remedy[0]));
-    format!("neither PPM (P3 or P6) nor PNG{}", cause.unwrap_or_default())
+    format!("neither PPM (P3 or P6), PNG, PFM, NPY nor EXR{}", cause.unwrap_or_default())
 }
 
 const CR_LF: &str = "the header of this P6 ends in CR LF, as the text mode of Windows writes it, and one byte belongs \
@@ -146,7 +211,7 @@ fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
         (&mut file).take(limit).read_to_end(bytes).map_err(|error| error.to_string())
     };
     read(4, &mut bytes)?;
-    if !matches!(bytes[..], [0x89, b'P', b'N', b'G', ..] | [b'P', b'3' | b'6', ..]) {
+    if Kind::of_bytes(&bytes).is_none() {
         return Err(neither(&bytes));
     }
     read(u64::MAX, &mut bytes)?;

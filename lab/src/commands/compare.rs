@@ -1,14 +1,18 @@
 //! `render-lab compare`: compares two pictures.
 
+mod page;
+
 use std::path::PathBuf;
 
 use clap::Args;
 use output::{Options, Output};
+use serde::Serialize;
 
 use crate::Failure;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
 use crate::heatmap::{Scale, heatmap};
-use crate::picture::Picture;
+use crate::picture::Any;
+use crate::picture::floats::{Floats, GAMMA};
 use crate::picture::kind::Kind;
 use crate::{sources, terminal};
 
@@ -21,6 +25,7 @@ Examples:
   render-lab compare a.ppm b.ppm --heatmap 1.png --max 20          # one scale for several heat maps
   render-aos config.txt scene.txt /dev/stdout | render-lab compare - theirs.ppm
   render-lab compare a.ppm b.ppm --json | jq .rmse
+  render-lab compare a.exr b.png --html compare.html               # slider, blinking, zoom and values
 
 Limits:
   A picture has at most 67108864 pixels, its file at most 1073741824 bytes; both pictures are held in memory
@@ -31,9 +36,10 @@ Exit status: 0 accepted (maximum < 150 and RMSE < 10), 1 not accepted, 2 an erro
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Picture, PPM or PNG; - is standard input
+    /// Picture, PPM, PNG, PFM, NPY or EXR; - is standard input. Numbers are compared as they are if both pictures have
+    /// them, and otherwise as linear light for the gamma 2.2
     first: PathBuf,
-    /// Picture of the same size, PPM or PNG
+    /// Picture of the same size
     second: PathBuf,
     /// Write a picture of where they differ, with a scale below, PNG or PPM by its name's ending; - is PNG on standard
     /// output
@@ -45,6 +51,9 @@ pub struct Arguments {
     /// Show in the heat map which picture is brighter: red where the second is, blue where the first is
     #[arg(long, requires = "heatmap")]
     signed: bool,
+    /// Write a page that shows both: with a slider, blinking or as a difference, with zoom and the values of a pixel
+    #[arg(long, value_name = "OUT.html")]
+    html: Option<PathBuf>,
     /// Print the figures as JSON
     #[arg(long)]
     json: bool,
@@ -68,36 +77,94 @@ impl Arguments {
         if self.json && is_output_taken {
             return Err("--json and --heatmap - both write to standard output; choose a file".into());
         }
-        if let Some(path) = &self.heatmap {
+        for path in self.heatmap.iter().chain(&self.html) {
             output::refuse_inputs(path, &[&self.first, &self.second])?;
         }
         let open = |path: &PathBuf| -> Result<_, Failure> {
             Ok((Kind::of(path, Kind::Png)?, Output::open(&sources::output(path), options)?))
         };
         let heatmap_output = self.heatmap.as_ref().map(open).transpose()?;
-        let read = |path| Picture::read(&sources::input(path));
+        let html = self.html.as_ref().map(|path| Output::open(&sources::output(path), options)).transpose()?;
+        let read = |path| Any::read(&sources::input(path));
         let (first, second) = (read(&self.first)?, read(&self.second)?);
-        let difference = Difference::between(&first, &second)?;
+        let values = match (&first, &second) {
+            (Any::Floats(first), Any::Floats(second)) => Some(Values::between(first, second)?),
+            _ => None,
+        };
+        let (first, second) = (first.into_picture(GAMMA)?, second.into_picture(GAMMA)?);
+        let figures = Figures { levels: Difference::between(&first, &second)?, values };
         if let Some((kind, output)) = heatmap_output {
             let automatic = Scale::automatic(&first, &second, self.signed);
             let map = heatmap(&first, &second, Scale { most: self.max.unwrap_or(automatic.most), ..automatic })?;
             output.fill(|file| map.write(kind, file))?;
         }
-        match (self.json, is_output_taken) {
-            (true, _) => super::print_json(&difference)?,
-            (false, true) => terminal::note(&Words(&difference).to_string()),
-            (false, false) => terminal::print(&Words(&difference).to_string())?,
+        if let Some(output) = html {
+            let names = [&self.first, &self.second].map(|path| terminal::name(path));
+            let page = page::page([&first, &second], names, &figures.to_string())?;
+            output.fill(|file| file.write_all(page.as_bytes()))?;
         }
-        if difference.accepted { Ok(()) } else { Err(Failure::Rejected) }
+        match (self.json, is_output_taken) {
+            (true, _) => super::print_json(&figures)?,
+            (false, true) => terminal::note(&figures.to_string()),
+            (false, false) => terminal::print(&figures.to_string())?,
+        }
+        if figures.levels.accepted { Ok(()) } else { Err(Failure::Rejected) }
     }
 }
 
-/// Formats a difference as lines of text for the terminal.
-struct Words<'a>(&'a Difference);
+/// The figures of a comparison.
+#[derive(Debug, Serialize)]
+struct Figures {
+    #[serde(flatten)]
+    levels: Difference,
+    /// The difference of the numbers, if both pictures have numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    values: Option<Values>,
+}
 
-impl std::fmt::Display for Words<'_> {
+/// The difference between two pictures of numbers, over all channels. A number differs by infinity from none (NaN).
+#[derive(Debug, Serialize)]
+struct Values {
+    rmse: f64,
+    maximum: f64,
+    mae: f64,
+    differing: usize,
+}
+
+impl Values {
+    fn between(first: &Floats, second: &Floats) -> Result<Self, String> {
+        let shapes = [first, second].map(|floats| (floats.width, floats.height, floats.channels));
+        if shapes[0] != shapes[1] {
+            let [a, b] = shapes.map(|(width, height, channels)| format!("{width} x {height} x {channels}"));
+            return Err(format!("the pictures have different sizes or channels: {a} and {b}"));
+        }
+        let (mut squares, mut sum, mut maximum, mut differing) = (0.0, 0.0, 0.0_f64, 0);
+        for (&a, &b) in first.values.iter().zip(&second.values) {
+            if a == b || a.is_nan() && b.is_nan() {
+                continue;
+            }
+            let distance = (f64::from(a) - f64::from(b)).abs();
+            let distance = if distance.is_nan() { f64::INFINITY } else { distance };
+            squares += distance * distance;
+            sum += distance;
+            maximum = maximum.max(distance);
+            differing += 1;
+        }
+        let count = first.values.len() as f64;
+        Ok(Self { rmse: (squares / count).sqrt(), maximum, mae: sum / count, differing })
+    }
+}
+
+impl std::fmt::Display for Figures {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Difference { rmse, maximum, mae, psnr, flip, differing, pixels, bounding_box, accepted } = self.0;
+        let Difference { rmse, maximum, mae, psnr, flip, differing, pixels, bounding_box, accepted } = &self.levels;
+        if let Some(Values { rmse, maximum, mae, differing }) = &self.values {
+            if *differing == 0 {
+                return write!(out, "identical: {pixels} pixels");
+            }
+            writeln!(out, "numbers    maximum {maximum:.6}, RMSE {rmse:.6}, MAE {mae:.6}, {differing} differ")?;
+            writeln!(out, "as linear light, in levels:")?;
+        }
         if *differing == 0 {
             return write!(out, "identical: {pixels} pixels");
         }

@@ -22,11 +22,12 @@ pub struct Arguments {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 13] = [
+pub const TOPICS: [&str; 14] = [
     "bench",
     "compare",
     "completions",
     "config",
+    "convert",
     "generate",
     "inspect",
     "man",

@@ -1,6 +1,7 @@
 //! `render-lab render`: renders a scene into a file, and shows the progress, time and memory.
 
 mod stages;
+mod taken;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -8,22 +9,24 @@ use std::time::Instant;
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Command};
-use cpu::internals::Prepared;
+use cpu::internals::{InstructionSet, Prepared, render_linear};
 use cpu::{Aos, Config, Error, Renderable, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use measure::clock::{own_seconds, peak_memory};
 use output::{Options, Output};
-use serde::Serialize;
 
 use crate::Failure;
 use crate::checkpoint::Origin;
 use crate::engine::{self, LayoutName, ScatterName};
 use crate::interrupt::Interrupt;
-use crate::picture::Picture;
+use crate::picture::floats::Floats;
 use crate::picture::kind::Kind;
+use crate::picture::{Any, Picture};
+use crate::show::{self, Quantity};
 use crate::sources;
 use crate::terminal;
 use stages::Stages;
+use taken::Taken;
 
 /// Examples, shown after the help of `render`.
 const EXAMPLES: &str = "\
@@ -33,6 +36,8 @@ Examples:
   render-lab render config.txt scene.txt part.png --crop 100,40,64,64
   render-lab render config.txt scene.txt out.ppm --json --count
   render-lab render config.txt scene.txt - --quiet | pnmtojpeg > out.jpg
+  render-lab render config.txt scene.txt depth.png --show depth
+  render-lab render config.txt scene.txt linear.exr
   render-lab render config.txt scene.txt out.png --checkpoint long.rlc   # later: the same with --resume long.rlc
 
 Keys of --set: render-lab help config. The bytes are those of render-aos and render-soa.
@@ -48,8 +53,8 @@ pub struct Arguments {
     config: PathBuf,
     /// Scene file; - is standard input
     scene: PathBuf,
-    /// Picture to write, PNG or PPM by its name's ending; a name without an ending gives PPM, and - is PPM on standard
-    /// output. An old file is replaced when the new one is complete and not before
+    /// Picture to write, PNG or PPM by its name's ending, or its linear light as PFM, NPY or EXR; a name without an
+    /// ending gives PPM, and - is PPM on standard output. An old file is replaced when the new one is complete
     out: PathBuf,
     /// How objects and pixels lie in memory; changes no byte
     #[arg(long, value_enum, default_value_t)]
@@ -63,6 +68,9 @@ pub struct Arguments {
     /// Write this part of the picture only. What comes before it is rendered all the same, for its random numbers
     #[arg(long, value_name = "COLUMN,ROW,WIDTH,HEIGHT", value_parser = parse_crop)]
     crop: Option<[usize; 4]>,
+    /// Show this quantity instead of the colours: with a scale in a .png or .ppm, as numbers in the other formats
+    #[arg(long, value_enum, value_name = "QUANTITY")]
+    show: Option<Quantity>,
     #[command(flatten)]
     stages: Stages,
     /// Count rays and hits too: renders again, by the reference, which may take far longer
@@ -101,25 +109,6 @@ fn parse_crop(text: &str) -> Result<[usize; 4], String> {
         .ok_or_else(|| "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT, the last two positive".to_owned())
 }
 
-/// The time, the memory and the rays of one rendering.
-#[derive(Clone, Debug, Serialize)]
-struct Taken {
-    width: usize,
-    height: usize,
-    samples_per_pixel: u64,
-    /// Number of camera rays in the rows that were rendered.
-    primary_rays: u64,
-    /// Elapsed time in seconds, including the time to write the file.
-    seconds: f64,
-    user_seconds: f64,
-    nanoseconds_per_primary_ray: f64,
-    peak_memory_bytes: u64,
-    /// Number of all rays; `None` without `--count`.
-    rays: Option<u64>,
-    hits: Option<u64>,
-    nanoseconds_per_ray: Option<f64>,
-}
-
 impl Arguments {
     /// Renders the scene, writes the picture, and prints what it took.
     ///
@@ -145,10 +134,17 @@ impl Arguments {
         output::refuse_inputs(&self.out, &inputs.iter().copied().chain(kept).collect::<Vec<_>>())?;
         let config = sources::config(&self.config, &self.set)?;
         let scene = sources::scene(&self.scene)?;
-        let interrupt = Interrupt::listen();
-        let mut taken = match self.layout {
-            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, (kind, options), &interrupt)?,
-            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, (kind, options), &interrupt)?,
+        let is_in_parts = self.crop.is_some() || self.stages.files().next().is_some();
+        if is_in_parts && (kind.is_of_floats() || self.show.is_some()) {
+            return Err("--crop, --checkpoint and --resume are for pictures of colours, .ppm or .png".into());
+        }
+        let (inputs, how) = ((&config, &scene), (kind, options));
+        let mut taken = match (self.show, self.layout) {
+            (Some(quantity), _) => {
+                self.write::<Aos>(inputs, how, |prepared, bar| shown(quantity, kind, prepared, bar))?
+            }
+            (None, LayoutName::Aos) => self.write(inputs, how, |it, bar| self.colors::<Aos>(inputs, how, it, bar))?,
+            (None, LayoutName::Soa) => self.write(inputs, how, |it, bar| self.colors::<Soa>(inputs, how, it, bar))?,
         };
         if self.count {
             let counts = cpu::reference::render_counted::<cpu::reference::intersect::Exact>(
@@ -173,40 +169,28 @@ impl Arguments {
         Ok(())
     }
 
-    /// Renders the picture and writes its file. Returns the time, the memory and the rays.
-    fn write_picture<L: Renderable>(
+    /// Writes the picture that `make` returns with the number of rows that it rendered. Returns the time, the memory and
+    /// the rays.
+    fn write<L: Renderable>(
         &self,
-        config: &Config,
-        scene: &Scene,
+        (config, scene): (&Config, &Scene),
         (kind, options): (Kind, Options),
-        interrupt: &Interrupt,
+        make: impl FnOnce(&Prepared<L>, &ProgressBar) -> Result<(Any, usize), Failure>,
     ) -> Result<Taken, Failure> {
         let explain = |error: Error| sources::about_picture(error, &self.config, &self.set);
         let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(explain)?;
-        let size = prepared.size;
-        let part = self.crop.unwrap_or([0, 0, size.width(), size.height()]);
-        let rows = rows_of(part, size.width(), size.height())?;
         let output = Output::open(&sources::output(&self.out), options)?;
         let (before, start) = (own_seconds(), Instant::now());
-        let origin = || Origin::new(config, scene, self.scatter);
-        let (from, mut run) = self.stages.begin(origin, size, rows, options)?;
-        let first = from.as_ref().map_or(0, |from| from.rows);
-        let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) }.with_position(first as u64);
-        bar.reset_eta();
-        let (image, done) = engine::render_rows::<L>(&prepared, from.as_ref(), |row, image, streams| {
-            bar.set_position(row as u64);
-            run.after_row(row, image, streams, interrupt)
-        })?;
+        let bar = if self.quiet { ProgressBar::hidden() } else { progress(prepared.size.height()) };
+        let (picture, rows) = make(&prepared, &bar)?;
         bar.finish_and_clear();
-        run.end(done, interrupt)?;
-        let picture = Picture::of(&image)?;
-        let picture = if self.crop.is_some() { picture.crop(part)? } else { picture };
+        let (width, height) = picture.size();
         output.fill(|file| picture.write(kind, file))?;
-        let primary_rays = (((done - first) * size.width()) as u64).saturating_mul(prepared.samples);
+        let primary_rays = ((rows * prepared.size.width()) as u64).saturating_mul(prepared.samples);
         let user_seconds = own_seconds() - before;
         Ok(Taken {
-            width: picture.width,
-            height: picture.height,
+            width,
+            height,
             samples_per_pixel: prepared.samples,
             primary_rays,
             seconds: start.elapsed().as_secs_f64(),
@@ -218,6 +202,54 @@ impl Arguments {
             nanoseconds_per_ray: None,
         })
     }
+
+    /// Renders the colours of the pixels: as bytes, or as linear light for a format of numbers.
+    fn colors<L: Renderable>(
+        &self,
+        (config, scene): (&Config, &Scene),
+        (kind, options): (Kind, Options),
+        prepared: &Prepared<L>,
+        bar: &ProgressBar,
+    ) -> Result<(Any, usize), Failure> {
+        let (width, height) = (prepared.size.width(), prepared.size.height());
+        if kind.is_of_floats() {
+            let mut floats = Floats::zeros(width, height, 3)?;
+            render_linear(prepared, InstructionSet::chosen(), |index, mean| {
+                bar.set_position((index / width) as u64);
+                let pixel = &mut floats.values[3 * index..3 * index + 3];
+                pixel.iter_mut().zip(mean.to_array()).for_each(|(value, mean)| *value = mean as f32);
+            })?;
+            return Ok((Any::Floats(floats), height));
+        }
+        let part = self.crop.unwrap_or([0, 0, width, height]);
+        let rows = rows_of(part, width, height)?;
+        let interrupt = Interrupt::listen();
+        let origin = || Origin::new(config, scene, self.scatter);
+        let (from, mut run) = self.stages.begin(origin, prepared.size, rows, options)?;
+        let first = from.as_ref().map_or(0, |from| from.rows);
+        bar.set_length(rows as u64);
+        bar.set_position(first as u64);
+        bar.reset_eta();
+        let (image, done) = engine::render_rows::<L>(prepared, from.as_ref(), |row, image, streams| {
+            bar.set_position(row as u64);
+            run.after_row(row, image, streams, &interrupt)
+        })?;
+        run.end(done, &interrupt)?;
+        let picture = Picture::of(&image)?;
+        Ok((Any::Bytes(if self.crop.is_some() { picture.crop(part)? } else { picture }), done - first))
+    }
+}
+
+/// Computes a quantity of each pixel: as numbers, or as a picture with a scale.
+fn shown(quantity: Quantity, kind: Kind, prepared: &Prepared<Aos>, bar: &ProgressBar) -> Result<(Any, usize), Failure> {
+    let interrupt = Interrupt::listen();
+    let floats = show::show(quantity, prepared, |row| {
+        bar.set_position(row as u64);
+        interrupt.flow()
+    })?;
+    let floats = floats.ok_or(Failure::Interrupted)?;
+    let any = if kind.is_of_floats() { Any::Floats(floats) } else { Any::Bytes(quantity.draw(&floats)?) };
+    Ok((any, prepared.size.height()))
 }
 
 /// Returns the number of rows to render for a part of the picture (x, y, width, height): all rows down to the last one
@@ -243,50 +275,9 @@ fn progress(rows: usize) -> ProgressBar {
     ))
 }
 
-/// The least nanoseconds that are shown; with one decimal, less would be 0.0.
-const SHOWN: f64 = 0.05;
-
-impl std::fmt::Display for Taken {
-    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (seconds, memory) = (self.user_seconds, self.peak_memory_bytes as f64 / 1e6);
-        write!(out, "{} x {} pixels, {} samples each: ", self.width, self.height, self.samples_per_pixel)?;
-        write!(out, "{:.3} s, {seconds:.3} s of user time, ", self.seconds)?;
-        // The system's clock of user time may be too coarse for a tiny picture, and then counts nothing.
-        if self.nanoseconds_per_primary_ray >= SHOWN {
-            write!(out, "{:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
-        }
-        write!(out, "peak memory {memory:.1} MB")?;
-        if let (Some(rays), Some(hits)) = (self.rays, self.hits) {
-            write!(out, "; {rays} rays, {hits} hits")?;
-        }
-        let time = self.nanoseconds_per_ray.filter(|&time| time >= SHOWN);
-        time.map_or(Ok(()), |time| write!(out, ", {time:.1} ns a ray"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_time_that_was_not_counted_is_not_shown() {
-        let taken = |nanoseconds| Taken {
-            width: 1,
-            height: 1,
-            samples_per_pixel: 1,
-            primary_rays: 1,
-            seconds: 1.0,
-            user_seconds: 0.0,
-            nanoseconds_per_primary_ray: nanoseconds,
-            peak_memory_bytes: 1,
-            rays: Some(1),
-            hits: Some(1),
-            nanoseconds_per_ray: Some(nanoseconds),
-        };
-        let [none, some] = [0.0, 2.0].map(|nanoseconds| taken(nanoseconds).to_string());
-        assert!(!none.contains(" ns "), "{none}");
-        assert!(some.contains("2.0 ns a primary ray") && some.ends_with("2.0 ns a ray"), "{some}");
-    }
 
     #[test]
     fn a_part_is_four_numbers() {

@@ -3,7 +3,11 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD as STANDARD;
+
 use super::Picture;
+use super::floats::{Floats, GAMMA};
 use crate::terminal;
 
 /// The file format of a picture.
@@ -13,30 +17,67 @@ pub enum Kind {
     Ppm,
     /// PNG, which compresses without loss.
     Png,
+    /// Portable float map: one or three numbers a pixel.
+    Pfm,
+    /// An array of NumPy.
+    Npy,
+    /// OpenEXR.
+    Exr,
 }
+
+/// The ending of the name of each format.
+const ENDINGS: [(&str, Kind); 5] =
+    [("ppm", Kind::Ppm), ("png", Kind::Png), ("pfm", Kind::Pfm), ("npy", Kind::Npy), ("exr", Kind::Exr)];
 
 impl Kind {
     /// Returns the format for the ending of the file's name. A name without an ending, such as `/dev/stdout` or `-`,
     /// has the format `otherwise`.
     ///
     /// # Errors
-    /// An error if the name has an ending other than `ppm` and `png`.
+    /// An error if the name has another ending than those of the formats.
     pub fn of(path: &Path, otherwise: Self) -> Result<Self, String> {
-        match path.extension().map(|ending| ending.to_ascii_lowercase()) {
-            None => Ok(otherwise),
-            Some(ending) if ending == "ppm" => Ok(Self::Ppm),
-            Some(ending) if ending == "png" => Ok(Self::Png),
-            Some(ending) => {
-                let (path, ending) =
-                    (terminal::name(path), cpu::internals::input::text::escape(ending.as_encoded_bytes()));
-                Err(format!("{path}: a picture cannot be written as .{ending}; its name must end in .ppm or .png"))
-            }
+        let Some(ending) = path.extension() else { return Ok(otherwise) };
+        let known = ENDINGS.iter().find(|(name, _)| ending.eq_ignore_ascii_case(name));
+        known.map(|&(_, kind)| kind).ok_or_else(|| {
+            let (path, ending) = (terminal::name(path), cpu::internals::input::text::escape(ending.as_encoded_bytes()));
+            let [start @ .., last] = ENDINGS.map(|(name, _)| format!(".{name}"));
+            let names = start.join(", ");
+            format!("{path}: a picture cannot be written as .{ending}; its name must end in {names} or {last}")
+        })
+    }
+
+    /// Returns the format of a file with these first bytes, of which four are enough.
+    #[must_use]
+    pub const fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        match bytes {
+            [b'P', b'3' | b'6', ..] => Some(Self::Ppm),
+            [0x89, b'P', b'N', b'G', ..] => Some(Self::Png),
+            [b'P', b'F' | b'f', b'\n' | b'\r' | b' ' | b'\t', ..] => Some(Self::Pfm),
+            [0x93, b'N', b'U', b'M', ..] => Some(Self::Npy),
+            [0x76, 0x2f, 0x31, 0x01, ..] => Some(Self::Exr),
+            _ => None,
         }
+    }
+
+    /// Whether the format holds floating-point numbers.
+    #[must_use]
+    pub const fn is_of_floats(self) -> bool {
+        matches!(self, Self::Pfm | Self::Npy | Self::Exr)
     }
 }
 
 impl Picture {
-    /// Writes the picture to `out` in the format `kind`.
+    /// Returns the picture as an address that an HTML page can have in itself: a PNG in base 64.
+    ///
+    /// # Errors
+    /// An error if the picture is too large for a PNG.
+    pub fn address(&self) -> io::Result<String> {
+        let mut png = Vec::new();
+        self.write_png(&mut png)?;
+        Ok(format!("data:image/png;base64,{}", STANDARD.encode(&png)))
+    }
+
+    /// Writes the picture to `out` in the format `kind`. Formats of numbers get its linear light, for the gamma 2.2.
     ///
     /// # Errors
     /// An error of `out`.
@@ -44,6 +85,7 @@ impl Picture {
         match kind {
             Kind::Ppm => self.write_ppm(out),
             Kind::Png => self.write_png(out),
+            Kind::Pfm | Kind::Npy | Kind::Exr => Floats::of(self, GAMMA).map_err(io::Error::other)?.write(kind, out),
         }
     }
 }
@@ -59,6 +101,9 @@ mod tests {
         }
         assert_eq!(Kind::of(Path::new("-"), Kind::Png), Ok(Kind::Png));
         let message = Kind::of(Path::new("o.jpg"), Kind::Ppm).expect_err("there is no such writer");
-        assert_eq!(message, "o.jpg: a picture cannot be written as .jpg; its name must end in .ppm or .png");
+        assert_eq!(
+            message,
+            "o.jpg: a picture cannot be written as .jpg; its name must end in .ppm, .png, .pfm, .npy or .exr"
+        );
     }
 }

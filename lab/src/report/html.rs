@@ -190,7 +190,9 @@ fn put(page: &mut String, text: std::fmt::Arguments<'_>) {
     let _ = page.write_fmt(text);
 }
 
-fn escape(text: &str) -> String {
+/// Returns `text` for an HTML page, without control characters and with the characters of markup escaped.
+#[must_use]
+pub fn escape(text: &str) -> String {
     printable(text).replace('&', "&amp;").replace('<', "&lt;")
 }
 

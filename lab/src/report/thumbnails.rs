@@ -1,7 +1,5 @@
 //! Renders small pictures of the scenes that were measured, for the page.
 
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD as STANDARD;
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
 
@@ -41,7 +39,5 @@ fn drawn(config: Config, scene: &Scene) -> Option<String> {
     let config = Config { image_width: WIDTH, samples_per_pixel: SAMPLES, ..config };
     let prepared = Prepared::<Aos>::new(&config, scene, Scatter::Statement).ok()?;
     let picture = Picture::of(&cpu::internals::render_with(&prepared, InstructionSet::chosen()).ok()?).ok()?;
-    let mut png = Vec::new();
-    picture.write_png(&mut png).ok()?;
-    Some(format!("data:image/png;base64,{}", STANDARD.encode(&png)))
+    picture.address().ok()
 }

@@ -25,7 +25,7 @@ fn endless_and_empty_pictures_are_refused_in_little_memory() {
     File::create(&holes).and_then(|file| file.set_len(4 << 30)).expect("holes take no place");
     for name in ["/dev/zero", "/dev/null", &holes] {
         let message = complaint_in_little_memory(&["compare", name, name]);
-        assert!(message.contains(&format!("{name}: neither PPM (P3 or P6) nor PNG")), "{message}");
+        assert!(message.contains(&format!("{name}: neither PPM (P3 or P6), PNG, PFM, NPY nor EXR")), "{message}");
     }
     // This file begins like a picture and is 5 GiB long. Reading it must end with an error about memory or about its
     // size.

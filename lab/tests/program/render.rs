@@ -87,7 +87,9 @@ fn what_is_wrong_is_said_and_the_old_file_stays() {
     assert!(error.starts_with("Error: --set image_width=100000000: the image is too large"), "{error}");
     let error = complaint(&["render", CONFIG, SCENE, &folder.name("out.jpg")]);
     assert!(
-        error.ends_with("out.jpg: a picture cannot be written as .jpg; its name must end in .ppm or .png\n"),
+        error.ends_with(
+            "out.jpg: a picture cannot be written as .jpg; its name must end in .ppm, .png, .pfm, .npy or .exr\n"
+        ),
         "{error}"
     );
     let error = complaint(&["render", "/nowhere", SCENE, &out]);
@@ -146,4 +148,31 @@ fn a_dash_is_standard_input_or_output() {
     assert!(map.stdout.starts_with(b"\x89PNG") && map.stderr.starts_with(b"identical"), "{:?}", map.status);
     assert!(complaint(&["render", "-", "-", &name]).contains("can be only one of the two files"));
     assert!(complaint(&["render", CONFIG, SCENE, "-", "--json"]).contains("both write to standard output"));
+}
+
+#[test]
+fn a_quantity_is_shown_with_a_scale_or_as_numbers_and_light_is_linear() {
+    let folder = Folder::new();
+    let depth = render(&folder, "depth.png", &["--show", "depth"]);
+    let depth = Picture::parse(&depth).expect("it is a picture");
+    assert!(depth.height > 36, "the scale is below it");
+    let numbers = render(&folder, "depth.npy", &["--show", "depth"]);
+    assert!(numbers.starts_with(b"\x93NUMPY") && numbers.len() > 4 * 64 * 36);
+    // The linear light of each format gives the picture's bytes again.
+    for name in ["light.exr", "light.npy", "light.pfm"] {
+        render(&folder, name, &["--layout", "soa"]);
+        let [from, to] = [name, "back.ppm"].map(|name| folder.name(name));
+        printed(&["convert", &from, &to]);
+        assert!(fs::read(&to).expect("it was written") == expected(Scatter::Statement), "{name}");
+    }
+    let [exr, npy, page] = ["light.exr", "light.npy", "page.html"].map(|name| folder.name(name));
+    assert_eq!(printed(&["compare", &exr, &npy, "--html", &page]), "identical: 2304 pixels\n");
+    let page = fs::read_to_string(page).expect("it was written");
+    assert!(
+        page.contains("data:image/png;base64,") && page.contains("identical: 2304") && !page.contains("src=\"http")
+    );
+    let output = run(&["compare", &exr, &folder.name("depth.npy")]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("different sizes or channels"), "{output:?}");
+    let error = complaint(&["render", CONFIG, SCENE, &exr, "--checkpoint", &folder.name("keep")]);
+    assert!(error.contains("are for pictures of colours"), "{error}");
 }

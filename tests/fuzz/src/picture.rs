@@ -1,6 +1,7 @@
 //! The fuzz target `picture`: reads any bytes as a picture with the reader of `render-lab compare`.
 
-use lab::picture::Picture;
+use lab::picture::kind::Kind;
+use lab::picture::{Any, Picture};
 
 use crate::plain;
 
@@ -14,6 +15,19 @@ const LARGEST_GROWTH: usize = 1032 * 8 * 3;
 /// # Panics
 /// If a check fails.
 pub fn check(bytes: &[u8]) {
+    if let Ok(Any::Floats(floats)) = Any::parse(bytes) {
+        assert_eq!(floats.values.len(), floats.width * floats.height * floats.channels);
+        assert!(floats.values.len() <= LARGEST_GROWTH * bytes.len());
+        let kinds = [Kind::Pfm, Kind::Npy, Kind::Exr];
+        for kind in kinds.into_iter().filter(|_| floats.values.len() < 1 << 12) {
+            let mut written = Vec::new();
+            floats.write(kind, &mut written).expect("memory takes all bytes");
+            // NaN is not equal to itself, so the texts are compared.
+            let again = Any::parse(&written).expect("what is written can be read");
+            assert_eq!(format!("{again:?}"), format!("{:?}", Any::Floats(floats.clone())), "{kind:?}");
+        }
+        return;
+    }
     let read = Picture::parse(bytes);
     if matches!(bytes, [b'P', b'3' | b'6', ..]) {
         let plain = plain::picture::ppm(bytes);

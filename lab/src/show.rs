@@ -1,0 +1,303 @@
+//! Computes quantities of each pixel other than its colour: what the ray through its middle hits, and what its samples
+//! cost.
+
+mod draw;
+
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
+use clap::ValueEnum;
+use cpu::internals::Prepared;
+use cpu::internals::accel::closest_hit::ClosestHit;
+use cpu::internals::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
+use cpu::internals::accel::stack::Stack;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::layout::{Objects, Placed};
+use cpu::internals::math::vec3::Vec3;
+use cpu::internals::render::surface_hit::SurfaceHit;
+use cpu::internals::sampling::scatter_stream::ScatterSamples;
+use cpu::internals::sampling::uniform::Uniform;
+use cpu::internals::simd::portable::Portable;
+use cpu::{Aos, Error, Layout, Ray, Scatter, Scene};
+
+use crate::picture::floats::Floats;
+use cpu::internals::InstructionSet;
+
+/// A quantity of each pixel. In pictures of numbers it is not a number (NaN) where no object is hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Quantity {
+    /// Distance from the camera to what the ray through the middle hits, in scene units
+    Depth,
+    /// The same distance in lengths of the ray's direction, as the renderer compares it
+    Lambda,
+    /// Normal of the surface, of length one, on the camera's side
+    Normal,
+    /// Place of the object among those of the scene file, from 0
+    Object,
+    /// Place of the material among those of the scene file, from 0
+    Material,
+    /// Part of the object: 0 sphere, 1 side, 2 top, 3 bottom of a cylinder
+    Part,
+    /// Number of samples
+    Samples,
+    /// Variance of the linear colours of the samples, for each channel
+    Variance,
+    /// Rays, hits, and objects with which rays are intersected, of all samples together
+    Cost,
+}
+
+impl Quantity {
+    /// Returns the number of channels of the quantity.
+    const fn channels(self) -> usize {
+        if matches!(self, Self::Normal | Self::Variance | Self::Cost) { 3 } else { 1 }
+    }
+}
+
+/// Computes `quantity` for all pixels. Calls `after_row` with the number of finished rows. Returns `None` if `after_row`
+/// stopped the computation.
+///
+/// # Errors
+/// An error if memory is short.
+pub fn show(
+    quantity: Quantity,
+    prepared: &Prepared<Aos>,
+    mut after_row: impl FnMut(usize) -> ControlFlow<()>,
+) -> Result<Option<Floats>, String> {
+    let (width, height) = (prepared.size.width(), prepared.size.height());
+    let mut floats = Floats::zeros(width, height, quantity.channels())?;
+    let mut tracer = Tracer::new(prepared);
+    for (row, values) in floats.values.chunks_exact_mut(width * quantity.channels()).enumerate() {
+        for (column, pixel) in values.chunks_exact_mut(quantity.channels()).enumerate() {
+            let values = match quantity {
+                Quantity::Samples => [prepared.samples as f64; 3],
+                Quantity::Variance | Quantity::Cost => {
+                    let (variance, cost) = tracer.pixel(row, column).map_err(|error| error.to_string())?;
+                    if quantity == Quantity::Cost { cost } else { variance.to_array() }
+                }
+                _ => tracer.first_hit(quantity, row, column),
+            };
+            pixel.iter_mut().zip(values).for_each(|(number, value)| *number = value as f32);
+        }
+        if after_row(row + 1).is_break() {
+            return Ok(None);
+        }
+    }
+    Ok(Some(floats))
+}
+
+/// Traces rays one at a time, with the acceleration structure and the exact intersections of the renderer, but without
+/// its shortcuts for many rays. A pixel has the same colour by both.
+struct Tracer<'a> {
+    prepared: &'a Prepared<Aos>,
+    objects: Counted<'a>,
+    stack: Stack,
+    jitter: Uniform,
+    scatter_samples: ScatterSamples,
+    reflectances: Vec<Vec3>,
+    rays: u64,
+    hits: u64,
+}
+
+impl<'a> Tracer<'a> {
+    fn new(prepared: &'a Prepared<Aos>) -> Self {
+        let set = InstructionSet::chosen();
+        Self {
+            prepared,
+            objects: Counted { objects: &prepared.objects, reads: Cell::new(0) },
+            stack: Stack::EMPTY,
+            jitter: Uniform::new(prepared.ray_seed),
+            scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed, set),
+            reflectances: Vec::new(),
+            rays: 0,
+            hits: 0,
+        }
+    }
+
+    fn closest_hit(&mut self, ray: &Ray, start: ObjectId) -> ClosestHit {
+        self.prepared.accel.closest_hit::<Portable, _>(&self.objects, ray, start, &mut self.stack)
+    }
+
+    /// Returns a quantity of the hit of the ray through the middle of the pixel.
+    fn first_hit(&mut self, quantity: Quantity, row: usize, column: usize) -> [f64; 3] {
+        let ray = self.prepared.camera.ray(row as f64, column as f64, [0.0; 2]);
+        let hit = self.closest_hit(&ray, NO_OBJECT);
+        if !hit.is_hit() {
+            return [f64::NAN; 3];
+        }
+        let objects = &self.prepared.objects;
+        let surface = SurfaceHit::new(objects, &ray, &hit);
+        match quantity {
+            Quantity::Depth => [hit.lambda * ray.direction.length(); 3],
+            Quantity::Normal => {
+                let outward = surface.outward.unit();
+                if ray.direction.dot(outward) < 0.0 { outward } else { -outward }.to_array()
+            }
+            Quantity::Object => [f64::from(order_of(objects, hit.object)); 3],
+            Quantity::Material => [f64::from(surface.material); 3],
+            Quantity::Part => match (ObjectRef::of(objects, hit.object), hit.part) {
+                (ObjectRef::Sphere(_), _) => [0.0; 3],
+                (_, CylinderPart::Side) => [1.0; 3],
+                (_, CylinderPart::Top) => [2.0; 3],
+                (_, CylinderPart::Bottom) => [3.0; 3],
+            },
+            _ => [hit.lambda; 3],
+        }
+    }
+
+    /// Traces the samples of a pixel. Returns the variance of their colours, which is NaN for one sample, and their
+    /// cost: rays, hits, and objects with which rays were intersected. Call it for all pixels in their order, because
+    /// they share the random numbers.
+    fn pixel(&mut self, row: usize, column: usize) -> Result<(Vec3, [f64; 3]), Error> {
+        let (rays, hits, reads) = (self.rays, self.hits, self.objects.reads.get());
+        let (mut mean, mut squares, mut count) = (Vec3::ZERO, Vec3::ZERO, 0.0);
+        for _ in 0..self.prepared.samples {
+            let mut offset = [0.0; 2];
+            if self.prepared.scatter != Scatter::Deterministic {
+                offset = offset.map(|_| self.jitter.draw(-0.5, 0.5));
+            }
+            let color = self.color(self.prepared.camera.ray(row as f64, column as f64, offset))?;
+            // Welford's recurrence, which has no cancellation.
+            count += 1.0;
+            let before = color - mean;
+            mean = mean + before / count;
+            squares = squares + before.attenuate(color - mean);
+        }
+        let cost = [self.rays - rays, self.hits - hits, self.objects.reads.get() - reads].map(|count| count as f64);
+        Ok((squares / (count - 1.0), cost))
+    }
+
+    /// Returns the linear colour of a path that begins with `ray`.
+    fn color(&mut self, mut ray: Ray) -> Result<Vec3, Error> {
+        let (mut start, mut color) = (NO_OBJECT, Vec3::ZERO);
+        self.reflectances.clear();
+        for _ in 0..self.prepared.max_depth {
+            self.rays += 1;
+            let hit = self.closest_hit(&ray, start);
+            if !hit.is_hit() {
+                color = self.prepared.background.color(ray.direction);
+                break;
+            }
+            self.hits += 1;
+            let surface = SurfaceHit::new(&self.prepared.objects, &ray, &hit);
+            let material = &self.prepared.materials[surface.material as usize];
+            let mut direction = material.unperturbed_direction(ray.direction, surface.outward);
+            if material.takes_scatter_sample() {
+                self.scatter_samples.prepare();
+                direction = material.scatter_params.scatter_around(direction, self.scatter_samples.next());
+                cpu::internals::input::error::push(&mut self.reflectances, material.reflectance, "a path")?;
+            }
+            (ray, start) = (Ray { origin: surface.point, direction }, hit.object);
+        }
+        Ok(self.reflectances.iter().rev().fold(color, |color, &reflectance| color.attenuate(reflectance)))
+    }
+}
+
+/// Objects that count how often one of them is read to intersect it with a ray.
+struct Counted<'a> {
+    objects: &'a <Aos as Layout>::Objects,
+    reads: Cell<u64>,
+}
+
+impl Counted<'_> {
+    fn count(&self) {
+        self.reads.set(self.reads.get() + 1);
+    }
+}
+
+impl Objects for Counted<'_> {
+    fn build(_: &Scene) -> Result<Self, Error> {
+        Err(Error::OutOfMemory { what: "objects that are borrowed" })
+    }
+
+    fn sphere_count(&self) -> usize {
+        self.objects.sphere_count()
+    }
+
+    fn cylinder_count(&self) -> usize {
+        self.objects.cylinder_count()
+    }
+
+    fn sphere(&self, index: usize) -> Placed<SphereRecord> {
+        self.count();
+        self.objects.sphere(index)
+    }
+
+    fn prefetch_sphere(&self, index: usize) {
+        self.objects.prefetch_sphere(index);
+    }
+
+    fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
+        self.count();
+        self.objects.cylinder(index)
+    }
+
+    fn axis(&self, index: usize) -> Vec3 {
+        self.objects.axis(index)
+    }
+
+    fn reorder(&mut self, _: &mut [u32], _: &mut [u32]) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine;
+    use cpu::Config;
+
+    fn prepared(config: &Config, scene: &Scene) -> Prepared<Aos> {
+        Prepared::new(config, scene, Scatter::Statement).expect("it is small")
+    }
+
+    #[test]
+    fn paths_have_the_colours_of_the_renderer() {
+        for (objects, max_depth) in [(3, 5), (20, 1), (20, 9), (200, 5)] {
+            let config = Config { image_width: 24, samples_per_pixel: 3, max_depth, ..Config::default() };
+            let scene = generator::scene(&generator::Options { objects, ..Default::default() });
+            let prepared = prepared(&config, &scene);
+            let mut tracer = Tracer::new(&prepared);
+            for (index, mean) in engine::means(&config, &scene).expect("it is small").into_iter().enumerate() {
+                let (row, column) = (index / 24, index % 24);
+                let mut sum = Vec3::ZERO;
+                for _ in 0..3 {
+                    let offset = [0.0; 2].map(|_: f64| tracer.jitter.draw(-0.5, 0.5));
+                    let ray = prepared.camera.ray(row as f64, column as f64, offset);
+                    sum = sum + tracer.color(ray).expect("it is small");
+                }
+                assert_eq!(sum / 3.0, mean, "{objects} objects, depth {max_depth}, pixel {index}");
+            }
+        }
+    }
+
+    #[test]
+    fn quantities_are_those_of_a_scene_known_by_hand() {
+        let text = "matte: a 1 1 1\nmetal: b 1 1 1 0\nsphere: 0 0 9 1 a\ncylinder: 0 0 0 1 0 0 4 b\n";
+        let scene = Scene::parse(text.as_bytes()).expect("it is valid");
+        let text = "image_width: 3\naspect_ratio: 3 1\ncamera_position: 0 0 -10\nsamples_per_pixel: 4\n";
+        let config = Config::parse(text.as_bytes()).expect("it is valid");
+        // The middle ray hits the lower cap of the cylinder at z = -2. The camera looks from z = -10 to the origin.
+        let expected: [(_, &[f32]); 8] = [
+            (Quantity::Depth, &[8.0]),
+            (Quantity::Lambda, &[0.8]),
+            (Quantity::Normal, &[0.0, 0.0, -1.0]),
+            (Quantity::Object, &[1.0]),
+            (Quantity::Material, &[1.0]),
+            (Quantity::Part, &[3.0]),
+            (Quantity::Samples, &[4.0]),
+            (Quantity::Cost, &[4.0, 0.0]),
+        ];
+        for (quantity, values) in expected {
+            let floats = show(quantity, &prepared(&config, &scene), |_| ControlFlow::Continue(()));
+            let floats = floats.expect("it is small").expect("it goes on");
+            let middle = &floats.values[quantity.channels()..];
+            // Only a few samples of the wide pixel hit, so the cost of the left pixel is compared: one ray a sample.
+            let start = if quantity == Quantity::Cost { &floats.values } else { middle };
+            assert_eq!(&start[..values.len()], values, "{quantity:?}");
+            let is_of_a_hit = !matches!(quantity, Quantity::Samples | Quantity::Cost);
+            assert!(floats.values[0].is_nan() == is_of_a_hit, "{quantity:?}: the left pixel hits nothing");
+        }
+        let floats = show(Quantity::Variance, &prepared(&config, &scene), |_| ControlFlow::Continue(()));
+        let floats = floats.expect("it is small").expect("it goes on");
+        assert!(floats.values.iter().all(|&variance| (0.0..0.25).contains(&variance)), "{floats:?}");
+    }
+}
