@@ -6,7 +6,8 @@ use output::Options;
 
 use crate::Failure;
 use crate::commands::{
-    bench, compare, completions, convert, generate, help, inspect, render, report, shader, supervise, time, view,
+    animate, bench, compare, completions, convert, generate, help, inspect, render, report, shader, supervise, time,
+    view,
 };
 
 /// The exit statuses, shown after every help.
@@ -65,6 +66,8 @@ impl Cli {
 pub enum Command {
     /// Render a scene into a picture, with progress on a terminal
     Render(render::Arguments),
+    /// Render a turn of the camera, or its way to another one, as frames or as one animated PNG
+    Animate(animate::Arguments),
     /// Say how far two pictures differ, and whether the course accepts it
     Compare(compare::Arguments),
     /// Write a picture in another format: PPM, PNG, PFM, NPY, EXR
@@ -100,12 +103,13 @@ impl Command {
     /// # Errors
     /// The reason why the command ended early.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        if let Self::Render(_) | Self::Bench(_) | Self::View(_) = self {
+        if let Self::Render(_) | Self::Animate(_) | Self::Bench(_) | Self::View(_) = self {
             // The renderer would ignore a wrong name, and another set would be measured.
             InstructionSet::named()?;
         }
         match self {
             Self::Render(arguments) => arguments.run(options),
+            Self::Animate(arguments) => arguments.run(options),
             Self::Compare(arguments) => arguments.run(options),
             Self::Convert(arguments) => arguments.run(options),
             Self::Inspect(arguments) => arguments.run(),

@@ -1,5 +1,6 @@
 //! The commands. Each has its own module, with its options and its work.
 
+pub mod animate;
 pub mod bench;
 pub mod compare;
 pub mod completions;

@@ -22,7 +22,8 @@ pub struct Arguments {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 14] = [
+pub const TOPICS: [&str; 15] = [
+    "animate",
     "bench",
     "compare",
     "completions",

@@ -263,7 +263,7 @@ fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: us
 }
 
 /// Returns a progress bar on standard error. It shows nothing if standard error is not a terminal.
-fn progress(rows: usize) -> ProgressBar {
+pub(super) fn progress(rows: usize) -> ProgressBar {
     const TEMPLATE: &str = "{wide_bar} {percent:>3} %  {per_sec}  {eta} left";
     let style = ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::with_draw_target(Some(rows as u64), ProgressDrawTarget::stderr()).with_style(style.with_key(

@@ -176,3 +176,27 @@ fn a_quantity_is_shown_with_a_scale_or_as_numbers_and_light_is_linear() {
     let error = complaint(&["render", CONFIG, SCENE, &exr, "--checkpoint", &folder.name("keep")]);
     assert!(error.contains("are for pictures of colours"), "{error}");
 }
+
+#[test]
+fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
+    let folder = Folder::new();
+    let [out, film] = ["frames", "film.png"].map(|name| folder.name(name));
+    let animate = |out: &str, options: &[&str]| {
+        let command = ["animate", CONFIG, SCENE, out, "--frames", "4", "--json"];
+        let taken = printed(&[&command[..], &SMALL, options].concat());
+        let taken: serde_json::Value = serde_json::from_str(&taken).expect("it is JSON");
+        taken["rendered"].as_u64()
+    };
+    assert_eq!(animate(&out, &[]), Some(4));
+    let first = fs::read(folder.file("frames/0000.png")).expect("it was written");
+    assert!(Picture::parse(&first) == Picture::parse(&expected(Scatter::Statement)), "the first frame is the picture");
+    let third = fs::read(folder.file("frames/0002.png")).expect("it was written");
+    fs::remove_file(folder.file("frames/0001.png")).expect("it is ours");
+    fs::write(folder.file("frames/0002.png"), &third[..100]).expect("it is ours");
+    assert_eq!(animate(&out, &[]), Some(2));
+    assert!(fs::read(folder.file("frames/0002.png")).expect("it was written") == third);
+    let other = complaint(&["animate", CONFIG, SCENE, &out, "--frames", "5"]);
+    assert!(other.contains("it has frames of another animation"), "{other}");
+    assert_eq!(animate(&film, &["--to", "scenes/materials/config.txt"]), Some(4));
+    assert!(fs::read(film).expect("it was written").windows(4).any(|bytes| bytes == b"acTL"), "it is animated");
+}
