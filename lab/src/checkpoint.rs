@@ -3,7 +3,7 @@
 //! A checkpoint is a line of JSON ([`Header`]), the words of both random streams, the bytes of all finished rows, and
 //! the SHA-256 digest of all this.
 
-use std::fmt::{self, Debug, Write as _};
+use std::fmt::{self, Debug, Display, Write as _};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -14,7 +14,6 @@ use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::engine::ScatterName;
 use crate::{Failure, terminal};
 
 /// Largest size in bytes of the header and the streams.
@@ -33,7 +32,7 @@ pub struct Origin {
 impl Origin {
     /// Returns the origin of the picture of these inputs by this version of the program.
     #[must_use]
-    pub fn new(config: &Config, scene: &Scene, scatter: ScatterName) -> Self {
+    pub fn new(config: &Config, scene: &Scene, scatter: impl Display) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scatter: scatter.to_string(),
@@ -199,7 +198,7 @@ mod tests {
     use test_support::folder::Folder;
 
     use super::*;
-    use crate::engine;
+    use crate::engine::{self, ScatterName};
 
     #[test]
     fn every_damage_is_refused_and_a_whole_checkpoint_of_other_inputs_too() {

@@ -3,20 +3,20 @@
 //! `test_support::p3` is for tests, and accepts only the format that the renderer writes. This module reads any valid
 //! PPM file, with comments and any white space, because `compare` gets pictures from other programs.
 
+pub mod any;
 mod exr;
 pub mod floats;
 pub mod kind;
 
-use std::io::{self, Cursor, Read, Write};
+use std::io::{self, Cursor, Write};
 use std::path::Path;
 
-use cpu::internals::input::reader::Input;
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD as STANDARD;
 use cpu::{Error, Image, Rgb, Size};
 
-use crate::format::unseen;
-use crate::{Failure, terminal};
-use floats::Floats;
-use kind::Kind;
+use crate::Failure;
+use any::Any;
 
 /// Largest size of a file that is read, in bytes. A P3 file of [`MAX_PIXELS`] pixels without comments is smaller: it
 /// needs 12 bytes a pixel.
@@ -39,73 +39,6 @@ pub struct Picture {
     pub height: usize,
     /// Red, green and blue of each pixel, row by row from the top left.
     pub pixels: Vec<[u8; 3]>,
-}
-
-/// A picture of any format.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Any {
-    /// A picture of bytes.
-    Bytes(Picture),
-    /// A picture of floating-point numbers.
-    Floats(Floats),
-}
-
-impl Any {
-    /// Reads a picture from a file. The first bytes of the file tell its format.
-    ///
-    /// # Errors
-    /// An error if the file cannot be read, is larger than [`MAX_FILE_BYTES`], or is no picture of a known format.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
-        let open = || Input::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
-        let read = || Self::parse(&picture_bytes(open()?)?);
-        read().map_err(|reason| format!("{}: {reason}", terminal::name(path)).into())
-    }
-
-    /// Returns the picture in the bytes of a file.
-    ///
-    /// # Errors
-    /// The error of the bytes, as text.
-    pub fn parse(bytes: &[u8]) -> Result<Self, String> {
-        match Kind::of_bytes(bytes) {
-            Some(Kind::Png) => from_png(bytes).map(Self::Bytes),
-            Some(Kind::Ppm) => from_ppm(bytes).map(Self::Bytes),
-            Some(Kind::Pfm) => floats::from_pfm(bytes).map(Self::Floats),
-            Some(Kind::Npy) => floats::from_npy(bytes).map(Self::Floats),
-            Some(Kind::Exr) => exr::parse(bytes).map(Self::Floats),
-            None => Err(neither(bytes)),
-        }
-    }
-
-    /// Returns width and height in pixels.
-    #[must_use]
-    pub const fn size(&self) -> (usize, usize) {
-        match self {
-            Self::Bytes(picture) => (picture.width, picture.height),
-            Self::Floats(floats) => (floats.width, floats.height),
-        }
-    }
-
-    /// Writes the picture to `out` in the format `kind`, as [`Picture::write`] and [`Floats::write`] do.
-    ///
-    /// # Errors
-    /// An error of `out`, or of memory.
-    pub fn write(&self, kind: Kind, out: impl Write) -> io::Result<()> {
-        match self {
-            Self::Bytes(picture) => picture.write(kind, out),
-            Self::Floats(floats) => floats.write(kind, out),
-        }
-    }
-
-    /// Returns the picture as bytes. Numbers are taken as linear light, for `gamma`.
-    ///
-    /// # Errors
-    /// An error if memory is short.
-    pub fn into_picture(self, gamma: f64) -> Result<Picture, String> {
-        match self {
-            Self::Bytes(picture) => Ok(picture),
-            Self::Floats(floats) => floats.to_picture(gamma),
-        }
-    }
 }
 
 impl Picture {
@@ -157,6 +90,16 @@ impl Picture {
         Ok(Self { width, height, pixels })
     }
 
+    /// Returns the picture as an address that an HTML page can have in itself: a PNG in base 64.
+    ///
+    /// # Errors
+    /// An error if the picture is too large for a PNG.
+    pub fn address(&self) -> io::Result<String> {
+        let mut png = Vec::new();
+        self.write_png(&mut png)?;
+        Ok(format!("data:image/png;base64,{}", STANDARD.encode(&png)))
+    }
+
     /// Writes the picture to `out` in the format PNG.
     ///
     /// # Errors
@@ -192,31 +135,8 @@ impl Picture {
 /// Number of bytes of the compressed picture that are written at once.
 const PIECE: usize = 1 << 16;
 
-/// Returns the message for a file that begins with `bytes` and not as a picture does.
-fn neither(bytes: &[u8]) -> String {
-    let mark = unseen::find(bytes).filter(|unseen| unseen.span.start == 0 && unseen.character == '\u{feff}');
-    let cause = mark.map(|mark| format!(": it begins with {}; {}", mark.what[0], mark.remedy[0]));
-    format!("neither PPM (P3 or P6), PNG, PFM, NPY nor EXR{}", cause.unwrap_or_default())
-}
-
 const CR_LF: &str = "the header of this P6 ends in CR LF, as the text mode of Windows writes it, and one byte belongs \
                      there; write the file again in binary mode, with LF in the header, or as P3";
-
-/// Reads all bytes of a file that begins like a picture. Any other file, such as `/dev/zero`, is refused after four
-/// bytes, because it may have no end.
-fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let mut read = |limit, bytes: &mut Vec<u8>| {
-        // If memory is short, `read_to_end` returns an error.
-        (&mut file).take(limit).read_to_end(bytes).map_err(|error| error.to_string())
-    };
-    read(4, &mut bytes)?;
-    if Kind::of_bytes(&bytes).is_none() {
-        return Err(neither(&bytes));
-    }
-    read(u64::MAX, &mut bytes)?;
-    Ok(bytes)
-}
 
 /// Returns an empty list with room for `count` items, or an error message if memory is short.
 pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, String> {

@@ -1,28 +1,27 @@
 //! Computes quantities of each pixel other than its colour: what the ray through its middle hits, and what its samples
 //! cost.
 
+mod counted;
 mod draw;
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use clap::ValueEnum;
-use cpu::internals::Prepared;
 use cpu::internals::accel::closest_hit::ClosestHit;
 use cpu::internals::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use cpu::internals::accel::stack::Stack;
-use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::internals::layout::{Objects, Placed};
+use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::math::vec3::Vec3;
 use cpu::internals::render::surface_hit::SurfaceHit;
 use cpu::internals::sampling::scatter_stream::ScatterSamples;
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::internals::simd::portable::Portable;
-use cpu::{Aos, Error, Layout, Ray, Scatter, Scene};
+use cpu::internals::{InstructionSet, Prepared};
+use cpu::{Aos, Error, Ray, Scatter};
 
 use crate::picture::floats::Floats;
-use cpu::internals::InstructionSet;
+use counted::Counted;
 
 /// A quantity of each pixel. In pictures of numbers it is not a number (NaN) where no object is hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -104,7 +103,7 @@ impl<'a> Tracer<'a> {
         let set = InstructionSet::chosen();
         Self {
             prepared,
-            objects: Counted { objects: &prepared.objects, reads: Cell::new(0) },
+            objects: Counted { objects: &prepared.objects, reads: Cell::default() },
             stack: Stack::EMPTY,
             jitter: Uniform::new(prepared.ray_seed),
             scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed, set),
@@ -193,57 +192,11 @@ impl<'a> Tracer<'a> {
     }
 }
 
-/// Objects that count how often one of them is read to intersect it with a ray.
-struct Counted<'a> {
-    objects: &'a <Aos as Layout>::Objects,
-    reads: Cell<u64>,
-}
-
-impl Counted<'_> {
-    fn count(&self) {
-        self.reads.set(self.reads.get() + 1);
-    }
-}
-
-impl Objects for Counted<'_> {
-    fn build(_: &Scene) -> Result<Self, Error> {
-        Err(Error::OutOfMemory { what: "objects that are borrowed" })
-    }
-
-    fn sphere_count(&self) -> usize {
-        self.objects.sphere_count()
-    }
-
-    fn cylinder_count(&self) -> usize {
-        self.objects.cylinder_count()
-    }
-
-    fn sphere(&self, index: usize) -> Placed<SphereRecord> {
-        self.count();
-        self.objects.sphere(index)
-    }
-
-    fn prefetch_sphere(&self, index: usize) {
-        self.objects.prefetch_sphere(index);
-    }
-
-    fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
-        self.count();
-        self.objects.cylinder(index)
-    }
-
-    fn axis(&self, index: usize) -> Vec3 {
-        self.objects.axis(index)
-    }
-
-    fn reorder(&mut self, _: &mut [u32], _: &mut [u32]) {}
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::engine;
-    use cpu::Config;
+    use cpu::{Config, Scene};
 
     fn prepared(config: &Config, scene: &Scene) -> Prepared<Aos> {
         Prepared::new(config, scene, Scatter::Statement).expect("it is small")

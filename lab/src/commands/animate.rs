@@ -17,7 +17,6 @@ use crate::checkpoint::Origin;
 use crate::engine::{self, ScatterName};
 use crate::interrupt::Interrupt;
 use crate::picture::Picture;
-use crate::picture::kind::Kind;
 use crate::{Failure, sources, terminal};
 
 /// Examples, shown after the help of `animate`.
@@ -167,8 +166,8 @@ impl Arguments {
         Ok(self.frames)
     }
 
-    /// Writes each frame into a file of its own, if the folder does not have it whole. Returns the number of frames that
-    /// were rendered.
+    /// Writes each frame into a file of its own, if the folder does not have it whole. Returns how many frames were
+    /// rendered.
     fn write_folder(
         &self,
         film: &Film<'_>,
@@ -199,7 +198,7 @@ impl Arguments {
                 let message = format!("{name} has {frame} of {} frames; the same command goes on", self.frames);
                 return Err(Failure::Kept { message, interrupted: true });
             };
-            Output::open(&path, options)?.fill(|file| picture.write(Kind::Png, file))?;
+            Output::open(&path, options)?.fill(|file| picture.write_png(file))?;
             rendered += 1;
         }
         Ok(rendered)

@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::Failure;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
 use crate::heatmap::{Scale, heatmap};
-use crate::picture::Any;
+use crate::picture::any::Any;
 use crate::picture::floats::{Floats, GAMMA};
 use crate::picture::kind::Kind;
 use crate::{sources, terminal};
@@ -96,7 +96,7 @@ impl Arguments {
         if let Some((kind, output)) = heatmap_output {
             let automatic = Scale::automatic(&first, &second, self.signed);
             let map = heatmap(&first, &second, Scale { most: self.max.unwrap_or(automatic.most), ..automatic })?;
-            output.fill(|file| map.write(kind, file))?;
+            output.fill(|file| Any::Bytes(map).write(kind, GAMMA, file))?;
         }
         if let Some(output) = html {
             let names = [&self.first, &self.second].map(|path| terminal::name(path));

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use output::{Options, Output};
 
-use crate::picture::Any;
-use crate::picture::floats::{Floats, GAMMA};
+use crate::picture::any::Any;
+use crate::picture::floats::GAMMA;
 use crate::picture::kind::Kind;
 use crate::{Failure, sources};
 
@@ -44,11 +44,7 @@ impl Arguments {
         let kind = Kind::of(&self.out, Kind::Png)?;
         output::refuse_inputs(&self.out, &[&self.input])?;
         let output = Output::open(&sources::output(&self.out), options)?;
-        let picture = match (Any::read(&sources::input(&self.input))?, kind.is_of_floats()) {
-            (Any::Bytes(picture), true) => Any::Floats(Floats::of(&picture, self.gamma)?),
-            (Any::Floats(floats), false) => Any::Bytes(floats.to_picture(self.gamma)?),
-            (picture, _) => picture,
-        };
-        Ok(output.fill(|file| picture.write(kind, file))?)
+        let picture = Any::read(&sources::input(&self.input))?;
+        Ok(output.fill(|file| picture.write(kind, self.gamma, file))?)
     }
 }

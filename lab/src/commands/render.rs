@@ -19,9 +19,10 @@ use crate::Failure;
 use crate::checkpoint::Origin;
 use crate::engine::{self, LayoutName, ScatterName};
 use crate::interrupt::Interrupt;
-use crate::picture::floats::Floats;
+use crate::picture::Picture;
+use crate::picture::any::Any;
+use crate::picture::floats::{Floats, GAMMA};
 use crate::picture::kind::Kind;
-use crate::picture::{Any, Picture};
 use crate::show::{self, Quantity};
 use crate::sources;
 use crate::terminal;
@@ -169,8 +170,8 @@ impl Arguments {
         Ok(())
     }
 
-    /// Writes the picture that `make` returns with the number of rows that it rendered. Returns the time, the memory and
-    /// the rays.
+    /// Writes the picture that `make` returns with the number of rows that it rendered. Returns the time, the memory
+    /// and the rays.
     fn write<L: Renderable>(
         &self,
         (config, scene): (&Config, &Scene),
@@ -184,8 +185,11 @@ impl Arguments {
         let bar = if self.quiet { ProgressBar::hidden() } else { progress(prepared.size.height()) };
         let (picture, rows) = make(&prepared, &bar)?;
         bar.finish_and_clear();
-        let (width, height) = picture.size();
-        output.fill(|file| picture.write(kind, file))?;
+        let (width, height) = match &picture {
+            Any::Bytes(picture) => (picture.width, picture.height),
+            Any::Floats(floats) => (floats.width, floats.height),
+        };
+        output.fill(|file| picture.write(kind, GAMMA, file))?;
         let primary_rays = ((rows * prepared.size.width()) as u64).saturating_mul(prepared.samples);
         let user_seconds = own_seconds() - before;
         Ok(Taken {

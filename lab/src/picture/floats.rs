@@ -1,12 +1,10 @@
-//! Pictures of floating-point numbers: linear light, depths, normals. Reads and writes PFM and NPY; `exr.rs` does so for
-//! EXR.
+//! Pictures of floating-point numbers: linear light, depths, normals. Reads and writes PFM and NPY.
 
 use std::io::{self, Write};
 
 use cpu::internals::image::quantize::Quantizer;
 
-use super::kind::Kind;
-use super::{Picture, check_pixels, exr, with_room};
+use super::{Picture, check_pixels, with_room};
 
 /// The gamma that converts between bytes and linear light if no other is given: the default of the configuration.
 pub const GAMMA: f64 = 2.2;
@@ -65,27 +63,14 @@ impl Floats {
         Ok(Picture { width: self.width, height: self.height, pixels })
     }
 
-    /// Writes the picture to `out` in the format `kind`; as bytes, it is linear light for the gamma 2.2.
-    ///
-    /// # Errors
-    /// An error of `out`, or of memory.
-    pub fn write(&self, kind: Kind, out: impl Write) -> io::Result<()> {
-        match kind {
-            Kind::Ppm | Kind::Png => self.to_picture(GAMMA).map_err(io::Error::other)?.write(kind, out),
-            Kind::Pfm => self.write_pfm(out),
-            Kind::Npy => self.write_npy(out),
-            Kind::Exr => exr::write(self, out),
-        }
-    }
-
-    fn write_pfm(&self, mut out: impl Write) -> io::Result<()> {
+    pub(super) fn write_pfm(&self, mut out: impl Write) -> io::Result<()> {
         let letter = if self.channels == 3 { 'F' } else { 'f' };
         // The negative number stands for little-endian numbers. The last row comes first.
         write!(out, "P{letter}\n{} {}\n-1.0\n", self.width, self.height)?;
         self.values.chunks_exact(self.width * self.channels).rev().try_for_each(|row| write_row(row, &mut out))
     }
 
-    fn write_npy(&self, mut out: impl Write) -> io::Result<()> {
+    pub(super) fn write_npy(&self, mut out: impl Write) -> io::Result<()> {
         let channels = if self.channels == 3 { ", 3" } else { "" };
         let shape = format!("({}, {}{channels})", self.height, self.width);
         let header = format!("{{'descr': '<f4', 'fortran_order': False, 'shape': {shape}, }}");
@@ -187,7 +172,8 @@ fn from_numbers(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::Any;
+    use crate::picture::any::Any;
+    use crate::picture::kind::Kind;
 
     #[test]
     fn every_format_gives_back_what_was_written() {
@@ -197,7 +183,7 @@ mod tests {
             floats.values.iter_mut().zip(values).for_each(|(value, number)| *value = number);
             for kind in [Kind::Pfm, Kind::Npy, Kind::Exr] {
                 let mut bytes = Vec::new();
-                floats.write(kind, &mut bytes).expect("memory takes all bytes");
+                Any::Floats(floats.clone()).write(kind, GAMMA, &mut bytes).expect("memory takes all bytes");
                 assert_eq!(Any::parse(&bytes), Ok(Any::Floats(floats.clone())), "{kind:?}");
                 // Whatever is cut off or changed, the result is an error or a picture, and no panic.
                 for at in 0..bytes.len() {

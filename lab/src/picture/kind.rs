@@ -1,13 +1,7 @@
-//! Chooses the format of a picture's file by the ending of its name.
+//! The formats of pictures, which the ending of a file's name or its first bytes tell.
 
-use std::io::{self, Write};
 use std::path::Path;
 
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD as STANDARD;
-
-use super::Picture;
-use super::floats::{Floats, GAMMA};
 use crate::terminal;
 
 /// The file format of a picture.
@@ -63,30 +57,6 @@ impl Kind {
     #[must_use]
     pub const fn is_of_floats(self) -> bool {
         matches!(self, Self::Pfm | Self::Npy | Self::Exr)
-    }
-}
-
-impl Picture {
-    /// Returns the picture as an address that an HTML page can have in itself: a PNG in base 64.
-    ///
-    /// # Errors
-    /// An error if the picture is too large for a PNG.
-    pub fn address(&self) -> io::Result<String> {
-        let mut png = Vec::new();
-        self.write_png(&mut png)?;
-        Ok(format!("data:image/png;base64,{}", STANDARD.encode(&png)))
-    }
-
-    /// Writes the picture to `out` in the format `kind`. Formats of numbers get its linear light, for the gamma 2.2.
-    ///
-    /// # Errors
-    /// An error of `out`.
-    pub fn write(&self, kind: Kind, out: impl Write) -> io::Result<()> {
-        match kind {
-            Kind::Ppm => self.write_ppm(out),
-            Kind::Png => self.write_png(out),
-            Kind::Pfm | Kind::Npy | Kind::Exr => Floats::of(self, GAMMA).map_err(io::Error::other)?.write(kind, out),
-        }
     }
 }
 

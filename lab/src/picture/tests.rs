@@ -1,5 +1,6 @@
 //! Tests of reading pictures in both formats, and of files that are refused.
 
+use super::any::{neither, picture_bytes};
 use super::*;
 
 const TEXT: &[u8] = b"P3\n2 2\n255\n0 0 0\n1 2 3\n255 255 255\n10 20 30\n";

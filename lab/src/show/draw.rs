@@ -7,6 +7,7 @@ use super::Quantity;
 use crate::heatmap::{color_at, framed};
 use crate::picture::floats::Floats;
 use crate::picture::{Picture, with_room};
+use crate::report::style::short;
 
 /// The colour of pixels without a hit.
 const NOTHING: [u8; 3] = [70; 3];
@@ -92,18 +93,6 @@ fn scaled(floats: &Floats, caption: &str, number: impl Fn(&[f32]) -> f64) -> Res
     })
 }
 
-/// Returns the number with three significant digits.
-fn short(value: f64) -> String {
-    let size = value.abs().log10().floor();
-    if value.fract() == 0.0 && value.abs() < 1e6 {
-        format!("{value}")
-    } else if (-3.0..6.0).contains(&size) {
-        format!("{value:.0$}", (2.0 - size).max(0.0) as usize)
-    } else {
-        format!("{value:.1e}")
-    }
-}
-
 const fn grey(is_there: bool) -> &'static str {
     if is_there { "; grey: none" } else { "" }
 }
@@ -136,12 +125,6 @@ mod tests {
     use clap::ValueEnum;
 
     use super::*;
-
-    #[test]
-    fn numbers_have_three_digits() {
-        let texts = [0.0, 0.00123, 1.0, 123.4, 98765.0, 1e9, -2.5, 3e-7].map(short);
-        assert_eq!(texts, ["0", "0.00123", "1", "123", "98765", "1.0e9", "-2.50", "3.0e-7"]);
-    }
 
     #[test]
     fn every_quantity_has_a_picture_even_without_a_hit() {

@@ -1,7 +1,9 @@
 //! The fuzz target `picture`: reads any bytes as a picture with the reader of `render-lab compare`.
 
+use lab::picture::Picture;
+use lab::picture::any::Any;
+use lab::picture::floats::GAMMA;
 use lab::picture::kind::Kind;
-use lab::picture::{Any, Picture};
 
 use crate::plain;
 
@@ -21,7 +23,7 @@ pub fn check(bytes: &[u8]) {
         let kinds = [Kind::Pfm, Kind::Npy, Kind::Exr];
         for kind in kinds.into_iter().filter(|_| floats.values.len() < 1 << 12) {
             let mut written = Vec::new();
-            floats.write(kind, &mut written).expect("memory takes all bytes");
+            Any::Floats(floats.clone()).write(kind, GAMMA, &mut written).expect("memory takes all bytes");
             // NaN is not equal to itself, so the texts are compared.
             let again = Any::parse(&written).expect("what is written can be read");
             assert_eq!(format!("{again:?}"), format!("{:?}", Any::Floats(floats.clone())), "{kind:?}");

@@ -30,7 +30,7 @@ pub fn page(pictures: [&Picture; 2], names: [String; 2], figures: &str) -> Resul
     ];
     // The places of the parts are marked by @1@ to @5@ in their order. What is filled in is not searched again.
     let mut page = String::new();
-    let mut rest = include_str!("page.html");
+    let mut rest = include_str!("../../../pages/compare.html");
     for (part, number) in parts.iter().zip(1..) {
         let (before, after) = rest.split_once(&format!("@{number}@")).ok_or("the page lacks a place")?;
         page.push_str(before);

@@ -16,7 +16,7 @@ use crate::{Failure, terminal};
 /// Options of `render` for a picture that takes several runs.
 #[derive(Debug, Args)]
 pub struct Stages {
-    /// Keep in this file what is needed to go on later: every minute, when interrupted and at the end
+    /// Keep in this file what is needed to go on later: after a row every minute, when interrupted, and at the end
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
     /// Go on from this checkpoint, and keep it up to date if --checkpoint names no other file; changes no byte
