@@ -6,15 +6,15 @@ use output::Options;
 
 use crate::Failure;
 use crate::commands::{
-    animate, bench, compare, completions, convert, generate, help, inspect, render, report, shader, supervise, time,
-    view,
+    animate, bench, check, compare, completions, convert, generate, help, inspect, render, report, shader, supervise,
+    time, view,
 };
 
 /// The exit statuses, shown after every help.
 pub const EXIT_STATUS: &str = "\
 Exit status:
   0    done; for compare: accepted
-  1    what was checked is not as it should be: compare, bench diff
+  1    what was checked is not as it should be: compare, check, bench diff
   2    an error, or a command line that is not understood
   3    render only: not finished, as --rows or --stop-after says; the checkpoint is written
   130  interrupted; no file but the checkpoint was written or changed";
@@ -70,6 +70,8 @@ pub enum Command {
     Animate(animate::Arguments),
     /// Say how far two pictures differ, and whether the course accepts it
     Compare(compare::Arguments),
+    /// Hold any program with the statement's command line to the specification
+    Check(check::Arguments),
     /// Write a picture in another format: PPM, PNG, PFM, NPY, EXR
     Convert(convert::Arguments),
     /// Say what is in a scene and how the renderer prepares for it
@@ -111,6 +113,7 @@ impl Command {
             Self::Render(arguments) => arguments.run(options),
             Self::Animate(arguments) => arguments.run(options),
             Self::Compare(arguments) => arguments.run(options),
+            Self::Check(arguments) => arguments.run(options),
             Self::Convert(arguments) => arguments.run(options),
             Self::Inspect(arguments) => arguments.run(),
             Self::Generate(arguments) => arguments.run(options),

@@ -2,12 +2,13 @@
 //!
 //! Each command has its own module in [`commands`]. The other modules hold what several commands use: [`picture`] reads
 //! and writes pictures, [`difference`] compares two of them, [`engine`] lists the implementations. [`mod@bench`]
-//! measures, and [`report`] converts the data into charts and pages. [`view`] answers the requests of the page in
-//! `web/site`.
+//! measures, and [`report`] converts the data into charts and pages. [`check`] holds other programs to the
+//! specification; [`supervise`] runs them. [`view`] answers the requests of the page in `web/site`.
 //!
 //! `cpu` does all rendering, on one thread.
 
 pub mod bench;
+pub mod check;
 pub mod checkpoint;
 pub mod cli;
 pub mod commands;

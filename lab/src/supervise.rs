@@ -63,14 +63,17 @@ impl std::fmt::Display for End {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Status(status) => write!(out, "exit status {status}"),
-            Self::Signal(signal) => {
-                let name = Signal::try_from(*signal).map_or_else(|_| signal.to_string(), |signal| signal.to_string());
-                write!(out, "ended by signal {name}")
-            }
+            Self::Signal(signal) => write!(out, "ended by signal {}", signal_name(*signal)),
             Self::TimeOut => out.write_str("over the limit of time"),
             Self::OverMemory => out.write_str("over the limit of memory"),
         }
     }
+}
+
+/// Returns the name of a signal, such as `SIGSEGV`, or its number if it has no name.
+#[must_use]
+pub fn signal_name(signal: i32) -> String {
+    Signal::try_from(signal).map_or_else(|_| signal.to_string(), |signal| signal.to_string())
 }
 
 /// How a run ended, and what it took.

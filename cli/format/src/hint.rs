@@ -45,7 +45,8 @@ pub struct Hint {
 
 impl Language {
     /// Returns the text in this language, with `values` in the places of its `{}`.
-    fn say(self, words: Words, values: &[&str]) -> String {
+    #[must_use]
+    pub fn say(self, words: Words, values: &[&str]) -> String {
         let mut values = values.iter();
         let mut pieces = words[self as usize].split("{}");
         let first = pieces.next().unwrap_or_default().to_owned();

@@ -2,13 +2,14 @@
 //!
 //! `cpu` decides which values are valid, and these tables explain it. `render-lab help config` and `help scene` print
 //! the tables, and the page in `web/site` offers them as completions. Error messages use them to point at the wrong
-//! field ([`place`]), and to say what to write instead ([`hint`]). Tests check that the tables agree with the parsers
-//! of `cpu`.
+//! field ([`place`]), and to say what to write instead ([`hint`]). [`refused`] lists wrong lines. Tests check that the
+//! tables agree with the parsers of `cpu`.
 
 pub mod faults;
 pub mod hint;
 pub mod place;
 pub mod recorder;
+pub mod refused;
 mod rewrite;
 pub mod unseen;
 

@@ -4,13 +4,11 @@ use std::fs;
 use std::ops::Deref;
 use std::process::{Command, Output};
 
+pub use format::refused::SMALL;
 use test_support::folder::Folder;
 
 /// Paths of the two programs.
 pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
-
-/// A configuration of 8 x 4 pixels, which is rendered quickly.
-pub const SMALL: &str = "image_width: 8\naspect_ratio: 2 1\nsamples_per_pixel: 2\n";
 
 /// A temporary folder for `config.txt`, `scene.txt` and `out.ppm`. It is removed when this value is dropped.
 pub struct Bench(Folder);

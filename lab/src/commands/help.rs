@@ -22,9 +22,10 @@ pub struct Arguments {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 15] = [
+pub const TOPICS: [&str; 16] = [
     "animate",
     "bench",
+    "check",
     "compare",
     "completions",
     "config",

@@ -7,29 +7,36 @@ use super::findings::Finding;
 use super::style::{self, engine_meaning, for_screen, printable, seconds, short, variables, with_error};
 use super::thumbnails::Thumbnail;
 use crate::bench::results::Results;
+use crate::format::hint::Language;
 
 const STYLE: &str = "\
 body{font:16px/1.5 system-ui,sans-serif;margin:0 auto;max-width:52rem;padding:1rem;color:var(--ink);background:var(--paper)}\
 h1{font-size:1.6rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.2rem}figure{margin:1.2rem 0;overflow-x:auto}\
 svg{width:100%;min-width:27rem;max-width:46rem;height:auto;display:block}dt{font-weight:600;margin-top:.6rem}dd{margin:0}\
 .wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.9rem}\
-th,td{padding:.25rem .7rem .25rem 0;text-align:right;border-bottom:1px solid var(--grid);white-space:nowrap}\
+th,td{padding:.25rem .7rem .25rem 0;text-align:right;vertical-align:top;border-bottom:1px solid var(--grid);white-space:nowrap}\
 th.t,td.t{text-align:left}td.t:last-child{white-space:normal}nav ol{columns:2;padding-left:1.4rem}a{color:inherit}\
-figcaption{font-size:.9rem;max-width:46rem}.scenes{display:flex;flex-wrap:wrap;gap:1rem}.scenes figure{margin:0}\
+figcaption{font-size:.9rem;max-width:46rem}.scenes{display:flex;flex-wrap:wrap;gap:1rem;margin-bottom:1rem}.scenes figure{margin:0}\
 .scenes img{display:block;width:14rem;max-width:100%;height:auto}footer{margin-top:2rem;font-size:.9rem}";
+
+/// Returns an HTML page that needs no other file. Its colours follow the light or dark setting of the reader.
+#[must_use]
+pub fn document(language: Language, title: &str, body: &str) -> String {
+    let (light, dark, title) = (variables(false), variables(true), escape(title));
+    let lang = ["en", "es"][language as usize];
+    format!(
+        "<!doctype html>\n<html lang=\"{lang}\">\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>{title}</title>\n<style>\n\
+         :root{{color-scheme:light dark;--ink:#26262B;--paper:#FFFFFF;{light}}}\n\
+         @media(prefers-color-scheme:dark){{:root{{--ink:#E6E6EA;--paper:#17171B;{dark}}}}}\n{STYLE}\n</style>\n\
+         <h1>{title}</h1>\n{body}</html>\n"
+    )
+}
 
 /// Returns the HTML page about `results`. Each chart is given with its SVG text.
 #[must_use]
 pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)], pictures: &[Thumbnail]) -> String {
-    let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>Measurements</title>\n<style>\n\
-         :root{{color-scheme:light dark;--ink:#26262B;--paper:#FFFFFF;{}}}\n\
-         @media(prefers-color-scheme:dark){{:root{{--ink:#E6E6EA;--paper:#17171B;{}}}}}\n{STYLE}\n</style>\n\
-         <h1>Measurements of the renderer</h1>\n",
-        variables(false),
-        variables(true)
-    );
+    let mut page = String::new();
     versions(&mut page, results);
     let mut body = String::new();
     heading(&mut body, "What they say");
@@ -51,12 +58,11 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
     machines(&mut body, results);
     contents(&mut page, &body);
     page.push_str(&body);
-    page.push_str("</html>\n");
-    page
+    document(Language::English, "Measurements of the renderer", &page)
 }
 
 /// Appends a heading with an anchor, to which the table of contents links.
-fn heading(page: &mut String, words: &str) {
+pub fn heading(page: &mut String, words: &str) {
     put(page, format_args!("<h2 id=\"{}\">{}</h2>\n", anchor(words), escape(words)));
 }
 
@@ -87,23 +93,34 @@ fn versions(page: &mut String, results: &Results) {
         .collect();
     runs.dedup();
     if !runs.is_empty() {
-        put(page, format_args!("<p>Measured {}.</p>\n", escape(&runs.join(", "))));
+        paragraph(page, &format!("Measured {}.", runs.join(", ")));
     }
 }
 
 /// Appends small pictures of the scenes that were measured.
-fn scenes(page: &mut String, pictures: &[Thumbnail]) {
-    if pictures.is_empty() {
-        return;
+fn scenes(page: &mut String, thumbnails: &[Thumbnail]) {
+    if !thumbnails.is_empty() {
+        heading(page, "Scenes");
+        let named = thumbnails.iter().map(|Thumbnail { scene, address }| (scene.clone(), address.clone()));
+        pictures(page, "The scene ", named);
     }
-    heading(page, "Scenes");
+}
+
+/// Appends a row of pictures, each with its caption and its `data:` address. The text for readers who do not see a
+/// picture is `what` and the caption.
+pub fn pictures(page: &mut String, what: &str, pictures: impl Iterator<Item = (String, String)>) {
     page.push_str("<div class=\"scenes\">\n");
-    for Thumbnail { scene, address } in pictures {
-        let scene = escape(scene);
-        let image = format!("<img src=\"{address}\" alt=\"The scene {scene}\">");
-        put(page, format_args!("<figure>{image}<figcaption>{scene}</figcaption></figure>\n"));
+    for (caption, address) in pictures {
+        let caption = escape(&caption);
+        let image = format!("<img src=\"{address}\" alt=\"{what}{caption}\">");
+        put(page, format_args!("<figure>{image}<figcaption>{caption}</figcaption></figure>\n"));
     }
     page.push_str("</div>\n");
+}
+
+/// Appends a paragraph.
+pub fn paragraph(page: &mut String, text: &str) {
+    put(page, format_args!("<p>{}</p>\n", escape(text)));
 }
 
 /// Appends a table that explains the names of the implementations.
@@ -166,20 +183,21 @@ fn machines(page: &mut String, results: &Results) {
     table(page, "Where it was measured", &head, rows);
 }
 
-/// Appends a table below a heading. Appends nothing if there are no rows.
-fn table(page: &mut String, title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+/// Appends a table below a heading. A cell may have several lines. Appends nothing if there are no rows.
+pub fn table(page: &mut String, title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let rows: Vec<_> = rows.collect();
     let is_number = |cell: &String| cell.starts_with(|first: char| first.is_ascii_digit() || first == '-');
     let is_words = |place: usize| !rows.iter().any(|row| row.get(place).is_some_and(is_number));
     let line = |cells: &mut dyn Iterator<Item = &str>, tag: &str| -> String {
         // A column without numbers is aligned to the left. All other columns are aligned to the right.
         let class = |place: usize| if is_words(place) { " class=\"t\"" } else { "" };
-        let cells = cells.enumerate().map(|(place, cell)| format!("<{tag}{}>{}</{tag}>", class(place), escape(cell)));
+        let lines = |cell: &str| cell.split('\n').map(escape).collect::<Vec<_>>().join("<br>");
+        let cells = cells.enumerate().map(|(place, cell)| format!("<{tag}{}>{}</{tag}>", class(place), lines(cell)));
         format!("<tr>{}</tr>\n", cells.collect::<String>())
     };
     let body: String = rows.iter().map(|row| line(&mut row.iter().map(String::as_str), "td")).collect();
     if !body.is_empty() {
-        let head = line(&mut head.iter().copied(), "th");
+        let head = if head.concat().is_empty() { String::new() } else { line(&mut head.iter().copied(), "th") };
         heading(page, title);
         put(page, format_args!("<div class=\"wide\"><table>\n{head}{body}</table></div>\n"));
     }
@@ -193,7 +211,7 @@ fn put(page: &mut String, text: std::fmt::Arguments<'_>) {
 /// Returns `text` for an HTML page, without control characters and with the characters of markup escaped.
 #[must_use]
 pub fn escape(text: &str) -> String {
-    printable(text).replace('&', "&amp;").replace('<', "&lt;")
+    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 mod bench;
 #[cfg(unix)]
+mod check;
+#[cfg(unix)]
 mod checkpoint;
 mod compare;
 #[cfg(unix)]

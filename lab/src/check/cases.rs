@@ -1,0 +1,162 @@
+//! The cases that a program is held to: its arguments, wrong input files, and pictures.
+
+use std::fs;
+use std::path::Path;
+
+use cpu::Config;
+use format::refused;
+use generator::{Arrangement, Options};
+use serde::Serialize;
+
+use crate::Failure;
+
+/// The kind of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Group {
+    /// A wrong number of arguments.
+    Arguments,
+    /// A wrong or missing input file.
+    Messages,
+    /// A small picture.
+    Pictures,
+    /// One of the course's four pictures.
+    Course,
+}
+
+/// What a program has to do with a case.
+#[derive(Clone, Debug)]
+pub enum Expected {
+    /// Refuse it with exactly this message on standard error, or with any message if it is `None`.
+    Refusal(Option<Vec<u8>>),
+    /// Write its picture. The digests are those of both [conventions](super::CONVENTIONS), where they are known.
+    Picture([Option<String>; 2]),
+}
+
+/// A case.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// Its name, which is also the name of the folder for its files.
+    pub name: String,
+    /// Its kind.
+    pub group: Group,
+    /// The section of the specification that a wrong message breaks.
+    pub section: &'static str,
+    /// The contents of the configuration and the scene, or `None` for a file that does not exist.
+    pub files: [Option<Vec<u8>>; 2],
+    /// Number of arguments. Those after the third are other names.
+    pub arguments: usize,
+    /// What the program has to do.
+    pub expected: Expected,
+}
+
+/// Returns all cases. The last ones are those of the course, if its folder is given.
+///
+/// # Errors
+/// A file of the folder cannot be read.
+pub fn all(course: Option<&Path>) -> Result<Vec<Case>, Failure> {
+    let mut cases = arguments();
+    cases.extend(messages());
+    cases.extend(small()?);
+    cases.extend(generated());
+    if let Some(folder) = course {
+        cases.extend((1..=4).map(|number| of_course(folder, number)).collect::<Result<Vec<_>, _>>()?);
+    }
+    Ok(cases)
+}
+
+fn arguments() -> Vec<Case> {
+    let case = |count| Case {
+        name: format!("arguments-{count}"),
+        group: Group::Arguments,
+        section: "1.1",
+        files: [Some(refused::SMALL.into()), Some(Vec::new())],
+        arguments: count,
+        expected: Expected::Refusal(Some(format!("Error: Invalid number of arguments: {count}\n").into())),
+    };
+    [0, 1, 2, 4, 5].map(case).to_vec()
+}
+
+/// Returns the cases of the wrong lines that the statement names, and of files that do not exist.
+fn messages() -> Vec<Case> {
+    let case = |name: String, section, files, message| Case {
+        name,
+        group: Group::Messages,
+        section,
+        files,
+        arguments: 3,
+        expected: Expected::Refusal(message),
+    };
+    let stated = refused::ALL.iter().filter(|refused| refused.is_stated).enumerate();
+    let mut cases: Vec<_> = stated
+        .map(|(index, refused)| {
+            let message = [b"Error: ", refused.message, b"\n"].concat();
+            case(format!("message-{:02}", index + 1), refused.section(), refused.files().map(Some), Some(message))
+        })
+        .collect();
+    cases.push(case("no-configuration".to_owned(), "1.4", [None, Some(Vec::new())], None));
+    cases.push(case("no-scene".to_owned(), "1.4", [Some(refused::SMALL.into()), None], None));
+    cases
+}
+
+fn picture(name: String, group: Group, files: [Vec<u8>; 2], digests: [Option<String>; 2]) -> Case {
+    Case { name, group, section: "1.4", files: files.map(Some), arguments: 3, expected: Expected::Picture(digests) }
+}
+
+/// Returns the digests of the picture with this number in a list of digests, in both conventions.
+fn digests(sums: &str, number: &str) -> Result<[Option<String>; 2], String> {
+    let sums = digest::read_sums(sums)?;
+    let find = |convention: &str| {
+        let name = format!("{convention}/{number}.ppm");
+        sums.iter().find(|(other, _)| *other == name).map(|(_, digest)| digest.clone())
+    };
+    Ok(["statement", "published"].map(find))
+}
+
+/// Returns the contents of the two files of a case in `tests/cases`.
+macro_rules! files {
+    ($($number:literal)*) => {[$((
+        $number,
+        [
+            include_bytes!(concat!("../../../tests/cases/", $number, "/config.txt")).as_slice(),
+            include_bytes!(concat!("../../../tests/cases/", $number, "/scene.txt")),
+        ],
+    )),*]};
+}
+
+/// Returns the 16 cases of `tests/cases`. The program contains their files, so it needs no checkout.
+fn small() -> Result<Vec<Case>, Failure> {
+    let sums = include_str!("../../../tests/cases/SHA256SUMS");
+    let files = files!("01" "02" "03" "04" "05" "06" "07" "08" "09" "10" "11" "12" "13" "14" "15" "16");
+    let case = |(number, files): (&str, [&[u8]; 2])| {
+        let digests = digests(sums, number)?;
+        Ok(picture(format!("picture-{number}"), Group::Pictures, files.map(<[u8]>::to_vec), digests))
+    };
+    files.into_iter().map(case).collect()
+}
+
+/// Returns cases with generated scenes. They have more samples than the small cases, so less noise.
+fn generated() -> Vec<Case> {
+    let options = [
+        Options { seed: 1, objects: 20, ..Options::default() },
+        Options { seed: 2, objects: 20, cylinders: 1.0, ..Options::default() },
+        Options { seed: 3, objects: 40, cylinders: 0.0, ..Options::default() },
+        Options { seed: 4, objects: 30, arrangement: Arrangement::Grid, ..Options::default() },
+    ];
+    let case = |options: Options| {
+        let config = Config { image_width: 96, samples_per_pixel: 16, max_depth: 5, ..generator::view(&options) };
+        let files = [generator::write::config(&config), generator::write::scene(&generator::scene(&options))];
+        picture(format!("generated-{}", options.seed), Group::Pictures, files.map(Into::into), [None, None])
+    };
+    options.into_iter().map(case).collect()
+}
+
+fn of_course(folder: &Path, number: u32) -> Result<Case, Failure> {
+    let read = |name: String| {
+        let path = folder.join(name);
+        fs::read(&path).map_err(|error| format!("{}: {error}", crate::terminal::name(&path)))
+    };
+    let files = [read(format!("config{number}.txt"))?, read(format!("scene{number}.txt"))?];
+    let sums = String::from_utf8_lossy(&read("SHA256SUMS".to_owned())?).into_owned();
+    Ok(picture(format!("course-{number}"), Group::Course, files, digests(&sums, &number.to_string())?))
+}

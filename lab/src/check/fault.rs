@@ -1,0 +1,108 @@
+//! What can be wrong with a program, in English and Spanish, and the rules of the specification that it breaks.
+
+use format::Words;
+use serde::Serialize;
+
+/// A fault of a program in one case.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Fault {
+    /// What is wrong.
+    pub kind: Kind,
+    /// The section of the specification with the rule that is broken, or `None` for a limit of the check.
+    pub section: Option<&'static str>,
+    /// What was expected, if there is something to say.
+    pub expected: String,
+    /// What was found.
+    pub found: String,
+}
+
+/// What is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// A signal ended the program.
+    Crash,
+    /// It took too long and was ended.
+    TimeOut,
+    /// It needed too much memory and was ended.
+    OverMemory,
+    /// The exit status is wrong.
+    WrongStatus,
+    /// What it says on standard error is wrong.
+    WrongMessage,
+    /// OUT is not as it was before an error.
+    OutputChanged,
+    /// It succeeded and wrote no picture.
+    NoPicture,
+    /// The file is no P3.
+    UnreadablePicture,
+    /// The picture has another width or height.
+    WrongSize,
+    /// The course does not accept the picture.
+    WrongPicture,
+    /// The course accepts the picture, but its bytes are not those of the specification, and `--exact` asks for them.
+    OtherBytes,
+}
+
+impl Kind {
+    /// Returns the name of the fault.
+    #[must_use]
+    pub const fn words(self) -> Words {
+        match self {
+            Self::Crash => ["crash", "el programa aborta"],
+            Self::TimeOut => ["over the limit of time", "supera el límite de tiempo"],
+            Self::OverMemory => ["over the limit of memory", "supera el límite de memoria"],
+            Self::WrongStatus => ["wrong exit status", "código de salida incorrecto"],
+            Self::WrongMessage => ["wrong message", "mensaje incorrecto"],
+            Self::OutputChanged => ["an error changed OUT", "un error ha cambiado OUT"],
+            Self::NoPicture => ["no picture", "no hay imagen"],
+            Self::UnreadablePicture => ["unreadable picture", "imagen ilegible"],
+            Self::WrongSize => ["picture of a wrong size", "imagen de otro tamaño"],
+            Self::WrongPicture => ["wrong picture", "imagen incorrecta"],
+            Self::OtherBytes => ["accepted picture with other bytes", "imagen aceptada con otros bytes"],
+        }
+    }
+
+    /// Returns the fault of a case. A wrong message breaks the rule in the section `message` of the specification.
+    #[must_use]
+    pub fn fault(self, message: &'static str, expected: impl Into<String>, found: impl Into<String>) -> Fault {
+        let section = match self {
+            Self::TimeOut | Self::OverMemory => None,
+            Self::Crash | Self::WrongStatus | Self::OutputChanged => Some("1.4"),
+            Self::WrongMessage => Some(message),
+            Self::NoPicture => Some("1.1"),
+            Self::UnreadablePicture => Some("5.3"),
+            Self::WrongSize => Some("3.2"),
+            Self::WrongPicture => Some("12"),
+            Self::OtherBytes => Some("5.2"),
+        };
+        Fault { kind: self, section, expected: expected.into(), found: found.into() }
+    }
+}
+
+/// The sections of docs/specification.md that a fault can break, with their titles.
+pub const RULES: [(&str, Words); 8] = [
+    ("1.1", ["Command line", "Línea de órdenes"]),
+    ("1.4", ["Errors", "Errores"]),
+    ("3.2", ["Height of the picture", "Altura de la imagen"]),
+    ("3.4", ["Messages", "Mensajes de la configuración"]),
+    ("4.3", ["Messages", "Mensajes de la escena"]),
+    ("5.2", ["From samples to bytes", "De las muestras a los bytes"]),
+    ("5.3", ["P3 file", "Archivo P3"]),
+    ("12", ["Acceptance of a picture", "Aceptación de una imagen"]),
+];
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_rule_is_a_section_of_the_specification() {
+        let page = include_str!("../../../docs/specification.md");
+        for (number, [title, _]) in super::RULES {
+            assert!(
+                [format!("\n### {number} {title}\n"), format!("\n## {number}. {title}\n")]
+                    .iter()
+                    .any(|line| page.contains(line))
+            );
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! `render-lab check`: holds a program to the specification.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use output::{Options, Output};
+use tempfile::TempDir;
+
+use crate::bench::commands::Job;
+use crate::check::{How, Report, cases};
+use crate::format::hint::Language;
+use crate::{Failure, terminal};
+
+/// Options of `check`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  render-lab check target/release/render-aos
+  render-lab check --language es --html check.html --keep /tmp/check build/render-soa
+  RENDER_REFERENCE_DIR=/course/cases render-lab check --seconds 900 build/render-soa
+  render-lab check --json python3 render.py | jq '.cases[] | select(.faults != [])'
+
+The program is run as PROGRAM ARG.. CONFIG SCENE OUT.ppm: with wrong numbers of arguments, with wrong files, and for
+small pictures. A picture is right if the course accepts it: the largest difference from the expected picture is below
+150, and the RMSE below 10. The expected picture has the scatter vectors of the statement or of the published pictures,
+whichever fit more of the program's pictures. The program is not confined: run only what you trust.
+
+Exit status: 0 all passed, 1 something failed, 2 an error")]
+pub struct Arguments {
+    /// The program, and arguments before CONFIG
+    #[arg(required = true, trailing_var_arg = true, allow_hyphen_values = true, value_names = ["PROGRAM", "ARG"])]
+    program: Vec<OsString>,
+    #[command(flatten)]
+    how: How,
+    #[command(flatten)]
+    shown: Shown,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Where the report goes.
+#[derive(Debug, Args)]
+pub struct Shown {
+    /// Language of the report
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(["en", "es"]).map(language))]
+    pub language: Language,
+    /// Write the report as one self-contained page too
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
+    /// Keep the files of all cases in this folder; without it, they are kept in a temporary folder if something failed
+    #[arg(long, value_name = "FOLDER")]
+    pub keep: Option<PathBuf>,
+}
+
+fn language(code: String) -> Language {
+    if code == "es" { Language::Spanish } else { Language::English }
+}
+
+/// The folder for the files of the cases.
+#[derive(Debug)]
+pub struct Place(PathBuf, Option<TempDir>);
+
+impl Place {
+    /// Makes the folder of `--keep`, or a temporary one.
+    ///
+    /// # Errors
+    /// The folder cannot be made.
+    pub fn new(keep: Option<&Path>) -> Result<Self, Failure> {
+        let Some(folder) = keep else {
+            let temporary = TempDir::with_prefix("render-check-")?;
+            return Ok(Self(temporary.path().to_owned(), Some(temporary)));
+        };
+        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
+        Ok(Self(std::path::absolute(folder)?, None))
+    }
+
+    /// Returns the path of the folder.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
+    /// Keeps a temporary folder, and returns [`Failure::Rejected`].
+    pub fn reject(self) -> Failure {
+        self.1.map(TempDir::keep);
+        Failure::Rejected
+    }
+}
+
+impl Arguments {
+    /// Checks the program, and prints the report.
+    ///
+    /// # Errors
+    /// [`Failure::Rejected`] if the program failed a case, or an error of a file or the program.
+    pub fn run(&self, options: Options) -> Result<(), Failure> {
+        let Shown { language, html, keep } = &self.shown;
+        let html = html.as_ref().map(|path| Output::open(path, options)).transpose()?;
+        let cases = cases::all(std::env::var_os("RENDER_REFERENCE_DIR").as_deref().map(Path::new))?;
+        let place = Place::new(keep.as_deref())?;
+        let name = terminal::quoted(self.program.iter().map(AsRef::as_ref));
+        let program = Job { name, words: self.program.clone(), place: PathBuf::from(".") };
+        let report = Report::of(&program, &cases, &self.how, place.path())?;
+        if let Some(output) = html {
+            output.fill(|file| file.write_all(report.page(*language, place.path()).as_bytes()))?;
+        }
+        if self.json {
+            super::print_json(&report)?
+        } else {
+            terminal::print(&report.text(*language))?
+        }
+        if report.is_passed() { Ok(()) } else { Err(place.reject()) }
+    }
+}
