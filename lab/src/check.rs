@@ -22,18 +22,7 @@ use crate::supervise::Limits;
 use crate::{Failure, terminal};
 use cases::{Case, Group};
 use fault::{Fault, Kind};
-use judge::{ARGUMENTS, CONVENTIONS, Comparison, Outcome};
-
-/// How a program is checked.
-#[derive(Clone, Copy, Debug, clap::Args)]
-pub struct How {
-    /// The limits of each run.
-    #[command(flatten)]
-    pub limits: Limits,
-    /// Accept only pictures with the bytes of the specification
-    #[arg(long)]
-    pub exact: bool,
-}
+use judge::{ARGUMENTS, Comparison};
 
 /// What a program did with one case.
 #[derive(Clone, Debug, Serialize)]
@@ -46,7 +35,7 @@ pub struct Checked {
     pub faults: Vec<Fault>,
     /// Whether a picture has the bytes of the specification.
     pub equal: bool,
-    /// The differences of a picture that has other bytes.
+    /// The differences of a picture from the expected one.
     pub difference: Option<Difference>,
     /// The command that repeats the case.
     pub command: String,
@@ -70,42 +59,30 @@ impl Report {
     ///
     /// # Errors
     /// A file cannot be written, the program cannot be started, or [`Failure::Interrupted`].
-    pub fn of(program: &Job, cases: &[Case], how: &How, folder: &Path) -> Result<Self, Failure> {
+    pub fn of(program: &Job, cases: &[Case], limits: &Limits, folder: &Path) -> Result<Self, Failure> {
         let bar = terminal::progress(cases.len(), "cases");
         let mut outcomes = Vec::new();
         for case in cases {
-            outcomes.push(case.run(program, &folder.join(&case.name), &how.limits)?);
+            outcomes.push(case.run(program, &folder.join(&case.name), limits)?);
             bar.inc(1);
         }
         bar.finish_and_clear();
-        let accepted = |convention: usize| {
-            let is_accepted = |outcome: &&Outcome| match outcome {
-                Outcome::Compared(compared) => compared[convention].is_accepted(),
-                Outcome::Faults(_) => false,
-            };
-            outcomes.iter().filter(is_accepted).count()
-        };
+        let pictures = || outcomes.iter().flatten();
+        let accepted = |index: usize| pictures().filter(|compared| compared[index].difference.accepted).count();
         let convention = usize::from(accepted(1) > accepted(0));
         let judged = cases.iter().zip(outcomes).map(|(case, outcome)| {
             let place = folder.join(&case.name);
             let words = case.command(program, &place);
-            let command = terminal::quoted(words.iter().map(AsRef::as_ref));
-            let command = if program.place == Path::new(".") {
-                command
-            } else {
-                format!("cd {} && {command}", terminal::quoted([program.place.as_os_str()]))
-            };
-            let mut checked = Checked {
-                case: case.name.clone(),
-                group: case.group,
-                faults: Vec::new(),
-                equal: false,
-                difference: None,
-                command,
-            };
+            let mut command = terminal::quoted(words.iter().map(AsRef::as_ref));
+            if program.place != Path::new(".") {
+                command = format!("cd {} && {command}", terminal::quoted([program.place.as_os_str()]));
+            }
+            let (case_name, group) = (case.name.clone(), case.group);
+            let mut checked =
+                Checked { case: case_name, group, faults: Vec::new(), equal: false, difference: None, command };
             match outcome {
-                Outcome::Faults(faults) => checked.faults = faults,
-                Outcome::Compared(compared) => checked.judge(case, &compared, convention, how, &place)?,
+                Err(faults) => checked.faults = faults,
+                Ok(compared) => checked.judge(case, &compared[convention], convention, &place)?,
             }
             Ok(checked)
         });
@@ -127,44 +104,24 @@ impl Report {
 }
 
 impl Checked {
-    /// Judges a picture by its differences from the expected one. If the picture is wrong, writes the expected picture,
-    /// the picture, and their difference into the folder of the case.
-    fn judge(
-        &mut self,
-        case: &Case,
-        compared: &[Comparison; 2],
-        convention: usize,
-        how: &How,
-        place: &Path,
-    ) -> Result<(), Failure> {
-        let computed;
-        let difference = match &compared[convention] {
-            Comparison::Equal => {
-                self.equal = true;
-                return Ok(());
-            }
-            Comparison::Differs(difference) => difference,
-            Comparison::Other => {
-                let found = Picture::read(&place.join(ARGUMENTS[2]))?;
-                computed = Difference::between(&case.expected_picture(CONVENTIONS[convention])?, &found)?;
-                &computed
-            }
-        };
-        let bounds = format!("maximum < {MAXIMUM_BOUND}, RMSE < {RMSE_BOUND}");
-        let found = format!("maximum {:.1}, RMSE {:.2}", difference.maximum, difference.rmse);
-        self.difference = Some(difference.clone());
+    /// Judges a picture. If it is wrong, writes the expected picture, the picture, and their difference into the folder
+    /// of the case.
+    fn judge(&mut self, case: &Case, compared: &Comparison, convention: usize, place: &Path) -> Result<(), Failure> {
+        let difference = &compared.difference;
+        self.equal = compared.is_equal;
         if !difference.accepted {
-            self.faults.push(Kind::WrongPicture.fault("", bounds, found));
+            let bounds = format!("maximum < {MAXIMUM_BOUND}, RMSE < {RMSE_BOUND}");
+            let figures = format!("maximum {:.1}, RMSE {:.2}", difference.maximum, difference.rmse);
+            self.faults.push(Kind::WrongPicture.fault("", bounds, figures));
             let found = Picture::read(&place.join(ARGUMENTS[2]))?;
-            let expected = case.expected_picture(CONVENTIONS[convention])?;
-            let map = heatmap(&expected, &found, Scale::automatic(&expected, &found, false))?;
+            let expected = &case.expected_pictures()?[convention].picture;
+            let map = heatmap(expected, &found, Scale::automatic(expected, &found, false))?;
             let map = map.crop([0, 0, expected.width, expected.height])?;
-            for (name, picture) in page::PICTURES.iter().zip([&expected, &found, &map]) {
+            for (name, picture) in page::PICTURES.iter().zip([expected, &found, &map]) {
                 Output::open(&place.join(name), Options::default())?.fill(|file| picture.write(Format::Png, file))?;
             }
-        } else if how.exact {
-            self.faults.push(Kind::OtherBytes.fault("", "", found));
         }
+        self.difference = Some(difference.clone());
         Ok(())
     }
 }

@@ -6,8 +6,8 @@ use output::Options;
 
 use crate::Failure;
 use crate::commands::{
-    animate, bench, check, compare, completions, convert, generate, help, inspect, render, report, shader, supervise,
-    time, view,
+    animate, bench, check, compare, completions, convert, generate, grade, help, inspect, render, report, shader,
+    supervise, time, view,
 };
 
 /// The exit statuses, shown after every help.
@@ -72,6 +72,8 @@ pub enum Command {
     Compare(compare::Arguments),
     /// Hold any program with the statement's command line to the specification
     Check(check::Arguments),
+    /// Check, measure and grade the programs of a folder
+    Grade(grade::Arguments),
     /// Write a picture in another format: PPM, PNG, PFM, NPY, EXR
     Convert(convert::Arguments),
     /// Say what is in a scene and how the renderer prepares for it
@@ -114,6 +116,7 @@ impl Command {
             Self::Animate(arguments) => arguments.run(options),
             Self::Compare(arguments) => arguments.run(options),
             Self::Check(arguments) => arguments.run(options),
+            Self::Grade(arguments) => arguments.run(options),
             Self::Convert(arguments) => arguments.run(options),
             Self::Inspect(arguments) => arguments.run(),
             Self::Generate(arguments) => arguments.run(options),

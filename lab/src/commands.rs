@@ -7,6 +7,7 @@ pub mod compare;
 pub mod completions;
 pub mod convert;
 pub mod generate;
+pub mod grade;
 pub mod help;
 pub mod inspect;
 pub mod render;

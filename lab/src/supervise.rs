@@ -1,18 +1,19 @@
 //! Runs another program once, under limits of time, memory and output, and returns how it ended and what it took.
 //!
 //! [`run`] starts the program through a second process of `render-lab`, its hidden command `supervise`, which calls
-//! [`Limits::watch`]. This second process has one child in its life, so the times and the memory that the system reports
-//! about its children are those of the program alone.
+//! [`Limits::watch`]. This second process starts no other program, so the time that the system reports about its
+//! children is that of the program alone.
 
 use std::ffi::OsString;
 use std::fs::File;
+use std::io::Read;
 use std::os::unix::process::{CommandExt, ExitStatusExt, parent_id};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-use measure::clock::{peak_memory_of_children, seconds_of_children};
+use measure::clock::{peak_memory, peak_memory_of_children, seconds_of_children};
 use measure::energy::Meter;
 use nix::sys::resource::{Resource, setrlimit};
 use nix::sys::signal::{Signal, killpg};
@@ -85,7 +86,8 @@ pub struct Run {
     pub user: f64,
     /// Elapsed time in seconds.
     pub wall: f64,
-    /// Largest resident memory in MB (10⁶ bytes). Less than the 5 MB or so of `render-lab` itself cannot be seen.
+    /// Largest resident memory in MB (10⁶ bytes). Below the 5 MB of `render-lab` itself, it is what was seen when the
+    /// program was last looked at.
     pub memory: f64,
     /// The energy that the machine used meanwhile, in joules, or `None` if there is no meter.
     pub joules: Option<f64>,
@@ -120,6 +122,14 @@ pub fn run(words: &[OsString], place: &Path, printed: &Path, limits: &Limits) ->
     serde_json::from_slice(&output.stdout).map_err(|_| message().into())
 }
 
+/// Returns the first bytes of a file, or nothing if it cannot be read. A program may print without end.
+#[must_use]
+pub fn start_of(path: &Path) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let _ = File::open(path).and_then(|file| file.take(1 << 12).read_to_end(&mut bytes));
+    bytes
+}
+
 impl Limits {
     /// Runs the command `words` as [`run`] does. This process must not have started another one before.
     ///
@@ -142,7 +152,8 @@ impl Limits {
         let mut child = command.spawn().map_err(unknown)?;
         let group = Pid::from_raw(child.id().cast_signed());
         let (ended, end) = mpsc::channel();
-        let (status, wall, broken) = std::thread::scope(|scope| {
+        let own_memory = peak_memory();
+        let (status, wall, (broken, seen)) = std::thread::scope(|scope| {
             let interrupt = &interrupt;
             let watcher = scope.spawn(move || {
                 let broken = self.broken(group, start, interrupt, &end);
@@ -157,30 +168,34 @@ impl Limits {
         });
         let joules = energy.and_then(|(meter, before)| meter.joules_since(&before));
         interrupt.check()?;
-        let (status, memory) = (status?, peak_memory_of_children() as f64 * 1e-6);
+        let status = status?;
+        // The system counts the memory of this process as the program's until the program has replaced it.
+        let counted = peak_memory_of_children();
+        let memory = if counted > own_memory + (1 << 18) || seen == 0.0 { counted as f64 * 1e-6 } else { seen };
         let by_itself = || status.code().map_or_else(|| End::Signal(status.signal().unwrap_or(0)), End::Status);
         let end = broken.or((memory > self.memory).then_some(End::OverMemory)).unwrap_or_else(by_itself);
         Ok(Run { end, user: seconds_of_children(), wall, memory, joules })
     }
 
     /// Waits until the process `id` has ended, which the closing of `end` tells, or until it has to be ended. Returns
-    /// the limit that it has broken.
-    fn broken(&self, id: Pid, start: Instant, interrupt: &Interrupt, end: &mpsc::Receiver<()>) -> Option<End> {
-        let (parent, status) = (parent_id(), format!("/proc/{id}/status"));
+    /// the limit that it has broken, and the largest memory that was seen, in MB.
+    fn broken(&self, id: Pid, start: Instant, interrupt: &Interrupt, end: &mpsc::Receiver<()>) -> (Option<End>, f64) {
+        let (parent, status, mut seen) = (parent_id(), format!("/proc/{id}/status"), 0.0);
         while let Err(RecvTimeoutError::Timeout) = end.recv_timeout(TICK) {
-            if start.elapsed().as_secs_f64() > self.seconds {
-                return Some(End::TimeOut);
-            }
             let text = std::fs::read_to_string(&status).unwrap_or_default();
             let peak =
                 text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.strip_suffix("kB")?.trim().parse().ok());
-            if peak.is_some_and(|kilobytes: f64| kilobytes * 1024e-6 > self.memory) {
-                return Some(End::OverMemory);
+            seen = peak.map_or(seen, |kilobytes: f64| kilobytes * 1024e-6);
+            if start.elapsed().as_secs_f64() > self.seconds {
+                return (Some(End::TimeOut), seen);
+            }
+            if seen > self.memory {
+                return (Some(End::OverMemory), seen);
             }
             if interrupt.flow().is_break() || parent_id() != parent {
-                return None;
+                break;
             }
         }
-        None
+        (None, seen)
     }
 }

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use measure::statistics::Median;
-use measure::turns::{order, turns_of};
+use measure::turns::order;
 use serde::{Deserialize, Serialize};
 use tempfile::TempDir;
 
@@ -28,7 +28,7 @@ pub struct Job {
 pub struct Timed {
     /// The name of the command.
     pub command: String,
-    /// User time of every round, in seconds: the mean of its runs.
+    /// User time of every round, in seconds.
     pub seconds: Vec<f64>,
     /// Median of the user times.
     pub median: Median,
@@ -63,53 +63,27 @@ pub struct Rounds {
 impl Rounds {
     /// Measures `jobs` in turn. The result of a job is a message if one of its runs fails.
     ///
-    /// A command that takes less than [`SHORTEST`](measure::turns::SHORTEST) runs several times in a round.
-    ///
     /// # Errors
     /// [`Failure::Interrupted`], or the system cannot start processes.
     pub fn measure(&self, jobs: &[Job], limits: &Limits) -> Result<Vec<Result<Timed, String>>, Failure> {
         let printed = TempDir::new()?;
-        let [warm_up, rounds] = [self.warm_up, self.rounds].map(usize::from);
-        let bar = terminal::progress((warm_up + rounds) * jobs.len(), "runs");
-        let mut turns = vec![1; jobs.len()];
+        let (warm_up, rounds) = (usize::from(self.warm_up) * jobs.len(), usize::from(self.warm_up + self.rounds));
+        let bar = terminal::progress(rounds * jobs.len(), "runs");
         let mut runs: Vec<Result<Vec<Run>, String>> = vec![Ok(Vec::new()); jobs.len()];
-        let every = order(warm_up, jobs.len()).map(|index| (index, true));
-        for (index, is_warm_up) in every.chain(order(rounds, jobs.len()).map(|index| (index, false))) {
+        for (number, index) in order(rounds, jobs.len()).enumerate() {
             bar.inc(1);
-            let Ok(done) = &mut runs[index] else { continue };
-            match jobs[index].mean_run(turns[index], limits, &printed)? {
-                Ok(run) if is_warm_up => turns[index] = turns_of(run.wall),
-                Ok(run) => done.push(run),
-                Err(message) => runs[index] = Err(message),
+            let (job, Ok(done)) = (&jobs[index], &mut runs[index]) else { continue };
+            let run = supervise::run(&job.words, &job.place, printed.path(), limits)?;
+            if run.end != End::Status(0) {
+                let errors =
+                    String::from_utf8_lossy(&supervise::start_of(&printed.path().join(PRINTED[1]))).into_owned();
+                runs[index] = Err(format!("{}: {}\n{errors}", job.name, run.end).trim_end().to_owned());
+            } else if number >= warm_up {
+                done.push(run);
             }
         }
         bar.finish_and_clear();
         Ok(jobs.iter().zip(runs).map(|(job, runs)| Ok(Timed::of(job, &runs?))).collect())
-    }
-}
-
-impl Job {
-    /// Runs the command `turns` times, and returns the means of what it took, or a message if a run fails.
-    fn mean_run(&self, turns: u32, limits: &Limits, printed: &TempDir) -> Result<Result<Run, String>, Failure> {
-        let mut mean: Option<Run> = None;
-        for _ in 0..turns {
-            let run = supervise::run(&self.words, &self.place, printed.path(), limits)?;
-            if run.end != End::Status(0) {
-                let errors = std::fs::read(printed.path().join(PRINTED[1]))?;
-                let said = String::from_utf8_lossy(&errors[..errors.len().min(500)]).trim_end().to_owned();
-                return Ok(Err(format!("{}: {}{}{said}", self.name, run.end, if said.is_empty() { "" } else { ": " })));
-            }
-            let share = 1.0 / f64::from(turns);
-            let before = mean.unwrap_or(Run { user: 0.0, wall: 0.0, memory: 0.0, joules: Some(0.0), ..run });
-            mean = Some(Run {
-                user: before.user + share * run.user,
-                wall: before.wall + share * run.wall,
-                memory: before.memory.max(run.memory),
-                joules: before.joules.zip(run.joules).map(|(sum, joules)| sum + share * joules),
-                end: run.end,
-            });
-        }
-        Ok(mean.ok_or_else(|| format!("{}: it was not run", self.name)))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The cases that a program is held to: its arguments, wrong input files, and pictures.
 
+use std::cell::OnceCell;
 use std::fs;
 use std::path::Path;
 
@@ -8,6 +9,7 @@ use format::refused;
 use generator::{Arrangement, Options};
 use serde::Serialize;
 
+use super::judge::Drawn;
 use crate::Failure;
 
 /// The kind of a case.
@@ -29,7 +31,7 @@ pub enum Group {
 pub enum Expected {
     /// Refuse it with exactly this message on standard error, or with any message if it is `None`.
     Refusal(Option<Vec<u8>>),
-    /// Write its picture. The digests are those of both [conventions](super::CONVENTIONS), where they are known.
+    /// Write its picture. The digests are those of both [`CONVENTIONS`](super::judge::CONVENTIONS), where known.
     Picture([Option<String>; 2]),
 }
 
@@ -48,6 +50,8 @@ pub struct Case {
     pub arguments: usize,
     /// What the program has to do.
     pub expected: Expected,
+    /// The expected pictures, once they have been rendered.
+    pub(super) drawn: OnceCell<[Drawn; 2]>,
 }
 
 /// Returns all cases. The last ones are those of the course, if its folder is given.
@@ -55,52 +59,47 @@ pub struct Case {
 /// # Errors
 /// A file of the folder cannot be read.
 pub fn all(course: Option<&Path>) -> Result<Vec<Case>, Failure> {
-    let mut cases = arguments();
-    cases.extend(messages());
-    cases.extend(small()?);
-    cases.extend(generated());
+    let mut cases: Vec<_> = arguments().chain(messages()).chain(small()?).chain(generated()).collect();
     if let Some(folder) = course {
         cases.extend((1..=4).map(|number| of_course(folder, number)).collect::<Result<Vec<_>, _>>()?);
     }
     Ok(cases)
 }
 
-fn arguments() -> Vec<Case> {
-    let case = |count| Case {
-        name: format!("arguments-{count}"),
-        group: Group::Arguments,
-        section: "1.1",
-        files: [Some(refused::SMALL.into()), Some(Vec::new())],
-        arguments: count,
-        expected: Expected::Refusal(Some(format!("Error: Invalid number of arguments: {count}\n").into())),
-    };
-    [0, 1, 2, 4, 5].map(case).to_vec()
+fn case(name: String, group: Group, section: &'static str, files: [Option<Vec<u8>>; 2], expected: Expected) -> Case {
+    Case { name, group, section, files, arguments: 3, expected, drawn: OnceCell::new() }
+}
+
+fn arguments() -> impl Iterator<Item = Case> {
+    [0, 1, 2, 4, 5].into_iter().map(|count| {
+        let message = format!("Error: Invalid number of arguments: {count}\n").into_bytes();
+        let files = [Some(refused::SMALL.into()), Some(Vec::new())];
+        let name = format!("arguments-{count}");
+        Case { arguments: count, ..case(name, Group::Arguments, "1.1", files, Expected::Refusal(Some(message))) }
+    })
 }
 
 /// Returns the cases of the wrong lines that the statement names, and of files that do not exist.
-fn messages() -> Vec<Case> {
-    let case = |name: String, section, files, message| Case {
-        name,
-        group: Group::Messages,
-        section,
-        files,
-        arguments: 3,
-        expected: Expected::Refusal(message),
+fn messages() -> impl Iterator<Item = Case> {
+    let refusal = |name: &str, section, files, message| {
+        case(name.to_owned(), Group::Messages, section, files, Expected::Refusal(message))
     };
     let stated = refused::ALL.iter().filter(|refused| refused.is_stated).enumerate();
-    let mut cases: Vec<_> = stated
-        .map(|(index, refused)| {
-            let message = [b"Error: ", refused.message, b"\n"].concat();
-            case(format!("message-{:02}", index + 1), refused.section(), refused.files().map(Some), Some(message))
-        })
-        .collect();
-    cases.push(case("no-configuration".to_owned(), "1.4", [None, Some(Vec::new())], None));
-    cases.push(case("no-scene".to_owned(), "1.4", [Some(refused::SMALL.into()), None], None));
-    cases
+    let lines = stated.map(move |(index, refused)| {
+        let message = [b"Error: ", refused.message, b"\n"].concat();
+        let name = format!("message-{:02}", index + 1);
+        refusal(&name, refused.section(), refused.files().map(Some), Some(message))
+    });
+    lines.chain([
+        refusal("no-configuration", "1.4", [None, Some(Vec::new())], None),
+        refusal("no-scene", "1.4", [Some(refused::SMALL.into()), None], None),
+    ])
 }
 
-fn picture(name: String, group: Group, files: [Vec<u8>; 2], digests: [Option<String>; 2]) -> Case {
-    Case { name, group, section: "1.4", files: files.map(Some), arguments: 3, expected: Expected::Picture(digests) }
+/// Returns the case of a picture.
+#[must_use]
+pub fn picture(name: String, group: Group, files: [Vec<u8>; 2], digests: [Option<String>; 2]) -> Case {
+    case(name, group, "1.4", files.map(Some), Expected::Picture(digests))
 }
 
 /// Returns the digests of the picture with this number in a list of digests, in both conventions.
@@ -136,7 +135,7 @@ fn small() -> Result<Vec<Case>, Failure> {
 }
 
 /// Returns cases with generated scenes. They have more samples than the small cases, so less noise.
-fn generated() -> Vec<Case> {
+fn generated() -> impl Iterator<Item = Case> {
     let options = [
         Options { seed: 1, objects: 20, ..Options::default() },
         Options { seed: 2, objects: 20, cylinders: 1.0, ..Options::default() },
@@ -148,7 +147,7 @@ fn generated() -> Vec<Case> {
         let files = [generator::write::config(&config), generator::write::scene(&generator::scene(&options))];
         picture(format!("generated-{}", options.seed), Group::Pictures, files.map(Into::into), [None, None])
     };
-    options.into_iter().map(case).collect()
+    options.into_iter().map(case)
 }
 
 fn of_course(folder: &Path, number: u32) -> Result<Case, Failure> {

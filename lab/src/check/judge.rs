@@ -12,41 +12,30 @@ use crate::Failure;
 use crate::bench::commands::Job;
 use crate::difference::Difference;
 use crate::picture::Picture;
-use crate::supervise::{self, End, Limits, PRINTED, signal_name};
+use crate::supervise::{self, End, Limits, PRINTED, signal_name, start_of};
 
 /// The ways to scatter that a program may follow: that of the statement, and that of the published pictures.
 pub const CONVENTIONS: [Scatter; 2] = [Scatter::Statement, Scatter::Published];
 
-/// What a program did with a case.
-#[derive(Clone, Debug)]
-pub enum Outcome {
-    /// It broke these rules, or none.
-    Faults(Vec<Fault>),
-    /// It wrote a picture, which is compared with the expected picture of each convention.
-    Compared(Box<[Comparison; 2]>),
-}
+/// What a program did with a case: a picture that is compared with the expected picture of each convention, or faults.
+/// There are no faults if the program was right to write no picture.
+pub type Outcome = Result<Box<[Comparison; 2]>, Vec<Fault>>;
 
 /// How near a picture is to the expected one.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Comparison {
-    /// Every byte of the file is equal.
-    Equal,
-    /// The pixels differ by so much, which may be nothing.
-    Differs(Difference),
-    /// It was not computed, because the picture is the expected one of the other convention.
-    Other,
+pub struct Comparison {
+    /// Whether every byte of the file is equal.
+    pub is_equal: bool,
+    /// How far the pixels differ.
+    pub difference: Difference,
 }
 
-impl Comparison {
-    /// Whether the course accepts the picture.
-    #[must_use]
-    pub fn is_accepted(&self) -> bool {
-        match self {
-            Self::Equal => true,
-            Self::Differs(difference) => difference.accepted,
-            Self::Other => false,
-        }
-    }
+/// An expected picture, and the digest of its file.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The picture.
+    pub picture: Picture,
+    digest: String,
 }
 
 /// Names of the arguments of a case. More names follow where there are too many arguments.
@@ -72,15 +61,13 @@ impl Case {
         match &self.expected {
             Expected::Refusal(message) => {
                 // The message must be right without an old file and with one.
-                for old in [None, Some("old\n")] {
-                    let faults = self.refused(program, folder, limits, old, message.as_deref())?;
-                    if !faults.is_empty() {
-                        return Ok(Outcome::Faults(faults));
-                    }
+                let faults = self.refused(program, folder, limits, None, message.as_deref())?;
+                if !faults.is_empty() {
+                    return Ok(Err(faults));
                 }
-                Ok(Outcome::Faults(Vec::new()))
+                Ok(Err(self.refused(program, folder, limits, Some("old\n"), message.as_deref())?))
             }
-            Expected::Picture(digests) => self.drawn(program, folder, limits, digests),
+            Expected::Picture(_) => Ok(self.drawn(program, folder, limits)?.map(Box::new).map_err(|fault| vec![fault])),
         }
     }
 
@@ -129,91 +116,70 @@ impl Case {
         Some(kind.fault(self.section, wanted, found))
     }
 
-    /// Runs a program that must write the picture of the case.
-    fn drawn(
-        &self,
-        program: &Job,
-        folder: &Path,
-        limits: &Limits,
-        digests: &[Option<String>; 2],
-    ) -> Result<Outcome, Failure> {
+    /// Runs a program that must write the picture of the case, and compares the picture.
+    fn drawn(&self, program: &Job, folder: &Path, limits: &Limits) -> Result<Result<[Comparison; 2], Fault>, Failure> {
         let out = folder.join(ARGUMENTS[2]);
         let _ = fs::remove_file(&out);
         let run = supervise::run(&self.command(program, folder), &program.place, folder, limits)?;
         if let Some(mut fault) = self.ended(run.end, 0) {
             let said = shown(&start_of(&folder.join(PRINTED[1])));
             fault.found += &if said.is_empty() { said } else { format!(": {said}") };
-            return Ok(Outcome::Faults(vec![fault]));
+            return Ok(Err(fault));
         }
         if !out.is_file() {
-            return Ok(Outcome::Faults(vec![Kind::NoPicture.fault(self.section, "", "")]));
+            return Ok(Err(Kind::NoPicture.fault(self.section, "", "")));
         }
-        Ok(match self.compare(&fs::read(&out)?, digests)? {
-            Ok(compared) => Outcome::Compared(Box::new(compared)),
-            Err(fault) => Outcome::Faults(vec![fault]),
-        })
-    }
-
-    /// Compares the picture in a file with the expected pictures. They are rendered only if the file has
-    /// no digest of an expected one.
-    fn compare(&self, bytes: &[u8], digests: &[Option<String>; 2]) -> Result<Result<[Comparison; 2], Fault>, Failure> {
-        let digest = Some(digest::sha256(bytes));
-        if digests.contains(&digest) {
-            let comparison =
-                |known: &Option<String>| if *known == digest { Comparison::Equal } else { Comparison::Other };
-            return Ok(Ok([comparison(&digests[0]), comparison(&digests[1])]));
-        }
-        let picture = match Picture::parse(bytes) {
+        let bytes = fs::read(&out)?;
+        let picture = match Picture::parse(&bytes) {
             Ok(picture) if bytes.starts_with(b"P3") => picture,
             other => {
                 let reason = other.map_or_else(|reason| reason, |_| shown(&bytes[..2]));
                 return Ok(Err(Kind::UnreadablePicture.fault(self.section, "P3", reason)));
             }
         };
-        let mut compared = [Comparison::Other, Comparison::Other];
-        for (scatter, compared) in CONVENTIONS.into_iter().zip(&mut compared) {
-            let expected = self.expected_picture(scatter)?;
-            let sizes = [(&expected.width, &expected.height), (&picture.width, &picture.height)];
-            if sizes[0] != sizes[1] {
-                let [expected, found] = sizes.map(|(width, height)| format!("{width} x {height}"));
-                return Ok(Err(Kind::WrongSize.fault(self.section, expected, found)));
-            }
-            let mut ppm = Vec::new();
-            expected.write_ppm(&mut ppm)?;
-            *compared = if ppm == bytes {
-                Comparison::Equal
-            } else {
-                Comparison::Differs(Difference::between(&expected, &picture)?)
-            };
+        let (expected, digest) = (self.expected_pictures()?, digest::sha256(&bytes));
+        let size = |picture: &Picture| format!("{} x {}", picture.width, picture.height);
+        if size(&expected[0].picture) != size(&picture) {
+            return Ok(Err(Kind::WrongSize.fault(self.section, size(&expected[0].picture), size(&picture))));
         }
-        Ok(Ok(compared))
+        let compare = |expected: &Drawn| {
+            let difference = Difference::between(&expected.picture, &picture)?;
+            Ok::<_, Failure>(Comparison { is_equal: expected.digest == digest, difference })
+        };
+        Ok(Ok([compare(&expected[0])?, compare(&expected[1])?]))
     }
 
-    /// Returns the expected picture: by the reference, which follows the specification line by line. The pictures of the
-    /// course are too large for it, so the renderer makes them; the tests compare its bytes with digests.
+    /// Returns the expected pictures of both [`CONVENTIONS`]. They are rendered once: by the reference, which follows
+    /// the specification line by line. The pictures of the course are too large for it, so the renderer makes them.
     ///
     /// # Errors
-    /// An error of the renderer.
-    pub fn expected_picture(&self, scatter: Scatter) -> Result<Picture, Failure> {
-        let [config, scene] = self.files.each_ref().map(|file| file.as_deref().unwrap_or_default());
-        let (config, scene) = (Config::parse(config)?, Scene::parse(scene)?);
-        Ok(if self.group == Group::Course {
-            Picture::of(&cpu::render::<Aos>(&config, &scene, scatter)?)?
-        } else {
-            Picture::of(&cpu::reference::render::<<Aos as Layout>::Image>(&config, &scene, scatter)?)?
-        })
+    /// An error of the renderer, or a picture that does not have its digest.
+    pub fn expected_pictures(&self) -> Result<&[Drawn; 2], Failure> {
+        if let Some(drawn) = self.drawn.get() {
+            return Ok(drawn);
+        }
+        let drawn = [self.expected_picture(0)?, self.expected_picture(1)?];
+        Ok(self.drawn.get_or_init(|| drawn))
     }
-}
 
-/// Returns the first bytes of a file, or nothing if it cannot be read. A program may print without end.
-fn start_of(path: &Path) -> Vec<u8> {
-    const MOST: u64 = 1 << 12;
-    let mut bytes = Vec::new();
-    if let Ok(file) = fs::File::open(path) {
-        use std::io::Read;
-        let _ = file.take(MOST).read_to_end(&mut bytes);
+    fn expected_picture(&self, convention: usize) -> Result<Drawn, Failure> {
+        let [config, scene] = self.files.each_ref().map(|file| file.as_deref().unwrap_or_default());
+        let (config, scene, scatter) = (Config::parse(config)?, Scene::parse(scene)?, CONVENTIONS[convention]);
+        let image = if self.group == Group::Course {
+            cpu::render::<Aos>(&config, &scene, scatter)?
+        } else {
+            cpu::reference::render::<<Aos as Layout>::Image>(&config, &scene, scatter)?
+        };
+        let (picture, mut ppm) = (Picture::of(&image)?, Vec::new());
+        cpu::internals::image::ppm::write_ppm(&image, &mut ppm)?;
+        let digest = digest::sha256(&ppm);
+        match &self.expected {
+            Expected::Picture(known) if known[convention].as_ref().is_some_and(|known| *known != digest) => {
+                Err(format!("{}: its file or its digest is damaged, or the renderer is wrong", self.name).into())
+            }
+            _ => Ok(Drawn { picture, digest }),
+        }
     }
-    bytes
 }
 
 fn shown(bytes: &[u8]) -> String {

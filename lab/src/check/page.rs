@@ -94,14 +94,21 @@ impl Report {
     #[must_use]
     pub fn page(&self, language: Language, folder: &Path) -> String {
         let mut body = String::new();
-        html::table(&mut body, &language.say(SUMMARY, &[]), &["", ""], self.summary(language).into_iter());
-        self.notes(language).iter().for_each(|note| html::paragraph(&mut body, &format!("{note}.")));
+        self.write_page(&mut body, language, "", folder);
+        html::document(language, &language.say(TITLE, &[&self.program]), &body)
+    }
+
+    /// Appends the report to the body of a page. Its headings begin with `start`.
+    pub fn write_page(&self, body: &mut String, language: Language, start: &str, folder: &Path) {
+        let title = |words| format!("{start}{}", language.say(words, &[]));
+        html::table(body, &title(SUMMARY), &["", ""], self.summary(language).into_iter());
+        self.notes(language).iter().for_each(|note| html::paragraph(body, &format!("{note}.")));
         let rows = self.failed().map(|checked| vec![checked.case.clone(), lines(checked, language).join("\n")]);
-        html::table(&mut body, &language.say(FAILED, &[]), &["", ""], rows);
+        html::table(body, &title(FAILED), &["", ""], rows);
         let is_wrong = |fault: &Fault| fault.kind == Kind::WrongPicture;
         for (index, checked) in self.failed().filter(|checked| checked.faults.iter().any(is_wrong)).enumerate() {
             if index == 0 {
-                html::heading(&mut body, &language.say(WRONG, &[]));
+                html::heading(body, &title(WRONG));
             }
             let address = |name: &str| {
                 let png = fs::read(folder.join(&checked.case).join(name)).ok()?;
@@ -110,9 +117,8 @@ impl Report {
             let pictures = PICTURES.iter().zip(CAPTIONS).filter_map(|(name, caption)| {
                 Some((format!("{}: {}", checked.case, language.say(caption, &[])), address(name)?))
             });
-            html::pictures(&mut body, "", pictures);
+            html::pictures(body, "", pictures);
         }
-        html::document(language, &language.say(TITLE, &[&self.program]), &body)
     }
 }
 

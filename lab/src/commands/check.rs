@@ -10,8 +10,9 @@ use output::{Options, Output};
 use tempfile::TempDir;
 
 use crate::bench::commands::Job;
-use crate::check::{How, Report, cases};
+use crate::check::{Report, cases};
 use crate::format::hint::Language;
+use crate::supervise::Limits;
 use crate::{Failure, terminal};
 
 /// Options of `check`.
@@ -34,7 +35,7 @@ pub struct Arguments {
     #[arg(required = true, trailing_var_arg = true, allow_hyphen_values = true, value_names = ["PROGRAM", "ARG"])]
     program: Vec<OsString>,
     #[command(flatten)]
-    how: How,
+    limits: Limits,
     #[command(flatten)]
     shown: Shown,
     /// Print the report as JSON
@@ -60,34 +61,18 @@ fn language(code: String) -> Language {
     if code == "es" { Language::Spanish } else { Language::English }
 }
 
-/// The folder for the files of the cases.
-#[derive(Debug)]
-pub struct Place(PathBuf, Option<TempDir>);
-
-impl Place {
-    /// Makes the folder of `--keep`, or a temporary one.
+impl Shown {
+    /// Makes the folder for the files of the cases. Returns its path, and the folder of a temporary one.
     ///
     /// # Errors
     /// The folder cannot be made.
-    pub fn new(keep: Option<&Path>) -> Result<Self, Failure> {
-        let Some(folder) = keep else {
-            let temporary = TempDir::with_prefix("render-check-")?;
-            return Ok(Self(temporary.path().to_owned(), Some(temporary)));
-        };
-        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
-        Ok(Self(std::path::absolute(folder)?, None))
-    }
-
-    /// Returns the path of the folder.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.0
-    }
-
-    /// Keeps a temporary folder, and returns [`Failure::Rejected`].
-    pub fn reject(self) -> Failure {
-        self.1.map(TempDir::keep);
-        Failure::Rejected
+    pub fn folder(&self) -> Result<(PathBuf, Option<TempDir>), Failure> {
+        if let Some(folder) = &self.keep {
+            fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
+            return Ok((std::path::absolute(folder)?, None));
+        }
+        let temporary = TempDir::with_prefix("render-check-")?;
+        Ok((temporary.path().to_owned(), Some(temporary)))
     }
 }
 
@@ -97,21 +82,25 @@ impl Arguments {
     /// # Errors
     /// [`Failure::Rejected`] if the program failed a case, or an error of a file or the program.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        let Shown { language, html, keep } = &self.shown;
-        let html = html.as_ref().map(|path| Output::open(path, options)).transpose()?;
+        let language = self.shown.language;
+        let html = self.shown.html.as_ref().map(|path| Output::open(path, options)).transpose()?;
         let cases = cases::all(std::env::var_os("RENDER_REFERENCE_DIR").as_deref().map(Path::new))?;
-        let place = Place::new(keep.as_deref())?;
+        let (folder, temporary) = self.shown.folder()?;
         let name = terminal::quoted(self.program.iter().map(AsRef::as_ref));
         let program = Job { name, words: self.program.clone(), place: PathBuf::from(".") };
-        let report = Report::of(&program, &cases, &self.how, place.path())?;
+        let report = Report::of(&program, &cases, &self.limits, &folder)?;
         if let Some(output) = html {
-            output.fill(|file| file.write_all(report.page(*language, place.path()).as_bytes()))?;
+            output.fill(|file| file.write_all(report.page(language, &folder).as_bytes()))?;
         }
         if self.json {
             super::print_json(&report)?
         } else {
-            terminal::print(&report.text(*language))?
+            terminal::print(&report.text(language))?
         }
-        if report.is_passed() { Ok(()) } else { Err(place.reject()) }
+        if report.is_passed() {
+            return Ok(());
+        }
+        temporary.map(TempDir::keep);
+        Err(Failure::Rejected)
     }
 }

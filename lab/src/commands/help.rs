@@ -22,7 +22,7 @@ pub struct Arguments {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 16] = [
+pub const TOPICS: [&str; 17] = [
     "animate",
     "bench",
     "check",
@@ -31,6 +31,7 @@ pub const TOPICS: [&str; 16] = [
     "config",
     "convert",
     "generate",
+    "grade",
     "inspect",
     "man",
     "render",

@@ -10,8 +10,9 @@ pub fn range(values: impl Iterator<Item = f64>, room: f64) -> std::ops::Range<f6
     (low / room).max(f64::MIN_POSITIVE / 2.0_f64.powi(52))..(high * room).min(f64::MAX)
 }
 
-/// A logarithmic axis with round ticks. The ticks are 1, 2 and 5 in each decade. If these are too many, they are 1 and
-/// 3, then the powers of ten, then every second, third or fifth power of ten.
+/// A logarithmic axis with round ticks. The ticks are 1, 2 and 5 in each decade. If these are fewer than two, they are
+/// multiples of a tenth, a fifth, a half or the whole of the power of ten. If these are too many, they are 1 and 3,
+/// then the powers of ten, then every second, third or fifth power of ten.
 pub struct Logarithmic(pub std::ops::Range<f64>);
 
 impl Ranged for Logarithmic {
@@ -46,7 +47,16 @@ fn ticks(range: &std::ops::Range<f64>, most: usize) -> Vec<f64> {
         let powers = decades.clone().filter(|decade| decade % count == 0).map(|decade| 10_f64.powi(decade));
         powers.filter(|tick| range.contains(tick)).collect()
     };
-    let sets = [with(&[1.0, 2.0, 5.0]), with(&[1.0, 3.0]), every(1), every(2), every(3)];
+    let few = with(&[1.0, 2.0, 5.0]);
+    if few.len() < 2 {
+        let tenths =
+            |step: i32| (10..100).step_by(step as usize).map(|tenth| f64::from(tenth) / 10.0).collect::<Vec<_>>();
+        let sets = [1, 2, 5, 10].map(|step| with(&tenths(step)));
+        if let Some(fine) = sets.into_iter().find(|ticks| ticks.len() <= most && ticks.len() > 1) {
+            return fine;
+        }
+    }
+    let sets = [few, with(&[1.0, 3.0]), every(1), every(2), every(3)];
     sets.into_iter().find(|ticks| ticks.len() <= most).unwrap_or_else(|| every(5))
 }
 
@@ -65,6 +75,7 @@ mod tests {
     fn ticks_are_round() {
         assert_eq!(ticks(&(0.9..60.0), 9), [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]);
         assert_eq!(ticks(&(0.9..60.0), 4), [1.0, 3.0, 10.0, 30.0]);
+        assert_eq!(ticks(&(3.4..4.8), 7), [3.5, 4.0, 4.5]);
         assert_eq!(ticks(&(0.9e-9..1.1), 4), [1e-9, 1e-6, 1e-3, 1.0]);
         assert_eq!(ticks(&(0.9..11000.0), 5), [1.0, 10.0, 100.0, 1000.0, 10000.0]);
     }

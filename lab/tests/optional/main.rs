@@ -1,6 +1,8 @@
-//! Tests that need what not every machine has: `strace`, the course's pictures, or Chromium with the built page.
+//! Tests that need what not every machine has: `strace`, g++, the course's pictures, or Chromium with the built page.
 //! Without it they are shown as ignored, which the standard harness can decide only at compile time.
 
+#[cfg(unix)]
+mod grade;
 #[cfg(target_os = "linux")]
 mod injected;
 mod published;
@@ -11,6 +13,8 @@ use libtest_mimic::Arguments;
 fn main() {
     let mut trials = published::trials();
     trials.extend(site::trials());
+    #[cfg(unix)]
+    trials.extend(grade::trials());
     #[cfg(target_os = "linux")]
     trials.extend(injected::trials());
     libtest_mimic::run(&Arguments::from_args(), trials).exit();

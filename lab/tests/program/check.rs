@@ -54,7 +54,7 @@ fn limits_end_a_program_and_what_it_has_started() {
     let endless = "while :; do echo Error; done";
     let large = "x=$(head -c 200000000 /dev/zero | tr '\\0' x); echo $x";
     for (script, end) in [(wait, "time_out"), (endless, "time_out"), (large, "over_memory")] {
-        let line = format!("$lab supervise --seconds 2 --memory 100 --printed . -- sh -c \"$script\"");
+        let line = "$lab supervise --seconds 2 --memory 100 --printed . -- sh -c \"$script\"";
         let output = bash(&folder, &format!("script='{}'; {line}", script.replace('\'', "'\\''")));
         assert!(String::from_utf8_lossy(&output.stdout).contains(end), "{script}: {output:?}");
     }

@@ -1,0 +1,143 @@
+//! Grades the programs of a folder: checks them, measures them in turn, and adds points.
+
+pub mod file;
+pub mod page;
+mod points;
+
+use std::fs;
+use std::path::Path;
+
+use cpu::Config;
+use serde::Serialize;
+
+use crate::bench::commands::{Job, Rounds, Timed};
+use crate::bench::scenes;
+use crate::check::Report;
+use crate::check::cases::{Case, Group, picture};
+use crate::supervise::{self, End, Limits};
+use crate::{Failure, terminal};
+use file::File;
+
+/// The longest time of a build, in seconds.
+const BUILD: f64 = 600.0;
+
+/// The start of the names of the folders for the scenes whose time is measured.
+const TIMED: &str = "timed-";
+
+/// What a program did, and its points.
+#[derive(Clone, Debug, Serialize)]
+pub struct Graded {
+    /// Its name.
+    pub program: String,
+    /// What it did with the cases of [`crate::check`], or `None` if it could not be built or started.
+    pub report: Option<Report>,
+    /// What it took for each scene; nothing if it did not make the right picture.
+    pub times: Vec<Option<Timed>>,
+    /// The points from 0 to 10 of the messages, the pictures, the time, and the energy if there is a meter.
+    pub points: [Option<f64>; 4],
+    /// The weighted mean of the points.
+    pub total: f64,
+    /// The reason why there is no report.
+    pub problem: String,
+}
+
+/// All programs, with the names of the scenes whose time was measured.
+#[derive(Clone, Debug, Serialize)]
+pub struct Grades {
+    /// Names of the scenes.
+    pub scenes: Vec<String>,
+    /// The programs, in the order of their names in the file or the folder.
+    pub programs: Vec<Graded>,
+}
+
+/// The groups of cases that the points for messages and for pictures depend on.
+const GROUPS: [[Group; 2]; 2] = [[Group::Arguments, Group::Messages], [Group::Pictures, Group::Course]];
+
+impl Graded {
+    /// Returns the number of passed cases of the groups, and the number of all.
+    fn passed(&self, groups: [Group; 2]) -> [usize; 2] {
+        let counts = self.report.iter().flat_map(|report| groups.map(|group| report.passed(group)));
+        counts.fold([0, 0], |sum, counts| [sum[0] + counts[0], sum[1] + counts[1]])
+    }
+}
+
+impl Grades {
+    /// Builds, checks and measures the programs of `folder`. The files of the cases are written below `kept`.
+    ///
+    /// # Errors
+    /// A file of the folder is wrong, or [`Failure::Interrupted`].
+    pub fn of(folder: &Path, cases: &[Case], limits: &Limits, rounds: &Rounds, kept: &Path) -> Result<Self, Failure> {
+        let folder = &std::path::absolute(folder)?;
+        let file = File::read(folder)?;
+        let scenes = timed_scenes(folder, &file)?;
+        let mut programs = Vec::new();
+        let mut jobs: Vec<Vec<Option<Job>>> = Vec::new();
+        for program in &file.program {
+            let job = program.job(folder);
+            let place = kept.join(&program.name);
+            let built = program.build_job(folder).map_or(Ok(()), |build| built(&build, &place));
+            let report = built.and_then(|()| Report::of(&job, cases, limits, &place));
+            let (report, problem) = match report {
+                Err(Failure::Interrupted) => return Err(Failure::Interrupted),
+                Err(failure) => (None, failure.message().unwrap_or_default()),
+                Ok(report) => (Some(report), String::new()),
+            };
+            let timed =
+                |scene| report.as_ref().map_or(Ok(None), |report| timed_job(scene, &job, report, &place, limits));
+            jobs.push(scenes.iter().map(timed).collect::<Result<_, _>>()?);
+            let (program, times) = (program.name.clone(), vec![None; scenes.len()]);
+            programs.push(Graded { program, report, times, points: [None; 4], total: 0.0, problem });
+        }
+        for scene in 0..scenes.len() {
+            let (places, ready): (Vec<_>, Vec<_>) =
+                jobs.iter().enumerate().filter_map(|(place, jobs)| Some((place, jobs[scene].clone()?))).unzip();
+            for (place, timed) in places.into_iter().zip(rounds.measure(&ready, limits)?) {
+                programs[place].times[scene] = timed.ok();
+            }
+        }
+        points::add(&mut programs, &file);
+        let names = scenes.iter().map(|scene| scene.name.trim_start_matches(TIMED).to_owned()).collect();
+        Ok(Self { scenes: names, programs })
+    }
+}
+
+/// Builds a program.
+fn built(build: &Job, printed: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(printed)?;
+    let run = supervise::run(&build.words, &build.place, printed, &Limits { seconds: BUILD, ..supervise::NONE })?;
+    if run.end == End::Status(0) { Ok(()) } else { Err(format!("it cannot be built: {}", run.end).into()) }
+}
+
+/// Returns the scenes whose time is measured: those of the file, or two small ones.
+fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
+    let case = |name: &str, files: [Vec<u8>; 2]| picture(format!("{TIMED}{name}"), Group::Course, files, [None, None]);
+    let read = |path: &Path| fs::read(path).map_err(|error| format!("{}: {error}", terminal::name(path)));
+    if !file.scene.is_empty() {
+        let scene = |timed: &file::Timed| {
+            let files = [read(&folder.join(&timed.config))?, read(&folder.join(&timed.scene))?];
+            Ok(case(&timed.name, files))
+        };
+        return file.scene.iter().map(scene).collect();
+    }
+    let own = ["materials", "grid"].into_iter().filter_map(|name| Some((name, scenes::named(name)?)));
+    Ok(own
+        .map(|(name, (config, scene))| {
+            let config = Config { image_width: 240, samples_per_pixel: 16, ..config };
+            case(name, [generator::write::config(&config), generator::write::scene(&scene)].map(Into::into))
+        })
+        .collect())
+}
+
+/// Returns the job that renders a scene, or `None` if the course does not accept the picture.
+fn timed_job(
+    scene: &Case,
+    program: &Job,
+    report: &Report,
+    kept: &Path,
+    limits: &Limits,
+) -> Result<Option<Job>, Failure> {
+    let place = kept.join(&scene.name);
+    let outcome = scene.run(program, &place, limits)?;
+    let is_right = outcome.is_ok_and(|compared| compared[report.convention].difference.accepted);
+    Ok(is_right.then(|| Job { words: scene.command(program, &place), ..program.clone() }))
+}

@@ -1,0 +1,139 @@
+//! The file `grade.toml`, and the programs of a folder.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::bench::commands::Job;
+use crate::{Failure, terminal};
+
+/// The contents of `grade.toml`. Everything in it may be left out.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct File {
+    /// The weights of the points.
+    pub points: Weights,
+    /// The scenes whose time is measured.
+    pub scene: Vec<Timed>,
+    /// The programs. Without them, each folder with an executable of a known name is one.
+    pub program: Vec<Program>,
+}
+
+/// The weights of the parts of the points, or the points themselves.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Weights {
+    /// Arguments and messages.
+    pub messages: f64,
+    /// Pictures.
+    pub pictures: f64,
+    /// User time.
+    pub time: f64,
+    /// Energy. Without a meter, it does not count.
+    pub energy: f64,
+}
+
+/// The statement's percentages of performance and energy; its 10 for unit and functional tests are divided among
+/// pictures and messages.
+impl Default for Weights {
+    fn default() -> Self {
+        Self { messages: 3.0, pictures: 7.0, time: 20.0, energy: 20.0 }
+    }
+}
+
+/// A scene whose time is measured.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Timed {
+    /// Its name.
+    pub name: String,
+    /// The configuration, from the folder of `grade.toml`.
+    pub config: PathBuf,
+    /// The scene file.
+    pub scene: PathBuf,
+    /// The time in seconds with 5 points of 10. Without it, the median of all programs.
+    pub reference: Option<f64>,
+    /// The time in seconds with no points. Without it, four times the reference.
+    pub zero: Option<f64>,
+}
+
+/// A program.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Program {
+    /// Its name.
+    pub name: String,
+    /// The folder in which its commands run. Without it, the folder of its name.
+    pub folder: Option<PathBuf>,
+    /// The command that builds it, which sh runs.
+    pub build: Option<String>,
+    /// The words of the command that runs it, before the three names of files.
+    pub command: Vec<String>,
+}
+
+impl File {
+    /// Reads `grade.toml` in `folder`, and looks for programs if it names none.
+    ///
+    /// # Errors
+    /// The file is wrong, or there are no programs.
+    pub fn read(folder: &Path) -> Result<Self, Failure> {
+        let path = folder.join("grade.toml");
+        let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(&path));
+        let text =
+            if path.exists() { fs::read_to_string(&path).map_err(|error| explain(&error))? } else { String::new() };
+        let mut file: Self = toml::from_str(&text).map_err(|error| explain(&error))?;
+        let Weights { messages, pictures, time, energy } = file.points;
+        let weights = [messages, pictures, time, energy];
+        if !weights.iter().all(|&weight| (0.0..1e9).contains(&weight)) || messages + pictures + time <= 0.0 {
+            return Err(explain(&"[points]: the weights must not be negative, and one besides energy above 0").into());
+        }
+        if file.program.is_empty() {
+            file.program = found(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
+        }
+        if file.program.is_empty() {
+            let names = NAMES.join(", ");
+            return Err(format!(
+                "{}: no folder in it has a program {names}, and no grade.toml names one",
+                terminal::name(folder)
+            )
+            .into());
+        }
+        Ok(file)
+    }
+}
+
+/// Names of programs that are looked for.
+const NAMES: [&str; 3] = ["render-aos", "render-soa", "render"];
+/// Folders, within the folder of each student, in which they are looked for.
+const PLACES: [&str; 4] = ["", "build", "bin", "target/release"];
+
+fn found(folder: &Path) -> std::io::Result<Vec<Program>> {
+    let mut folders: Vec<_> = fs::read_dir(folder)?.flatten().map(|entry| entry.file_name()).collect();
+    folders.sort();
+    let program = |(student, name): (&OsString, &str)| {
+        let command = PLACES.iter().map(|place| Path::new(place).join(name));
+        let command = command.into_iter().find(|path| folder.join(student).join(path).is_file())?;
+        let command = vec![Path::new(".").join(command).to_string_lossy().into_owned()];
+        let name = format!("{} {name}", terminal::name(Path::new(student)));
+        Some(Program { name, folder: Some(student.into()), build: None, command })
+    };
+    Ok(folders.iter().flat_map(|student| NAMES.map(|name| (student, name))).filter_map(program).collect())
+}
+
+impl Program {
+    /// Returns the job that runs the program. `all` is the folder of `grade.toml`.
+    #[must_use]
+    pub fn job(&self, all: &Path) -> Job {
+        let place = all.join(self.folder.as_deref().unwrap_or(Path::new(&self.name)));
+        Job { name: self.name.clone(), words: self.command.iter().map(Into::into).collect(), place }
+    }
+
+    /// Returns the job that builds the program, if there is one.
+    #[must_use]
+    pub fn build_job(&self, all: &Path) -> Option<Job> {
+        let build = self.build.as_ref()?;
+        Some(Job { words: ["sh", "-c", build].map(Into::into).to_vec(), ..self.job(all) })
+    }
+}
