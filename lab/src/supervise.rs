@@ -99,6 +99,9 @@ pub const PRINTED: [&str; 2] = ["stdout.txt", "stderr.txt"];
 /// Most bytes that the program may write into one file. A P3 file of the course's largest picture has 25 MB.
 const FILE_BYTES: u64 = 1 << 28;
 
+/// Most bytes that are kept of what the program prints.
+const KEPT_BYTES: u64 = 1 << 16;
+
 /// Time between two looks at the memory of the program.
 const TICK: Duration = Duration::from_millis(5);
 
@@ -113,7 +116,8 @@ pub fn run(words: &[OsString], place: &Path, printed: &Path, limits: &Limits) ->
     let mut command = Command::new(std::env::current_exe()?);
     command.args(["supervise", "--seconds", &limits.seconds.to_string(), "--memory", &limits.memory.to_string()]);
     command.arg("--printed").arg(std::path::absolute(printed)?).arg("--").args(words).current_dir(place);
-    let output = command.stdin(Stdio::null()).output()?;
+    let output = command.stdin(Stdio::null()).output();
+    let output = output.map_err(|error| format!("{}: {error}", crate::terminal::name(place)))?;
     interrupt.check()?;
     if output.status.code() == Some(i32::from(Failure::Interrupted.status())) {
         return Err(Failure::Interrupted);
@@ -149,10 +153,10 @@ impl Limits {
         let energy = meter.as_ref().and_then(|meter| Some((meter, meter.read()?)));
         let start = Instant::now();
         let unknown = |error| format!("{}: {error}", crate::terminal::quoted([first.as_os_str()]));
+        let own_memory = peak_memory();
         let mut child = command.spawn().map_err(unknown)?;
         let group = Pid::from_raw(child.id().cast_signed());
         let (ended, end) = mpsc::channel();
-        let own_memory = peak_memory();
         let (status, wall, (broken, seen)) = std::thread::scope(|scope| {
             let interrupt = &interrupt;
             let watcher = scope.spawn(move || {
@@ -169,6 +173,11 @@ impl Limits {
         let joules = energy.and_then(|(meter, before)| meter.joules_since(&before));
         interrupt.check()?;
         let status = status?;
+        for name in PRINTED {
+            // A program that printed without end would fill the disk, one case after the other.
+            let file = File::options().write(true).open(printed.join(name))?;
+            file.set_len(file.metadata()?.len().min(KEPT_BYTES))?;
+        }
         // The system counts the memory of this process as the program's until the program has replaced it.
         let counted = peak_memory_of_children();
         let memory = if counted > own_memory + (1 << 18) || seen == 0.0 { counted as f64 * 1e-6 } else { seen };

@@ -20,8 +20,8 @@ pub fn order(rounds: usize, count: usize) -> impl Iterator<Item = usize> {
 }
 
 /// Returns the seconds of `work(index)` for each index of `turns`, by `clock`, a function that returns the seconds
-/// until now. Each index has `rounds` times, measured in the [`order`] of turns. Each time is the mean of `turns[index]`
-/// calls.
+/// until now. Each index has `rounds` times, measured in the [`order`] of turns. Each time is the mean of
+/// `turns[index]` calls.
 ///
 /// # Errors
 /// An error of `work`.

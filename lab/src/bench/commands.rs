@@ -67,7 +67,8 @@ impl Rounds {
     /// [`Failure::Interrupted`], or the system cannot start processes.
     pub fn measure(&self, jobs: &[Job], limits: &Limits) -> Result<Vec<Result<Timed, String>>, Failure> {
         let printed = TempDir::new()?;
-        let (warm_up, rounds) = (usize::from(self.warm_up) * jobs.len(), usize::from(self.warm_up + self.rounds));
+        let warm_up = usize::from(self.warm_up) * jobs.len();
+        let rounds = usize::from(self.warm_up) + usize::from(self.rounds);
         let bar = terminal::progress(rounds * jobs.len(), "runs");
         let mut runs: Vec<Result<Vec<Run>, String>> = vec![Ok(Vec::new()); jobs.len()];
         for (number, index) in order(rounds, jobs.len()).enumerate() {
@@ -75,9 +76,9 @@ impl Rounds {
             let (job, Ok(done)) = (&jobs[index], &mut runs[index]) else { continue };
             let run = supervise::run(&job.words, &job.place, printed.path(), limits)?;
             if run.end != End::Status(0) {
-                let errors =
-                    String::from_utf8_lossy(&supervise::start_of(&printed.path().join(PRINTED[1]))).into_owned();
-                runs[index] = Err(format!("{}: {}\n{errors}", job.name, run.end).trim_end().to_owned());
+                let errors = supervise::start_of(&printed.path().join(PRINTED[1]));
+                let message = format!("{}: {}\n{}", job.name, run.end, String::from_utf8_lossy(&errors));
+                runs[index] = Err(message.trim_end().to_owned());
             } else if number >= warm_up {
                 done.push(run);
             }

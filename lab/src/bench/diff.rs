@@ -42,12 +42,12 @@ pub struct Changes {
     pub faster: Vec<Change>,
     /// Number of cases whose change is within the spread.
     pub unchanged: usize,
-    /// Cases with fewer than three times in a record, so that they have no spread.
-    pub unknown: Vec<String>,
-    /// Cases that only the old record has.
-    pub only_old: Vec<String>,
-    /// Cases that only the new record has.
-    pub only_new: Vec<String>,
+    /// Number of cases with fewer than three times in a record, so that they have no spread.
+    pub unknown: usize,
+    /// Number of cases that only the old record has.
+    pub only_old: usize,
+    /// Number of cases that only the new record has.
+    pub only_new: usize,
     /// Whether the records come from different processors, so that the times say little.
     pub other_processor: bool,
 }
@@ -86,8 +86,8 @@ fn named(Timing { setting, seconds, .. }: Timing) -> (String, Vec<f64>) {
 }
 
 impl Changes {
-    /// Compares `new` with `old`. A case has changed if its ratio differs from 1 by more than `least`, and the bounds of
-    /// the two medians do not meet.
+    /// Compares `new` with `old`. A case has changed if its ratio differs from 1 by more than `least`, and the bounds
+    /// of the two medians do not meet.
     #[must_use]
     pub fn between(old: &Times, new: &Times, least: f64) -> Self {
         let processor =
@@ -95,19 +95,19 @@ impl Changes {
         let mut changes = Self { other_processor: processor(old) != processor(new), ..Self::default() };
         for (case, was) in &old.medians {
             let Some(is) = new.medians.get(case) else {
-                changes.only_old.push(case.clone());
+                changes.only_old += 1;
                 continue;
             };
             let (ratio, bounds) = (is.median / was.median, [is.low / was.high, is.high / was.low]);
             let change = Change { ratio, bounds, seconds: [was.median, is.median], case: case.clone() };
             match () {
-                () if !(was.is_bounded() && is.is_bounded()) => changes.unknown.push(case.clone()),
+                () if !(was.is_bounded() && is.is_bounded()) => changes.unknown += 1,
                 () if bounds[0] > 1.0 && ratio > 1.0 + least => changes.slower.push(change),
                 () if bounds[1] < 1.0 && ratio < 1.0 / (1.0 + least) => changes.faster.push(change),
                 () => changes.unchanged += 1,
             }
         }
-        changes.only_new = new.medians.keys().filter(|case| !old.medians.contains_key(*case)).cloned().collect();
+        changes.only_new = new.medians.keys().filter(|case| !old.medians.contains_key(*case)).count();
         changes.slower.sort_by(|a, b| b.ratio.total_cmp(&a.ratio));
         changes.faster.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
         changes
@@ -116,7 +116,7 @@ impl Changes {
     /// Whether both records have a case.
     #[must_use]
     pub fn has_common_cases(&self) -> bool {
-        self.slower.len() + self.faster.len() + self.unchanged + self.unknown.len() > 0
+        self.slower.len() + self.faster.len() + self.unchanged + self.unknown > 0
     }
 }
 
@@ -135,8 +135,8 @@ mod tests {
             times(&[("a", &[1.0, 1.1, 1.2]), ("b", &[1.0; 3]), ("c", &[2.0; 3]), ("d", &[1.0]), ("e", &[1.0; 3])]);
         let new = times(&[("a", &[1.15, 1.3, 1.4]), ("b", &[1.01; 3]), ("c", &[1.0; 3]), ("d", &[9.0]), ("f", &[1.0])]);
         let changes = Changes::between(&old, &new, 0.02);
-        assert_eq!((changes.unchanged, changes.unknown.len(), changes.slower.len()), (2, 1, 0), "{changes:?}");
-        assert_eq!((changes.only_old, changes.only_new), (vec!["e".to_owned()], vec!["f".to_owned()]));
+        assert_eq!((changes.unchanged, changes.unknown, changes.slower.len()), (2, 1, 0), "{changes:?}");
+        assert_eq!((changes.only_old, changes.only_new), (1, 1));
         let [faster] = &changes.faster[..] else { panic!("{:?}", changes.faster) };
         assert_eq!((faster.ratio, faster.bounds, &*faster.case), (0.5, [0.5; 2], "c"));
         assert_eq!(Changes::between(&new, &old, 0.02).slower[0].ratio, 2.0);

@@ -1,5 +1,6 @@
 //! The file `grade.toml`, and the programs of a folder.
 
+use std::collections::HashSet;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -99,6 +100,15 @@ impl File {
                 terminal::name(folder)
             )
             .into());
+        }
+        // The names are names of folders too.
+        let names = file.program.iter().map(|program| &program.name).chain(file.scene.iter().map(|scene| &scene.name));
+        let mut known = HashSet::new();
+        for name in names {
+            if name.contains('/') || name.starts_with('.') || !known.insert(name) {
+                let advice = "a name must be unique, without / and without a point at its start";
+                return Err(explain(&format!("[{}]: {advice}", terminal::name(Path::new(name)))).into());
+            }
         }
         Ok(file)
     }

@@ -1,5 +1,5 @@
-//! Tests of `render-lab bench`, `time` and `report`. The only times that are compared differ by a factor of 100, because
-//! the machine may be busy.
+//! Tests of `render-lab bench`, `time` and `report`. The only times that are compared differ by a factor of 100,
+//! because the machine may be busy.
 
 use std::fs;
 

@@ -60,6 +60,6 @@ fn limits_end_a_program_and_what_it_has_started() {
     }
     let alive = bash(&folder, "kill -0 $(cat pid) && ! grep -q '^State:.Z' /proc/$(cat pid)/status");
     assert!(!alive.status.success(), "no process is left: {alive:?}");
-    assert!(folder.read("stdout.txt").len() <= 1 << 28);
+    assert!(folder.read("stdout.txt").len() <= 1 << 16);
     assert!(crate::complaint(&["check", "/no/such/program"]).contains("/no/such/program"));
 }

@@ -66,14 +66,11 @@ fn text(changes: &Changes) -> String {
     let head = ["change", "ratio", "old", "new", "case"].map(str::to_owned).to_vec();
     let rows: Vec<_> = std::iter::once(head).chain(slower).chain(faster).collect();
     let table = if rows.len() > 1 { terminal::table(&rows) + "\n\n" } else { String::new() };
+    let Changes { unchanged, unknown, only_old, only_new, .. } = changes;
     format!(
-        "{table}{} slower, {} faster, {} within their spread; {} measured too few times, {} only in the old record, {} only \
-         in the new one",
+        "{table}{} slower, {} faster, {unchanged} within their spread; {unknown} measured too few times, {only_old} only \
+         in the old record, {only_new} only in the new one",
         changes.slower.len(),
         changes.faster.len(),
-        changes.unchanged,
-        changes.unknown.len(),
-        changes.only_old.len(),
-        changes.only_new.len()
     )
 }
