@@ -1,6 +1,6 @@
 //! Checkpoints: files from which `render` goes on with a picture that was not finished (docs/files.md).
 //!
-//! A checkpoint is a line of JSON ([`Header`]), the words of both random streams, the bytes of all finished rows, and
+//! A checkpoint is a line of JSON (`Header`), the words of both random streams, the bytes of all finished rows, and
 //! the SHA-256 digest of all this.
 
 use std::fmt::{self, Debug, Display, Write as _};

@@ -53,8 +53,8 @@ impl Quantity {
     }
 }
 
-/// Computes `quantity` for all pixels. Calls `after_row` with the number of finished rows. Returns `None` if `after_row`
-/// stopped the computation.
+/// Computes `quantity` for all pixels. Calls `after_row` with the number of finished rows. Returns `None` if it stopped
+/// the computation.
 ///
 /// # Errors
 /// An error if memory is short.
