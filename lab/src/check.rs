@@ -17,7 +17,6 @@ use crate::bench::commands::Job;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
 use crate::heatmap::{Scale, heatmap};
 use crate::picture::Picture;
-use crate::picture::kind::Kind as Format;
 use crate::supervise::Limits;
 use crate::{Failure, terminal};
 use cases::{Case, Group};
@@ -118,7 +117,7 @@ impl Checked {
             let map = heatmap(expected, &found, Scale::automatic(expected, &found, false))?;
             let map = map.crop([0, 0, expected.width, expected.height])?;
             for (name, picture) in page::PICTURES.iter().zip([expected, &found, &map]) {
-                Output::open(&place.join(name), Options::default())?.fill(|file| picture.write(Format::Png, file))?;
+                Output::open(&place.join(name), Options::default())?.fill(|file| picture.write_png(file))?;
             }
         }
         self.difference = Some(difference.clone());
