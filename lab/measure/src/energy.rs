@@ -6,16 +6,10 @@ use std::path::{Path, PathBuf};
 /// The folder in which Linux shows the meters.
 const FOLDER: &str = "/sys/class/powercap";
 
-/// The meters of all processor packages. They count what the whole machine uses, not one process.
+/// The meters of all processor packages: the file of each counter, and the microjoules up to which it counts before it
+/// starts again from 0. They count what the whole machine uses, not one process.
 #[derive(Clone, Debug)]
-pub struct Meter(Vec<Package>);
-
-/// The meter of one processor package. It counts up to `range` microjoules, and then from 0 again.
-#[derive(Clone, Debug)]
-struct Package {
-    counter: PathBuf,
-    range: u64,
-}
+pub struct Meter(Vec<(PathBuf, u64)>);
 
 /// The state of the meters at one moment, in microjoules.
 #[derive(Clone, Debug)]
@@ -31,12 +25,8 @@ impl Meter {
     fn in_folder(folder: &Path) -> Option<Self> {
         let package = |entry: fs::DirEntry| {
             // `intel-rapl:0` is a package, which AMD's processors have too. `intel-rapl:0:1` is a part of it.
-            let name = entry.file_name();
-            let number = name.to_str()?.strip_prefix("intel-rapl:")?;
-            let path = entry.path();
-            number.bytes().all(|byte| byte.is_ascii_digit()).then_some(())?;
-            let range = number_in(&path.join("max_energy_range_uj"))?;
-            Some(Package { counter: path.join("energy_uj"), range })
+            entry.file_name().to_str()?.strip_prefix("intel-rapl:")?.parse::<u32>().ok()?;
+            Some((entry.path().join("energy_uj"), number_in(&entry.path().join("max_energy_range_uj"))?))
         };
         let meter = Self(fs::read_dir(folder).ok()?.flatten().filter_map(package).collect());
         (!meter.0.is_empty() && meter.read().is_some()).then_some(meter)
@@ -45,7 +35,7 @@ impl Meter {
     /// Reads the meters, or returns `None` if one of them cannot be read.
     #[must_use]
     pub fn read(&self) -> Option<Reading> {
-        self.0.iter().map(|package| number_in(&package.counter)).collect::<Option<_>>().map(Reading)
+        self.0.iter().map(|(counter, _)| number_in(counter)).collect::<Option<_>>().map(Reading)
     }
 
     /// Returns the energy used since `before` in joules, or `None` if a meter cannot be read. A meter may start again
@@ -53,11 +43,10 @@ impl Meter {
     #[must_use]
     pub fn joules_since(&self, before: &Reading) -> Option<f64> {
         let after = self.read()?;
-        let used = |((package, before), after): ((&Package, &u64), &u64)| {
-            after.checked_sub(*before).unwrap_or_else(|| package.range.saturating_sub(*before) + after)
+        let used = |(((_, range), before), after): ((&(PathBuf, u64), &u64), &u64)| {
+            after.checked_sub(*before).unwrap_or_else(|| range.saturating_sub(*before) + after)
         };
-        let total: u64 = self.0.iter().zip(&before.0).zip(&after.0).map(used).sum();
-        Some(total as f64 * 1e-6)
+        Some(self.0.iter().zip(&before.0).zip(&after.0).map(used).sum::<u64>() as f64 * 1e-6)
     }
 }
 

@@ -24,10 +24,10 @@ Examples:
   RENDER_REFERENCE_DIR=/course/cases render-lab check --seconds 900 build/render-soa
   render-lab check --json python3 render.py | jq '.cases[] | select(.faults != [])'
 
-The program is run as PROGRAM ARG.. CONFIG SCENE OUT.ppm: with wrong numbers of arguments, with wrong files, and for
-small pictures. A picture is right if the course accepts it: the largest difference from the expected picture is below
-150, and the RMSE below 10. The expected picture has the scatter vectors of the statement or of the published pictures,
-whichever fit more of the program's pictures. The program is not confined: run only what you trust.
+The program is run as PROGRAM ARG.. CONFIG SCENE OUT.ppm: with wrong numbers of arguments, with wrong files, and for \
+small pictures. A picture is right if the course accepts it: the largest difference from the expected picture is \
+below 150, and the RMSE below 10. The expected picture has the scatter vectors of the statement or of the published \
+pictures, whichever fit more of the program's pictures. The program is not confined: run only what you trust.
 
 Exit status: 0 all passed, 1 something failed, 2 an error")]
 pub struct Arguments {

@@ -17,10 +17,10 @@ Examples:
   render-lab time './render-aos c.txt s.txt a.ppm' './render-soa c.txt s.txt b.ppm'
   render-lab time --rounds 15 --json 'make -s test' > new.json && render-lab bench diff old.json new.json
 
-Each argument is one command, which sh runs. All commands run once in each round, and each round starts with another one.
-A time is the median of its rounds; in parentheses stand the bounds of the true median, with a confidence of at least
-95 % from six rounds on. User time includes that of sh, about half a millisecond, and is
-coarse below 50 ms: repeat a short command in a loop. A command that fails is an error.")]
+Each argument is one command, which sh runs. All commands run once in each round, and each round starts with another \
+one. A time is the median of its rounds; in parentheses stand the bounds of the true median, with a confidence of at \
+least 95 % from six rounds on. User time includes that of sh, about half a millisecond, and is coarse below 50 ms: \
+repeat a short command in a loop. A command that fails is an error.")]
 pub struct Arguments {
     /// Commands, each in quotes
     #[arg(required = true, value_name = "COMMAND")]

@@ -12,7 +12,8 @@ use test_support::{project_root, trial};
 /// The first line of the literal program's `main`, which then checks its arguments.
 const MAIN: (&str, &str) = (
     "renderer r; config& c",
-    r#"if (argc != 4) { std::cerr << "Error: Invalid number of arguments: " << argc - 1 << "\n"; return 1; } renderer r; config& c"#,
+    "if (argc != 4) { std::cerr << \"Error: Invalid number of arguments: \" << argc - 1 << \"\\n\"; return 1; } \
+     renderer r; config& c",
 );
 
 /// The names of the variants, what is replaced in the source, and the faults of arguments and of pictures.
@@ -68,7 +69,15 @@ fn faulty_programs_are_told_apart() -> Result<(), Failed> {
     folder.write("grade.toml", toml);
     let [html, csv, keep] = ["g.html", "g.csv", "keep"].map(|name| folder.name(name));
     let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
-    command.arg("grade").arg(folder.path()).args(["--seconds", "4", "--rounds", "3", "--language", "es", "--json"]);
+    command.env_remove("RENDER_REFERENCE_DIR").arg("grade").arg(folder.path()).args([
+        "--seconds",
+        "4",
+        "--rounds",
+        "3",
+        "--language",
+        "es",
+        "--json",
+    ]);
     let output = command.args(["--html", &html, "--csv", &csv, "--keep", &keep]).output()?;
     let grades: serde_json::Value = serde_json::from_slice(&output.stdout).map_err(|_| format!("{output:?}"))?;
     let list = |value: &serde_json::Value| value.as_array().cloned().unwrap_or_default();

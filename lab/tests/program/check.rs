@@ -5,7 +5,7 @@ use std::os::unix::fs::PermissionsExt;
 
 use test_support::folder::Folder;
 
-use crate::{bash, run};
+use crate::{bash, lab};
 
 /// Checks the program with this text, and returns the exit status and the kinds of all faults.
 fn faults(script: &str) -> (Option<i32>, BTreeSet<String>) {
@@ -13,7 +13,8 @@ fn faults(script: &str) -> (Option<i32>, BTreeSet<String>) {
     let program = folder.write("program", format!("#!/bin/sh\n{script}\n"));
     std::fs::set_permissions(&program, PermissionsExt::from_mode(0o755)).expect("it is ours");
     let [keep, program] = ["keep", "program"].map(|name| folder.name(name));
-    let output = run(&["check", "--json", "--seconds", "0.2", "--memory", "100", "--keep", &keep, &program]);
+    let arguments = ["check", "--json", "--seconds", "0.2", "--memory", "100", "--keep", &keep, &program];
+    let output = lab(&arguments).env_remove("RENDER_REFERENCE_DIR").output().expect("the program runs");
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{output:?}"));
     let cases = report["cases"].as_array().expect("a list");
     assert_eq!(cases.len(), 62, "5 numbers of arguments, 37 messages, 20 pictures");

@@ -15,8 +15,8 @@ Examples:
   render-lab bench diff old.json new.json
   render-lab bench diff old.json new.json --least 5 --json | jq .slower
 
-The records are those of bench and of time --json. A case has changed if the bounds of its two medians do not meet. The
-ratio is new / old, with what these bounds allow.
+The records are those of bench and of time --json. A case has changed if the bounds of its two medians do not meet. \
+The ratio is new / old, with what these bounds allow.
 
 Exit status: 0 nothing became slower, 1 a case became slower, 2 an error")]
 pub struct Arguments {
@@ -68,8 +68,8 @@ fn text(changes: &Changes) -> String {
     let table = if rows.len() > 1 { terminal::table(&rows) + "\n\n" } else { String::new() };
     let Changes { unchanged, unknown, only_old, only_new, .. } = changes;
     format!(
-        "{table}{} slower, {} faster, {unchanged} within their spread; {unknown} measured too few times, {only_old} only \
-         in the old record, {only_new} only in the new one",
+        "{table}{} slower, {} faster, {unchanged} within their spread; {unknown} measured too few times, {only_old} \
+         only in the old record, {only_new} only in the new one",
         changes.slower.len(),
         changes.faster.len(),
     )
