@@ -28,7 +28,7 @@ type Arrays<'py> =
 /// - the part: 0 for a sphere or the side of a cylinder, 1 for the upper cap, to which the axis points, 2 for the lower
 ///   cap, -1 without a hit.
 ///
-/// Each call prepares the scene, so give many rays at once.
+/// Each call prepares the scene, so give many rays at once. Other threads must not change the arrays meanwhile.
 #[pyfunction]
 pub fn intersect<'py>(
     origins: &Bound<'py, PyAny>,

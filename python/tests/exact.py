@@ -45,7 +45,7 @@ def cylinder(origin, direction, center, radius, axis):
 
 def closest(origin, direction, objects):
     """Returns object, lambda and part of the closest hit with a lambda of at least 0.001, or (-1, None, -1)."""
-    exactly = lambda value: Fraction(float(value)) if not hasattr(value, "__len__") else [Fraction(float(x)) for x in value]
+    exactly = lambda value: Fraction(value) if isinstance(value, (int, float)) else [Fraction(float(x)) for x in value]
     origin, direction, best = exactly(origin), exactly(direction), (-1, None, -1)
     for index, shape in enumerate(objects):
         function = sphere if len(shape) == 2 else cylinder

@@ -37,10 +37,10 @@ class Interpreter(unittest.TestCase):
 
     def test_ctrl_c_ends_a_picture(self):
         for linear in (False, True):
-            program = f"import exact_renderer; print(flush=True); exact_renderer.render({ENDLESS}, {OBJECTS}, linear={linear})"
-            with subprocess.Popen(
-                [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-            ) as process:
+            call = f"exact_renderer.render({ENDLESS}, {OBJECTS}, linear={linear})"
+            command = [sys.executable, "-c", f"import exact_renderer; print(flush=True); {call}"]
+            pipe = subprocess.PIPE
+            with subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True) as process:
                 process.stdout.readline()
                 time.sleep(0.3)
                 self.assertIsNone(process.poll())

@@ -64,8 +64,8 @@ class Intersections(unittest.TestCase):
             self.assertTrue(0.1 < np.mean(hit == 0) < 0.9, "about half of them hit")
 
     def test_extreme_rays_are_decided_exactly(self):
-        origins = [(0, 0, -5.0)] * 6 + [(0, 0, -1e10), (0, 0, 1e-3 - 1), (0, 0, 0)]
-        directions = [(0, 0, z) for z in (1e-200, 1e-9, 1e9, 1e150, 0.0, -1.0)] + [(0, 0, 1e10), (0, 0, -1), (1e-5, 0, 0)]
+        origins = [(0, 0, -5)] * 6 + [(0, 0, -1e10), (0, 0, 1e-3 - 1), (0, 0, 0)]
+        directions = [(0, 0, z) for z in (1e-200, 1e-9, 1e9, 1e150, 0, -1, 1e10, -1)] + [(1e-5, 0, 0)]
         self.compare(np.array(origins), np.array(directions), SHAPES[:1])
         self.compare(np.array(origins), np.array(directions), SHAPES[:1] + [((9, i, 9), 0.4) for i in range(300)])
 
