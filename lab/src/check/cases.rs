@@ -9,7 +9,7 @@ use format::refused;
 use generator::{Arrangement, Options};
 use serde::Serialize;
 
-use super::judge::Drawn;
+use super::drawn::{CONVENTIONS, Drawn};
 use crate::Failure;
 
 /// The kind of a case.
@@ -31,7 +31,7 @@ pub enum Group {
 pub enum Expected {
     /// Refuse it with exactly this message on standard error, or with any message if it is `None`.
     Refusal(Option<Vec<u8>>),
-    /// Write its picture. The digests are those of both [`CONVENTIONS`](super::judge::CONVENTIONS), where known.
+    /// Write its picture. The digests are those of both [`CONVENTIONS`], where known.
     Picture([Option<String>; 2]),
 }
 
@@ -51,7 +51,32 @@ pub struct Case {
     /// What the program has to do.
     pub expected: Expected,
     /// The expected pictures, once they have been rendered.
-    pub(super) drawn: OnceCell<[Drawn; 2]>,
+    drawn: OnceCell<[Drawn; 2]>,
+}
+
+impl Case {
+    /// Returns the expected pictures of both [`CONVENTIONS`], which are rendered by the first call.
+    ///
+    /// # Errors
+    /// An error of the renderer, or a picture that does not have its digest.
+    pub fn expected_pictures(&self) -> Result<&[Drawn; 2], Failure> {
+        if let Some(drawn) = self.drawn.get() {
+            return Ok(drawn);
+        }
+        let drawn = [self.expected_picture(0)?, self.expected_picture(1)?];
+        Ok(self.drawn.get_or_init(|| drawn))
+    }
+
+    fn expected_picture(&self, convention: usize) -> Result<Drawn, Failure> {
+        let files = self.files.each_ref().map(|file| file.as_deref().unwrap_or_default());
+        let drawn = Drawn::new(files, CONVENTIONS[convention], self.group == Group::Course)?;
+        match &self.expected {
+            Expected::Picture(known) if known[convention].as_ref().is_some_and(|known| *known != drawn.digest) => {
+                Err(format!("{}: its file or its digest is damaged, or the renderer is wrong", self.name).into())
+            }
+            _ => Ok(drawn),
+        }
+    }
 }
 
 /// Returns all cases. The last ones are those of the course, if its folder is given.

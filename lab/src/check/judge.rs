@@ -4,18 +4,14 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
-use cpu::{Aos, Config, Layout, Scatter, Scene};
-
-use super::cases::{Case, Expected, Group};
+use super::cases::{Case, Expected};
+use super::drawn::Drawn;
 use super::fault::{Fault, Kind};
 use crate::Failure;
 use crate::bench::commands::Job;
 use crate::difference::Difference;
 use crate::picture::Picture;
 use crate::supervise::{self, End, Limits, PRINTED, signal_name, start_of};
-
-/// The ways to scatter that a program may follow: that of the statement, and that of the published pictures.
-pub const CONVENTIONS: [Scatter; 2] = [Scatter::Statement, Scatter::Published];
 
 /// What a program did with a case: a picture that is compared with the expected picture of each convention, or faults.
 /// There are no faults if the program was right to write no picture.
@@ -28,14 +24,6 @@ pub struct Comparison {
     pub is_equal: bool,
     /// How far the pixels differ.
     pub difference: Difference,
-}
-
-/// An expected picture, and the digest of its file.
-#[derive(Clone, Debug)]
-pub struct Drawn {
-    /// The picture.
-    pub picture: Picture,
-    digest: String,
 }
 
 /// Names of the arguments of a case. More names follow where there are too many arguments.
@@ -147,38 +135,6 @@ impl Case {
             Ok::<_, Failure>(Comparison { is_equal: expected.digest == digest, difference })
         };
         Ok(Ok([compare(&expected[0])?, compare(&expected[1])?]))
-    }
-
-    /// Returns the expected pictures of both [`CONVENTIONS`]. They are rendered once: by the reference, which follows
-    /// the specification line by line. The pictures of the course are too large for it, so the renderer makes them.
-    ///
-    /// # Errors
-    /// An error of the renderer, or a picture that does not have its digest.
-    pub fn expected_pictures(&self) -> Result<&[Drawn; 2], Failure> {
-        if let Some(drawn) = self.drawn.get() {
-            return Ok(drawn);
-        }
-        let drawn = [self.expected_picture(0)?, self.expected_picture(1)?];
-        Ok(self.drawn.get_or_init(|| drawn))
-    }
-
-    fn expected_picture(&self, convention: usize) -> Result<Drawn, Failure> {
-        let [config, scene] = self.files.each_ref().map(|file| file.as_deref().unwrap_or_default());
-        let (config, scene, scatter) = (Config::parse(config)?, Scene::parse(scene)?, CONVENTIONS[convention]);
-        let image = if self.group == Group::Course {
-            cpu::render::<Aos>(&config, &scene, scatter)?
-        } else {
-            cpu::reference::render::<<Aos as Layout>::Image>(&config, &scene, scatter)?
-        };
-        let (picture, mut ppm) = (Picture::of(&image)?, Vec::new());
-        cpu::internals::image::ppm::write_ppm(&image, &mut ppm)?;
-        let digest = digest::sha256(&ppm);
-        match &self.expected {
-            Expected::Picture(known) if known[convention].as_ref().is_some_and(|known| *known != digest) => {
-                Err(format!("{}: its file or its digest is damaged, or the renderer is wrong", self.name).into())
-            }
-            _ => Ok(Drawn { picture, digest }),
-        }
     }
 }
 
