@@ -63,7 +63,8 @@ impl Report {
         let bar = terminal::progress(cases.len(), "cases");
         let mut outcomes = Vec::new();
         for case in cases {
-            outcomes.push(case.run(program, &folder.join(&case.name), limits)?);
+            outcomes
+                .push(case.run(program, &folder.join(&case.name), limits).map_err(|error| error.about(&case.name))?);
             bar.inc(1);
         }
         bar.finish_and_clear();

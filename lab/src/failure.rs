@@ -38,6 +38,16 @@ impl Failure {
         }
     }
 
+    /// Returns the failure with the name of what failed before its message.
+    #[must_use]
+    pub fn about(self, name: &str) -> Self {
+        match self {
+            Self::Other(text) => Self::Other(format!("{name}: {text}")),
+            Self::Renderer(_) => Self::Other(format!("{name}: {}", self.message().unwrap_or_default())),
+            other => other,
+        }
+    }
+
     /// Returns the message to print, with control characters escaped; `None` if the message has been printed already.
     #[must_use]
     pub fn message(&self) -> Option<String> {

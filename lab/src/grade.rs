@@ -14,7 +14,7 @@ use crate::bench::commands::{Job, Rounds, Timed};
 use crate::bench::scenes;
 use crate::check::Report;
 use crate::check::cases::{Case, Group, picture};
-use crate::supervise::{self, End, Limits};
+use crate::supervise::{self, End, Limits, PRINTED};
 use crate::{Failure, terminal};
 use file::File;
 
@@ -37,7 +37,7 @@ pub struct Graded {
     pub points: [Option<f64>; 4],
     /// The weighted mean of the points.
     pub total: f64,
-    /// The reason why there is no report.
+    /// The reasons why there is no report, or no time of a scene.
     pub problem: String,
 }
 
@@ -77,27 +77,57 @@ impl Grades {
             let place = kept.join(&program.name);
             let built = program.build_job(folder).map_or(Ok(()), |build| built(&build, &place));
             let report = built.and_then(|()| Report::of(&job, cases, limits, &place));
-            let (report, problem) = match report {
-                Err(Failure::Interrupted) => return Err(Failure::Interrupted),
-                Err(failure) => (None, failure.message().unwrap_or_default()),
-                Ok(report) => (Some(report), String::new()),
-            };
-            let timed =
-                |scene| report.as_ref().map_or(Ok(None), |report| timed_job(scene, &job, report, &place, limits));
-            jobs.push(scenes.iter().map(timed).collect::<Result<_, _>>()?);
+            let mut problem = String::new();
+            let report = kept_or_problem(report, &mut problem)?;
+            let mut ready = Vec::new();
+            for scene in &scenes {
+                let timed = |report| timed_job(scene, &job, report, &place, limits);
+                let timed = report.as_ref().map_or(Ok(None), timed);
+                ready.push(kept_or_problem(timed, &mut problem)?.flatten());
+            }
+            jobs.push(ready);
             let (program, times) = (program.name.clone(), vec![None; scenes.len()]);
             programs.push(Graded { program, report, times, points: [None; 4], total: 0.0, problem });
         }
         for scene in 0..scenes.len() {
             let (places, ready): (Vec<_>, Vec<_>) =
                 jobs.iter().enumerate().filter_map(|(place, jobs)| Some((place, jobs[scene].clone()?))).unzip();
-            for (place, timed) in places.into_iter().zip(rounds.measure(&ready, limits)?) {
-                programs[place].times[scene] = timed.ok();
+            for (place, timed) in places.into_iter().zip(rounds.measure(&ready, limits, |_| Ok(()))?) {
+                let graded = &mut programs[place];
+                match timed {
+                    Ok(timed) => graded.times[scene] = Some(timed),
+                    Err(message) => add(&mut graded.problem, &format!("{}: {message}", scene_name(&scenes[scene]))),
+                }
             }
         }
         points::add(&mut programs, &file);
-        let names = scenes.iter().map(|scene| scene.name.trim_start_matches(TIMED).to_owned()).collect();
-        Ok(Self { scenes: names, programs })
+        Ok(Self { scenes: scenes.iter().map(|scene| scene_name(scene).to_owned()).collect(), programs })
+    }
+}
+
+/// Returns the name of a scene without the start of its folder's name.
+fn scene_name(scene: &Case) -> &str {
+    scene.name.strip_prefix(TIMED).unwrap_or(&scene.name)
+}
+
+/// Adds a reason to `problem`.
+fn add(problem: &mut String, reason: &str) {
+    let separator = if problem.is_empty() { "" } else { "; " };
+    *problem += &format!("{separator}{reason}");
+}
+
+/// Returns the value, or adds the message of an error to `problem`: one program may not end the grading of all.
+///
+/// # Errors
+/// [`Failure::Interrupted`].
+fn kept_or_problem<T>(result: Result<T, Failure>, problem: &mut String) -> Result<Option<T>, Failure> {
+    match result {
+        Ok(value) => Ok(Some(value)),
+        Err(Failure::Interrupted) => Err(Failure::Interrupted),
+        Err(failure) => {
+            add(problem, &failure.message().unwrap_or_default());
+            Ok(None)
+        }
     }
 }
 
@@ -105,7 +135,11 @@ impl Grades {
 fn built(build: &Job, printed: &Path) -> Result<(), Failure> {
     fs::create_dir_all(printed)?;
     let run = supervise::run(&build.words, &build.place, printed, &Limits { seconds: BUILD, ..supervise::NONE })?;
-    if run.end == End::Status(0) { Ok(()) } else { Err(format!("it cannot be built: {}", run.end).into()) }
+    if run.end == End::Status(0) {
+        return Ok(());
+    }
+    let said = supervise::start_of(&printed.join(PRINTED[1]));
+    Err(format!("it cannot be built: {}\n{}", run.end, String::from_utf8_lossy(&said)).trim_end().into())
 }
 
 /// Returns the scenes whose time is measured: those of the file, or two small ones.
@@ -115,7 +149,10 @@ fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
     if !file.scene.is_empty() {
         let scene = |timed: &file::Timed| {
             let files = [read(&folder.join(&timed.config))?, read(&folder.join(&timed.scene))?];
-            Ok(case(&timed.name, files))
+            let case = case(&timed.name, files);
+            // A wrong scene would give no points to all programs.
+            case.expected_pictures().map_err(|error| error.about(&format!("scene [{}]", timed.name)))?;
+            Ok(case)
         };
         return file.scene.iter().map(scene).collect();
     }
@@ -137,7 +174,7 @@ fn timed_job(
     limits: &Limits,
 ) -> Result<Option<Job>, Failure> {
     let place = kept.join(&scene.name);
-    let outcome = scene.run(program, &place, limits)?;
+    let outcome = scene.run(program, &place, limits).map_err(|error| error.about(scene_name(scene)))?;
     let is_right = outcome.is_ok_and(|compared| compared[report.convention].difference.accepted);
     Ok(is_right.then(|| Job { words: scene.command(program, &place), ..program.clone() }))
 }

@@ -4,24 +4,27 @@
 //! [`Limits::watch`]. This second process starts no other program, so the time that the system reports about its
 //! children is that of the program alone.
 
+mod processes;
+
 use std::ffi::OsString;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::Read;
 use std::os::unix::process::{CommandExt, ExitStatusExt, parent_id};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::mpsc::{self, RecvTimeoutError, TryRecvError};
 use std::time::{Duration, Instant};
 
 use measure::clock::{peak_memory, peak_memory_of_children, seconds_of_children};
 use measure::energy::Meter;
-use nix::sys::resource::{Resource, setrlimit};
-use nix::sys::signal::{Signal, killpg};
+use nix::sys::resource::{Resource, getrlimit, setrlimit};
+use nix::sys::signal::{Signal, kill, killpg};
 use nix::unistd::Pid;
 use serde::{Deserialize, Serialize};
 
 use crate::Failure;
 use crate::interrupt::Interrupt;
+use processes::{end_all, memory_below};
 
 /// The limits of one run.
 #[derive(Clone, Copy, Debug, PartialEq, clap::Args)]
@@ -43,7 +46,7 @@ pub const NONE: Limits = Limits { seconds: 1e9, memory: 1e9 };
 /// It is not a number above 0, or above a thousand millions.
 pub fn above_zero(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|&number: &f64| number > 0.0 && number <= NONE.seconds);
-    number.ok_or_else(|| "a number above 0 is needed".to_owned())
+    number.ok_or_else(|| format!("a number above 0 and up to {} is needed", NONE.seconds))
 }
 
 /// How a run ended.
@@ -86,8 +89,8 @@ pub struct Run {
     pub user: f64,
     /// Elapsed time in seconds.
     pub wall: f64,
-    /// Largest resident memory in MB (10⁶ bytes). Below the 5 MB of `render-lab` itself, it is what was seen when the
-    /// program was last looked at.
+    /// Largest resident memory in MB (10⁶ bytes) of the program or of all its processes together. Of a program that
+    /// needs less than `render-lab` itself, which is about 7 MB, it is the largest sample of one every 5 ms.
     pub memory: f64,
     /// The energy that the machine used meanwhile, in joules, or `None` if there is no meter.
     pub joules: Option<f64>,
@@ -96,7 +99,8 @@ pub struct Run {
 /// Names of the files in the folder of a run that get what the program prints on standard output and standard error.
 pub const PRINTED: [&str; 2] = ["stdout.txt", "stderr.txt"];
 
-/// Most bytes that the program may write into one file. A P3 file of the course's largest picture has 25 MB.
+/// Most bytes that a program with a limit of memory may write into one file. A P3 file of the course's largest picture
+/// has 25 MB.
 const FILE_BYTES: u64 = 1 << 28;
 
 /// Most bytes that are kept of what the program prints.
@@ -122,14 +126,22 @@ pub fn run(words: &[OsString], place: &Path, printed: &Path, limits: &Limits) ->
     if output.status.code() == Some(i32::from(Failure::Interrupted.status())) {
         return Err(Failure::Interrupted);
     }
-    let message = || String::from_utf8_lossy(&output.stderr).trim_start_matches("Error: ").trim_end().to_owned();
-    serde_json::from_slice(&output.stdout).map_err(|_| message().into())
+    serde_json::from_slice(&output.stdout).map_err(|_| {
+        let said = String::from_utf8_lossy(&output.stderr);
+        let message = said.trim_start_matches("Error: ").trim_end();
+        let killed = "the process that watched the program was ended".to_owned();
+        Failure::from(if message.is_empty() { killed } else { message.to_owned() })
+    })
 }
 
 /// Returns the first bytes of a file, or nothing if it cannot be read. A program may print without end.
 #[must_use]
 pub fn start_of(path: &Path) -> Vec<u8> {
     let mut bytes = Vec::new();
+    // Opening a pipe might never return.
+    if !path.symlink_metadata().is_ok_and(|metadata| metadata.is_file()) {
+        return bytes;
+    }
     let _ = File::open(path).and_then(|file| file.take(1 << 12).read_to_end(&mut bytes));
     bytes
 }
@@ -142,13 +154,31 @@ impl Limits {
     pub fn watch(&self, words: &[OsString], printed: &Path) -> Result<Run, Failure> {
         let interrupt = Interrupt::listen();
         // The program inherits the limits of this process. Without core files, a crash takes no time and no disk.
-        for (resource, limit) in [(Resource::RLIMIT_FSIZE, FILE_BYTES), (Resource::RLIMIT_CORE, 0)] {
-            setrlimit(resource, limit, limit).map_err(|error| error.to_string())?;
+        let file_bytes = (self.memory < NONE.memory).then_some((Resource::RLIMIT_FSIZE, FILE_BYTES));
+        for (resource, limit) in file_bytes.into_iter().chain([(Resource::RLIMIT_CORE, 0)]) {
+            let lowered = getrlimit(resource).and_then(|(_, most)| {
+                let limit = limit.min(most);
+                setrlimit(resource, limit, limit)
+            });
+            lowered.map_err(|error| error.to_string())?;
         }
-        let [stdout, stderr] = PRINTED.map(|name| File::create(printed.join(name)));
+        // A process that the program leaves behind becomes a child of this one, so it is ended, and its time counts.
+        #[cfg(target_os = "linux")]
+        nix::sys::prctl::set_child_subreaper(true).map_err(|error| error.to_string())?;
+        let create = |name| {
+            // An earlier run may have replaced the file, such as by a pipe.
+            let _ = fs::remove_file(printed.join(name));
+            File::create_new(printed.join(name))
+        };
+        let (stdout, stderr) = (create(PRINTED[0])?, create(PRINTED[1])?);
         let (first, rest) = words.split_first().ok_or("a command is needed")?;
         let mut command = Command::new(first);
-        command.args(rest).stdin(Stdio::null()).stdout(stdout?).stderr(stderr?).process_group(0);
+        command
+            .args(rest)
+            .stdin(Stdio::null())
+            .stdout(stdout.try_clone()?)
+            .stderr(stderr.try_clone()?)
+            .process_group(0);
         let meter = Meter::open();
         let energy = meter.as_ref().and_then(|meter| Some((meter, meter.read()?)));
         let start = Instant::now();
@@ -160,8 +190,11 @@ impl Limits {
         let (status, wall, (broken, seen)) = std::thread::scope(|scope| {
             let interrupt = &interrupt;
             let watcher = scope.spawn(move || {
-                let broken = self.broken(group, start, interrupt, &end);
-                // Ends also the processes that the program has started and left.
+                let broken = self.broken(start, interrupt, &end);
+                if end.try_recv() == Err(TryRecvError::Empty) {
+                    // The program may have left its group.
+                    let _ = kill(group, Signal::SIGKILL);
+                }
                 let _ = killpg(group, Signal::SIGKILL);
                 broken
             });
@@ -170,12 +203,12 @@ impl Limits {
             drop(ended);
             (status, wall, watcher.join().unwrap_or_default())
         });
+        end_all();
         let joules = energy.and_then(|(meter, before)| meter.joules_since(&before));
         interrupt.check()?;
         let status = status?;
-        for name in PRINTED {
+        for file in [stdout, stderr] {
             // A program that printed without end would fill the disk, one case after the other.
-            let file = File::options().write(true).open(printed.join(name))?;
             file.set_len(file.metadata()?.len().min(KEPT_BYTES))?;
         }
         // The system counts the memory of this process as the program's until the program has replaced it.
@@ -186,15 +219,12 @@ impl Limits {
         Ok(Run { end, user: seconds_of_children(), wall, memory, joules })
     }
 
-    /// Waits until the process `id` has ended, which the closing of `end` tells, or until it has to be ended. Returns
-    /// the limit that it has broken, and the largest memory that was seen, in MB.
-    fn broken(&self, id: Pid, start: Instant, interrupt: &Interrupt, end: &mpsc::Receiver<()>) -> (Option<End>, f64) {
-        let (parent, status, mut seen) = (parent_id(), format!("/proc/{id}/status"), 0.0);
+    /// Waits until the program has ended, which the closing of `end` tells, or until it has to be ended. Returns the
+    /// limit that it has broken, and the largest memory that was seen, in MB.
+    fn broken(&self, start: Instant, interrupt: &Interrupt, end: &mpsc::Receiver<()>) -> (Option<End>, f64) {
+        let (parent, mut seen) = (parent_id(), 0.0);
         while let Err(RecvTimeoutError::Timeout) = end.recv_timeout(TICK) {
-            let text = std::fs::read_to_string(&status).unwrap_or_default();
-            let peak =
-                text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.strip_suffix("kB")?.trim().parse().ok());
-            seen = peak.map_or(seen, |kilobytes: f64| kilobytes * 1024e-6);
+            seen = memory_below(Pid::this()).max(seen);
             if start.elapsed().as_secs_f64() > self.seconds {
                 return (Some(End::TimeOut), seen);
             }

@@ -61,11 +61,17 @@ pub struct Rounds {
 }
 
 impl Rounds {
-    /// Measures `jobs` in turn. The result of a job is a message if one of its runs fails.
+    /// Measures `jobs` in turn. The result of a job is a message if one of its runs fails. `on_failure` gets this
+    /// message, and may end the measurement.
     ///
     /// # Errors
-    /// [`Failure::Interrupted`], or the system cannot start processes.
-    pub fn measure(&self, jobs: &[Job], limits: &Limits) -> Result<Vec<Result<Timed, String>>, Failure> {
+    /// [`Failure::Interrupted`], or what `on_failure` returns.
+    pub fn measure(
+        &self,
+        jobs: &[Job],
+        limits: &Limits,
+        on_failure: impl Fn(&str) -> Result<(), Failure>,
+    ) -> Result<Vec<Result<Timed, String>>, Failure> {
         let printed = TempDir::new()?;
         let warm_up = usize::from(self.warm_up) * jobs.len();
         let rounds = usize::from(self.warm_up) + usize::from(self.rounds);
@@ -74,14 +80,22 @@ impl Rounds {
         for (number, index) in order(rounds, jobs.len()).enumerate() {
             bar.inc(1);
             let (job, Ok(done)) = (&jobs[index], &mut runs[index]) else { continue };
-            let run = supervise::run(&job.words, &job.place, printed.path(), limits)?;
-            if run.end != End::Status(0) {
-                let errors = supervise::start_of(&printed.path().join(PRINTED[1]));
-                let message = format!("{}: {}\n{}", job.name, run.end, String::from_utf8_lossy(&errors));
-                runs[index] = Err(message.trim_end().to_owned());
-            } else if number >= warm_up {
-                done.push(run);
-            }
+            let message = match supervise::run(&job.words, &job.place, printed.path(), limits) {
+                Err(Failure::Interrupted) => return Err(Failure::Interrupted),
+                Err(failure) => format!("{}: {}", job.name, failure.message().unwrap_or_default()),
+                Ok(run) if run.end != End::Status(0) => {
+                    let errors = supervise::start_of(&printed.path().join(PRINTED[1]));
+                    format!("{}: {}\n{}", job.name, run.end, String::from_utf8_lossy(&errors))
+                }
+                Ok(run) => {
+                    if number >= warm_up {
+                        done.push(run);
+                    }
+                    continue;
+                }
+            };
+            on_failure(message.trim_end())?;
+            runs[index] = Err(message.trim_end().to_owned());
         }
         bar.finish_and_clear();
         Ok(jobs.iter().zip(runs).map(|(job, runs)| Ok(Timed::of(job, &runs?))).collect())

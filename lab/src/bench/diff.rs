@@ -1,6 +1,6 @@
 //! Compares two records of times, case by case.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use measure::statistics::Median;
@@ -73,10 +73,16 @@ impl Times {
             let results: Results = serde_json::from_value(value).map_err(|error| error.to_string())?;
             (results.machines, results.timings.into_iter().map(named).collect())
         };
-        if let Some((case, _)) = times.iter().find(|(_, seconds)| seconds.is_empty()) {
-            return Err(format!("{case} has no times; measure it again"));
+        let mut medians = BTreeMap::new();
+        for (case, seconds) in times {
+            if seconds.is_empty() {
+                return Err(format!("{case} has no times; measure it again"));
+            }
+            if medians.insert(case.clone(), Median::of(&seconds)).is_some() {
+                return Err(format!("{case} was measured twice; measure again, and give each command another text"));
+            }
         }
-        Ok(Self { machines, medians: times.into_iter().map(|(case, times)| (case, Median::of(&times))).collect() })
+        Ok(Self { machines, medians })
     }
 }
 
@@ -91,7 +97,7 @@ impl Changes {
     #[must_use]
     pub fn between(old: &Times, new: &Times, least: f64) -> Self {
         let processor =
-            |times: &Times| times.machines.iter().map(|machine| machine.processor.clone()).collect::<Vec<_>>();
+            |times: &Times| times.machines.iter().map(|machine| machine.processor.clone()).collect::<BTreeSet<_>>();
         let mut changes = Self { other_processor: processor(old) != processor(new), ..Self::default() };
         for (case, was) in &old.medians {
             let Some(is) = new.medians.get(case) else {
@@ -100,11 +106,16 @@ impl Changes {
             };
             let (ratio, bounds) = (is.median / was.median, [is.low / was.high, is.high / was.low]);
             let change = Change { ratio, bounds, seconds: [was.median, is.median], case: case.clone() };
-            match () {
-                () if !(was.is_bounded() && is.is_bounded()) => changes.unknown += 1,
-                () if bounds[0] > 1.0 && ratio > 1.0 + least => changes.slower.push(change),
-                () if bounds[1] < 1.0 && ratio < 1.0 / (1.0 + least) => changes.faster.push(change),
-                () => changes.unchanged += 1,
+            // The clock of user time may count nothing for a short command.
+            let is_measured = |times: &Median| times.is_bounded() && times.low > 0.0;
+            if !(is_measured(was) && is_measured(is)) {
+                changes.unknown += 1;
+            } else if bounds[0] > 1.0 && ratio > 1.0 + least {
+                changes.slower.push(change);
+            } else if bounds[1] < 1.0 && ratio < 1.0 / (1.0 + least) {
+                changes.faster.push(change);
+            } else {
+                changes.unchanged += 1;
             }
         }
         changes.only_new = new.medians.keys().filter(|case| !old.medians.contains_key(*case)).count();

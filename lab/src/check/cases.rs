@@ -22,14 +22,14 @@ pub enum Group {
     Messages,
     /// A small picture.
     Pictures,
-    /// One of the course's four pictures.
+    /// One of the course's four pictures, or a scene whose time is measured. They are large.
     Course,
 }
 
 /// What a program has to do with a case.
 #[derive(Clone, Debug)]
 pub enum Expected {
-    /// Refuse it with exactly this message on standard error, or with any message if it is `None`.
+    /// Refuse it with exactly this message on standard error, or with any that begins with `Error: ` if it is `None`.
     Refusal(Option<Vec<u8>>),
     /// Write its picture. The digests are those of both [`CONVENTIONS`], where known.
     Picture([Option<String>; 2]),

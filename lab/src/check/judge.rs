@@ -1,8 +1,8 @@
 //! Runs a program on one case, and finds what is wrong.
 
 use std::ffi::OsString;
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use super::cases::{Case, Expected};
 use super::drawn::Drawn;
@@ -10,7 +10,7 @@ use super::fault::{Fault, Kind};
 use crate::Failure;
 use crate::bench::commands::Job;
 use crate::difference::Difference;
-use crate::picture::Picture;
+use crate::picture::{MAX_FILE_BYTES, Picture};
 use crate::supervise::{self, End, Limits, PRINTED, signal_name, start_of};
 
 /// What a program did with a case: a picture that is compared with the expected picture of each convention, or faults.
@@ -24,6 +24,28 @@ pub struct Comparison {
     pub is_equal: bool,
     /// How far the pixels differ.
     pub difference: Difference,
+}
+
+/// What lies at OUT.
+#[derive(Debug, PartialEq)]
+enum Found {
+    Nothing,
+    File(Vec<u8>),
+    /// A folder, a pipe, a link, or a file that is too large or cannot be read.
+    Other,
+}
+
+impl Found {
+    fn at(out: &Path) -> Self {
+        match out.symlink_metadata() {
+            Err(_) => Self::Nothing,
+            // A program may leave a pipe or a link to a device, which have no end.
+            Ok(metadata) if metadata.is_file() && metadata.len() <= MAX_FILE_BYTES => {
+                fs::read(out).map_or(Self::Other, Self::File)
+            }
+            Ok(_) => Self::Other,
+        }
+    }
 }
 
 /// Names of the arguments of a case. More names follow where there are too many arguments.
@@ -42,10 +64,6 @@ impl Case {
     /// # Errors
     /// A file cannot be written, the program cannot be started, or [`Failure::Interrupted`].
     pub fn run(&self, program: &Job, folder: &Path, limits: &Limits) -> Result<Outcome, Failure> {
-        fs::create_dir_all(folder)?;
-        for (name, content) in ARGUMENTS.iter().zip(&self.files) {
-            content.as_ref().map_or(Ok(()), |content| fs::write(folder.join(name), content))?;
-        }
         match &self.expected {
             Expected::Refusal(message) => {
                 // The message must be right without an old file and with one.
@@ -59,6 +77,20 @@ impl Case {
         }
     }
 
+    /// Writes the files of the case into `folder`, and `old` as OUT. Returns the path of OUT. A program may have
+    /// replaced or removed any of it in an earlier run.
+    fn prepare(&self, folder: &Path, old: Option<&str>) -> io::Result<PathBuf> {
+        fs::create_dir_all(folder)?;
+        let out = folder.join(ARGUMENTS[2]);
+        let _ = fs::remove_file(&out);
+        let _ = fs::remove_dir_all(&out);
+        for (name, content) in ARGUMENTS.iter().zip(&self.files) {
+            content.as_ref().map_or(Ok(()), |content| fs::write(folder.join(name), content))?;
+        }
+        old.map_or(Ok(()), |old| fs::write(&out, old))?;
+        Ok(out)
+    }
+
     /// Runs a program that must refuse the case and leave OUT as it was.
     fn refused(
         &self,
@@ -68,11 +100,7 @@ impl Case {
         old: Option<&str>,
         message: Option<&[u8]>,
     ) -> Result<Vec<Fault>, Failure> {
-        let out = folder.join(ARGUMENTS[2]);
-        match old {
-            Some(old) => fs::write(&out, old)?,
-            None => drop(fs::remove_file(&out)),
-        }
+        let out = self.prepare(folder, old)?;
         let run = supervise::run(&self.command(program, folder), &program.place, folder, limits)?;
         let mut faults: Vec<_> = self.ended(run.end, 1).into_iter().collect();
         let [printed, said] = PRINTED.map(|name| start_of(&folder.join(name)));
@@ -86,7 +114,7 @@ impl Case {
             };
             faults.push(Kind::WrongMessage.fault(self.section, expected, found));
         }
-        if fs::read(&out).ok().as_deref() != old.map(str::as_bytes) {
+        if Found::at(&out) != old.map_or(Found::Nothing, |old| Found::File(old.into())) {
             faults.push(Kind::OutputChanged.fault(self.section, "", ""));
         }
         Ok(faults)
@@ -106,18 +134,17 @@ impl Case {
 
     /// Runs a program that must write the picture of the case, and compares the picture.
     fn drawn(&self, program: &Job, folder: &Path, limits: &Limits) -> Result<Result<[Comparison; 2], Fault>, Failure> {
-        let out = folder.join(ARGUMENTS[2]);
-        let _ = fs::remove_file(&out);
+        let out = self.prepare(folder, None)?;
         let run = supervise::run(&self.command(program, folder), &program.place, folder, limits)?;
         if let Some(mut fault) = self.ended(run.end, 0) {
             let said = shown(&start_of(&folder.join(PRINTED[1])));
-            fault.found += &if said.is_empty() { said } else { format!(": {said}") };
+            let separator = if fault.found.is_empty() || said.is_empty() { "" } else { ": " };
+            fault.found += &format!("{separator}{said}");
             return Ok(Err(fault));
         }
-        if !out.is_file() {
+        let Found::File(bytes) = Found::at(&out) else {
             return Ok(Err(Kind::NoPicture.fault(self.section, "", "")));
-        }
-        let bytes = fs::read(&out)?;
+        };
         let picture = match Picture::parse(&bytes) {
             Ok(picture) if bytes.starts_with(b"P3") => picture,
             other => {

@@ -22,7 +22,7 @@ pub struct File {
     pub program: Vec<Program>,
 }
 
-/// The weights of the parts of the points, or the points themselves.
+/// How much each part counts in the points of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Weights {
@@ -56,7 +56,7 @@ pub struct Timed {
     pub scene: PathBuf,
     /// The time in seconds with 5 points of 10. Without it, the median of all programs.
     pub reference: Option<f64>,
-    /// The time in seconds with no points. Without it, four times the reference.
+    /// The time in seconds from which there are no points. Without it, four times the reference.
     pub zero: Option<f64>,
 }
 
@@ -90,6 +90,13 @@ impl File {
         if !weights.iter().all(|&weight| (0.0..1e9).contains(&weight)) || messages + pictures + time <= 0.0 {
             return Err(explain(&"[points]: the weights must not be negative, and one besides energy above 0").into());
         }
+        for Timed { name, reference, zero, .. } in &file.scene {
+            let ordered = [Some(0.0), *reference, *zero, Some(1e9)].into_iter().flatten().is_sorted_by(|a, b| a < b);
+            if !ordered || (zero.is_some() && reference.is_none()) {
+                let advice = "reference must be above 0, and zero above reference, which it needs";
+                return Err(explain(&format!("scene [{}]: {advice}", terminal::name(Path::new(name)))).into());
+            }
+        }
         if file.program.is_empty() {
             file.program = found(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
         }
@@ -102,13 +109,17 @@ impl File {
             .into());
         }
         // The names are names of folders too.
-        let names = file.program.iter().map(|program| &program.name).chain(file.scene.iter().map(|scene| &scene.name));
+        let programs = file.program.iter().map(|program| ("program", &program.name));
         let mut known = HashSet::new();
-        for name in names {
-            if name.contains('/') || name.starts_with('.') || !known.insert(name) {
-                let advice = "a name must be unique, without / and without a point at its start";
-                return Err(explain(&format!("[{}]: {advice}", terminal::name(Path::new(name)))).into());
+        for named in programs.chain(file.scene.iter().map(|scene| ("scene", &scene.name))) {
+            let (what, name) = named;
+            if name.is_empty() || name.contains('/') || name.starts_with('.') || !known.insert(named) {
+                let advice = "a name must be unique, not empty, without / and without a point at its start";
+                return Err(explain(&format!("{what} [{}]: {advice}", terminal::name(Path::new(name)))).into());
             }
+        }
+        if let Some(program) = file.program.iter().find(|program| program.command.is_empty()) {
+            return Err(explain(&format!("program [{}]: its command is empty", program.name)).into());
         }
         Ok(file)
     }
@@ -120,7 +131,8 @@ const NAMES: [&str; 3] = ["render-aos", "render-soa", "render"];
 const PLACES: [&str; 4] = ["", "build", "bin", "target/release"];
 
 fn found(folder: &Path) -> std::io::Result<Vec<Program>> {
-    let mut folders: Vec<_> = fs::read_dir(folder)?.flatten().map(|entry| entry.file_name()).collect();
+    let is_shown = |name: &OsString| !name.as_encoded_bytes().starts_with(b".");
+    let mut folders: Vec<_> = fs::read_dir(folder)?.flatten().map(|entry| entry.file_name()).filter(is_shown).collect();
     folders.sort();
     let program = |(student, name): (&OsString, &str)| {
         let command = PLACES.iter().map(|place| Path::new(place).join(name));
@@ -145,5 +157,36 @@ impl Program {
     pub fn build_job(&self, all: &Path) -> Option<Job> {
         let build = self.build.as_ref()?;
         Some(Job { words: ["sh", "-c", build].map(Into::into).to_vec(), ..self.job(all) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use test_support::folder::Folder;
+
+    use super::*;
+
+    #[test]
+    fn a_file_without_sense_is_refused_with_the_reason() {
+        let folder = Folder::new();
+        let program = "[[program]]\nname = 'a'\ncommand = ['x']\n";
+        let scene = "[[scene]]\nname = 'a'\nconfig = 'c'\nscene = 's'\n";
+        for (text, reason) in [
+            (program.replace("'a'", "'a/b'"), "program [a/b]: a name must be unique"),
+            (program.replace("'a'", "''"), "program []: a name must be unique"),
+            (program.repeat(2), "program [a]: a name must be unique"),
+            (program.replace("'x'", ""), "its command is empty"),
+            (format!("{program}{scene}zero = 1"), "scene [a]: reference must be above 0"),
+            (format!("{program}{scene}reference = nan"), "scene [a]: reference must be above 0"),
+            (format!("{program}{scene}reference = 2\nzero = 1"), "zero above reference"),
+            ("[points]\ntime = -1".to_owned(), "must not be negative"),
+            (String::new(), "no folder in it has a program"),
+        ] {
+            folder.write("grade.toml", &text);
+            let message = File::read(folder.path()).expect_err(&text).message();
+            assert!(message.as_ref().is_some_and(|message| message.contains(reason)), "{text}: {message:?}");
+        }
+        folder.write("grade.toml", format!("{program}{scene}reference = 1\nzero = 2"));
+        assert!(File::read(folder.path()).is_ok(), "a program and a scene may have one name");
     }
 }

@@ -37,6 +37,7 @@ fn faults_are_told_apart() {
             &format!("{refuse} echo >\"$3\"; exit 1;; *) echo P7 >\"$3\"; esac"),
             &["output_changed", "unreadable_picture", "wrong_message"],
         ),
+        ("rm -rf \"$3\"; mkfifo \"$3\"; exit 0", &["no_picture", "output_changed", "wrong_message", "wrong_status"]),
         (&format!("{refuse} exit 1;; *) printf 'P3 1 1 255 0 0 0' >\"$3\"; esac"), &["wrong_message", "wrong_size"]),
     ] {
         let (status, kinds) = faults(script);
@@ -54,13 +55,18 @@ fn limits_end_a_program_and_what_it_has_started() {
     let wait = "sleep 60 & echo $! >pid; wait";
     let endless = "while :; do echo Error; done";
     let large = "x=$(head -c 200000000 /dev/zero | tr '\\0' x); echo $x";
-    for (script, end) in [(wait, "time_out"), (endless, "time_out"), (large, "over_memory")] {
+    // It leaves its session, works on for a while, and is waited for.
+    let left = "setsid sh -c 'echo $$ >pid; while :; do :; done' & sleep 1";
+    for (script, end) in [(endless, "time_out"), (large, "over_memory"), (left, "status"), (wait, "time_out")] {
         let line = "$lab supervise --seconds 2 --memory 100 --printed . -- sh -c \"$script\"";
         let output = bash(&folder, &format!("script='{}'; {line}", script.replace('\'', "'\\''")));
-        assert!(String::from_utf8_lossy(&output.stdout).contains(end), "{script}: {output:?}");
+        let run = String::from_utf8_lossy(&output.stdout);
+        assert!(run.contains(end), "{script}: {output:?}");
+        let user = run.split_once("\"user\": ").and_then(|(_, rest)| rest.split(',').next()?.parse::<f64>().ok());
+        assert!(script != left || user > Some(0.2), "the time of all processes counts: {run}");
+        let alive = bash(&folder, "kill -0 $(cat pid) && ! grep -q '^State:.Z' /proc/$(cat pid)/status");
+        assert!(!alive.status.success(), "no process is left: {alive:?}");
     }
-    let alive = bash(&folder, "kill -0 $(cat pid) && ! grep -q '^State:.Z' /proc/$(cat pid)/status");
-    assert!(!alive.status.success(), "no process is left: {alive:?}");
     assert!(folder.read("stdout.txt").len() <= 1 << 16);
     assert!(crate::complaint(&["check", "/no/such/program"]).contains("/no/such/program"));
 }

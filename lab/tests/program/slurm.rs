@@ -39,8 +39,11 @@ fn job(folder: &Folder, script: &str) -> Command {
     fs::write(bin.join("sbatch"), STUB).expect("the folder is writable");
     fs::set_permissions(bin.join("sbatch"), fs::Permissions::from_mode(0o755)).expect("it is ours");
     let path = std::env::var("PATH").expect("there is a search path");
-    let mut command = Command::new(test_support::project_root().join("lab/slurm").join(script));
-    command.env("PATH", format!("{}:{path}", bin.display())).env("STUB_LOG", folder.file("log"));
+    let mut command = Command::new("bash");
+    command
+        .arg(test_support::project_root().join("lab/slurm").join(script))
+        .env("PATH", format!("{}:{path}", bin.display()))
+        .env("STUB_LOG", folder.file("log"));
     command.env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"));
     command
 }
