@@ -132,8 +132,10 @@ impl Run {
         {
             let result = Checkpoint::write((&keep.path, keep.options), &keep.origin, (row, image), streams);
             keep.failed = result.err().map(Failure::from);
-            // A full disk may have room again a minute later, so the run goes on.
-            if let Some(message) = keep.failed.as_ref().and_then(Failure::message).filter(|_| !ends) {
+            // A full disk may have room again a minute later, so the run goes on. A finished picture needs no
+            // checkpoint.
+            let is_error = ends && row < self.rows;
+            if let Some(message) = keep.failed.as_ref().and_then(Failure::message).filter(|_| !is_error) {
                 terminal::note(&format!("no checkpoint was written: {message}"));
             }
             keep.written = Instant::now();
@@ -144,27 +146,38 @@ impl Run {
     /// Returns `Ok` if the picture is finished after `row` rows, and otherwise the reason why it is not.
     ///
     /// # Errors
-    /// [`Failure::Interrupted`], [`Failure::Kept`], or the error of the last checkpoint.
+    /// [`Failure::Interrupted`], [`Failure::Kept`], or the error of the last checkpoint. A finished picture
+    /// needs no checkpoint, so then there is no error.
     pub fn end(self, row: usize, interrupt: &Interrupt) -> Result<(), Failure> {
-        let is_finished = row >= self.rows;
-        let Some(keep) = self.keep else {
-            return if is_finished { Ok(()) } else { Err(Failure::Interrupted) };
-        };
-        match keep.failed {
-            Some(failure) => Err(failure),
-            None if is_finished => Ok(()),
-            None => {
-                let (name, rows) = (terminal::name(&keep.path), self.rows);
-                let message = format!("{name} has {row} of {rows} rows; go on by --resume {name}");
-                Err(Failure::Kept { message, interrupted: interrupt.flow().is_break() })
-            }
+        if row >= self.rows {
+            return Ok(());
         }
+        let keep = self.keep.ok_or(Failure::Interrupted)?;
+        if let Some(failure) = keep.failed {
+            return Err(failure);
+        }
+        let (name, rows) = (terminal::name(&keep.path), self.rows);
+        let message = format!("{name} has {row} of {rows} rows; go on by --resume {name}");
+        Err(Failure::Kept { message, interrupted: interrupt.flow().is_break() })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_finished_picture_does_not_need_its_last_checkpoint() {
+        let scene = generator::scene(&generator::Options::default());
+        let end = |row| {
+            let origin = Origin::new(&cpu::Config::default(), &scene, "statement");
+            let (path, options, every) = (PathBuf::from("c"), Options::default(), Duration::ZERO);
+            let failed = Some("full".into());
+            let keep = Some(Keep { path, options, origin, every, written: Instant::now(), failed });
+            Run { keep, last_row: 9, rows: 9, until: None }.end(row, &Interrupt::listen())
+        };
+        assert!(end(9).is_ok() && end(8).is_err_and(|failure| failure.status() == 2));
+    }
 
     #[test]
     fn times_and_rows_are_understood_or_refused() {
