@@ -88,6 +88,9 @@ impl Arguments {
     /// # Errors
     /// An error of a file or of a camera, or an interruption.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
+        if self.out == Path::new("-") {
+            return Err("an animation has no standard output (-); name a .png file or a folder".into());
+        }
         let config = sources::config(&self.config, &self.set)?;
         let to = self.to.as_ref().map(|path| sources::config(path, &self.set)).transpose()?;
         let scene = sources::scene(&self.scene)?;
@@ -100,6 +103,10 @@ impl Arguments {
         let rows = size.height() * self.frames as usize;
         let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) };
         let cameras = (0..self.frames).map(|frame| self.camera(frame, &config, to.as_ref()));
+        // An invalid camera is an error before the first frame is rendered.
+        for (frame, config) in cameras.clone().enumerate() {
+            config.check_picture().map_err(|error| format!("frame {frame}: {error}"))?;
+        }
         let film = Film { scene: &scene, scatter: self.scatter, bar: &bar, interrupt: Interrupt::listen() };
         let rendered = if self.out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
             self.write_animated(&film, cameras, size, options)?
@@ -179,17 +186,23 @@ impl Arguments {
         fs::create_dir_all(&self.out).map_err(|error| format!("{name}: {error}"))?;
         let about = serde_json::to_string_pretty(about).map_err(|error| error.to_string())?;
         let place = self.out.join(ABOUT);
+        let frames = || (0..self.frames).map(|frame| self.out.join(format!("{frame:04}.png")));
         match fs::exists(&place).map_err(|error| format!("{name}: {error}"))? {
             true if cpu::internals::input::reader::read_text(&place, 1 << 16).ok().as_ref() != Some(&about) => {
                 return Err(format!("{name}: it has frames of another animation; choose another folder").into());
             }
             true => {}
-            false => Output::open(&place, options)?.fill(|file| file.write_all(about.as_bytes()))?,
+            false => {
+                if let Some(old) = frames().find(|path| path.exists()) {
+                    let remedy = format!("no {ABOUT} tells its animation; choose another folder, or delete its frames");
+                    return Err(format!("{}: {remedy}", terminal::name(&old)).into());
+                }
+                Output::open(&place, options)?.fill(|file| file.write_all(about.as_bytes()))?;
+            }
         }
         let is_whole = |old: Picture| (old.width, old.height) == (size.width(), size.height());
         let mut rendered = 0;
-        for (frame, config) in (0..).zip(cameras) {
-            let path = self.out.join(format!("{frame:04}.png"));
+        for ((frame, path), config) in (0..).zip(frames()).zip(cameras) {
             if path.exists() && Picture::read(&path).is_ok_and(is_whole) {
                 film.bar.inc(size.height() as u64);
                 continue;

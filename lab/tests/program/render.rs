@@ -197,6 +197,17 @@ fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
     assert!(fs::read(folder.file("frames/0002.png")).expect("it was written") == third);
     let other = complaint(&["animate", CONFIG, SCENE, &out, "--frames", "5"]);
     assert!(other.contains("it has frames of another animation"), "{other}");
+    fs::remove_file(folder.file("frames/animation.json")).expect("it was written");
+    let other = complaint(&["animate", CONFIG, SCENE, &out, "--frames", "4"]);
+    assert!(other.contains("0000.png: no animation.json tells its animation"), "{other}");
+    let dash = complaint(&["animate", CONFIG, SCENE, "-"]);
+    assert!(dash.contains("no standard output (-)"), "{dash}");
+    // The third of five frames is halfway between two opposite cameras, at their target.
+    fs::write(folder.file("from"), "camera_position: 0 0 -9\n").expect("the folder is writable");
+    fs::write(folder.file("to"), "camera_position: 0 0 9\n").expect("the folder is writable");
+    let [from, to, new] = ["from", "to", "new"].map(|name| folder.name(name));
+    let through = complaint(&["animate", &from, SCENE, &new, "--to", &to, "--frames", "5"]);
+    assert!(through.contains("frame 2: ") && !fs::exists(&new).expect("the folder is ours"), "{through}");
     assert_eq!(animate(&film, &["--to", "scenes/materials/config.txt"]), Some(4));
     assert!(fs::read(film).expect("it was written").windows(4).any(|bytes| bytes == b"acTL"), "it is animated");
 }
