@@ -156,9 +156,9 @@ impl Arguments {
             )?;
             taken.rays = Some(counts.rays);
             taken.hits = Some(counts.hits);
-            // The rays of the whole picture were counted. With `--crop`, the time is that of a part of the picture, so
-            // the time of one ray is unknown.
-            let all = self.crop.is_none() && counts.rays > 0;
+            // The rays of the whole picture were counted. If the time is that of a part of the picture or of a
+            // quantity, the time of one ray is unknown.
+            let all = !is_in_parts && self.show.is_none() && counts.rays > 0;
             taken.nanoseconds_per_ray = all.then(|| taken.user_seconds * 1e9 / counts.rays as f64);
         }
         if self.json {
@@ -190,16 +190,17 @@ impl Arguments {
             Any::Floats(floats) => (floats.width, floats.height),
         };
         output.fill(|file| picture.write(kind, GAMMA, file))?;
-        let primary_rays = ((rows * prepared.size.width()) as u64).saturating_mul(prepared.samples);
+        let rays = self.show.map_or(prepared.samples, |quantity| quantity.primary_rays(prepared.samples));
+        let primary_rays = ((rows * prepared.size.width()) as u64).saturating_mul(rays);
         let user_seconds = own_seconds() - before;
         Ok(Taken {
             width,
             height,
-            samples_per_pixel: prepared.samples,
+            samples_per_pixel: self.show.is_none_or(Quantity::takes_samples).then_some(prepared.samples),
             primary_rays,
             seconds: start.elapsed().as_secs_f64(),
             user_seconds,
-            nanoseconds_per_primary_ray: user_seconds * 1e9 / primary_rays as f64,
+            nanoseconds_per_primary_ray: (primary_rays > 0).then(|| user_seconds * 1e9 / primary_rays as f64),
             peak_memory_bytes: peak_memory(),
             rays: None,
             hits: None,

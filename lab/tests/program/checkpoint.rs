@@ -88,7 +88,9 @@ fn a_run_stops_where_it_is_told_and_says_how_to_go_on() {
     printed(&arguments(out, "image_width=64", &["--resume", keep]));
     assert!(fs::read(out).expect("it is finished") == fs::read(whole).expect("it is there"));
     // A finished checkpoint gives the picture again.
-    printed(&arguments(out, "image_width=64", &["--resume", keep, "--crop", "3,4,5,6"]));
+    let options = ["--resume", keep, "--crop", "3,4,5,6", "--json"];
+    let taken: serde_json::Value = printed(&arguments(out, "image_width=64", &options)).parse().expect("it is JSON");
+    assert_eq!((&taken["primary_rays"], taken["nanoseconds_per_primary_ray"].is_null()), (&0.into(), true));
 }
 
 #[test]

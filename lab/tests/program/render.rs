@@ -156,6 +156,13 @@ fn a_quantity_is_shown_with_a_scale_or_as_numbers_and_light_is_linear() {
     let depth = render(&folder, "depth.png", &["--show", "depth"]);
     let depth = Picture::parse(&depth).expect("it is a picture");
     assert!(depth.height > 36, "the scale is below it");
+    for (quantity, rays, samples) in [("depth", 1, None), ("samples", 0, None), ("cost", 2, Some(2))] {
+        let out = folder.name("counted.npy");
+        let options = ["render", CONFIG, SCENE, &out, "--json", "--show", quantity];
+        let taken: serde_json::Value = printed(&[&options[..], &SMALL].concat()).parse().expect("it is JSON");
+        let expected = (&(64 * 36 * rays).into(), &serde_json::json!(samples));
+        assert_eq!((&taken["primary_rays"], &taken["samples_per_pixel"]), expected, "{quantity}");
+    }
     let numbers = render(&folder, "depth.npy", &["--show", "depth"]);
     assert!(numbers.starts_with(b"\x93NUMPY") && numbers.len() > 4 * 64 * 36);
     // The linear light of each format gives the picture's bytes again.

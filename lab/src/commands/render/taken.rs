@@ -7,17 +7,20 @@ use serde::Serialize;
 pub struct Taken {
     pub width: usize,
     pub height: usize,
-    pub samples_per_pixel: u64,
+    /// `None` for a quantity that needs no samples.
+    pub samples_per_pixel: Option<u64>,
     /// Number of camera rays in the rows that were rendered.
     pub primary_rays: u64,
     /// Elapsed time in seconds, including the time to write the file.
     pub seconds: f64,
     pub user_seconds: f64,
-    pub nanoseconds_per_primary_ray: f64,
+    /// `None` without such rays.
+    pub nanoseconds_per_primary_ray: Option<f64>,
     pub peak_memory_bytes: u64,
     /// Number of all rays; `None` without `--count`.
     pub rays: Option<u64>,
     pub hits: Option<u64>,
+    /// `None` if not all rays of the picture were traced in these seconds.
     pub nanoseconds_per_ray: Option<f64>,
 }
 
@@ -27,12 +30,12 @@ const SHOWN: f64 = 0.05;
 impl std::fmt::Display for Taken {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (seconds, memory) = (self.user_seconds, self.peak_memory_bytes as f64 / 1e6);
-        write!(out, "{} x {} pixels, {} samples each: ", self.width, self.height, self.samples_per_pixel)?;
-        write!(out, "{:.3} s, {seconds:.3} s of user time, ", self.seconds)?;
+        write!(out, "{} x {} pixels", self.width, self.height)?;
+        self.samples_per_pixel.map_or(Ok(()), |samples| write!(out, ", {samples} samples each"))?;
+        write!(out, ": {:.3} s, {seconds:.3} s of user time, ", self.seconds)?;
         // The system's clock of user time may be too coarse for a tiny picture, and then counts nothing.
-        if self.nanoseconds_per_primary_ray >= SHOWN {
-            write!(out, "{:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
-        }
+        let time = self.nanoseconds_per_primary_ray.filter(|&time| time >= SHOWN);
+        time.map_or(Ok(()), |time| write!(out, "{time:.1} ns a primary ray, "))?;
         write!(out, "peak memory {memory:.1} MB")?;
         if let (Some(rays), Some(hits)) = (self.rays, self.hits) {
             write!(out, "; {rays} rays, {hits} hits")?;
@@ -51,11 +54,11 @@ mod tests {
         let taken = |nanoseconds| Taken {
             width: 1,
             height: 1,
-            samples_per_pixel: 1,
+            samples_per_pixel: None,
             primary_rays: 1,
             seconds: 1.0,
             user_seconds: 0.0,
-            nanoseconds_per_primary_ray: nanoseconds,
+            nanoseconds_per_primary_ray: Some(nanoseconds),
             peak_memory_bytes: 1,
             rays: Some(1),
             hits: Some(1),
