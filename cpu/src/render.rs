@@ -114,7 +114,8 @@ pub fn render_within<L: Renderable>(
 }
 
 /// Renders as [`render_within`] does, from row `first_row` on. The states of the random streams before this row are
-/// `words`, which an earlier rendering got from [`Streams::visit`]. `after_row` also gets the streams after the row.
+/// the [`Streams::count`] `words` that an earlier rendering got from [`Streams::visit`]. `after_row` also gets the
+/// streams after the row.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
@@ -130,6 +131,7 @@ pub fn render_from<L: Renderable>(
     let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     state.set_limits(limits);
     if first_row > 0 {
+        debug_assert_eq!(words.len(), Streams::count());
         let mut words = words.iter();
         state.streams().visit(|word| *word = words.next().copied().unwrap_or_default());
     }

@@ -19,6 +19,8 @@ use crate::{Failure, terminal};
 /// Largest size in bytes of the header and the streams.
 const MOST_BEFORE_PIXELS: u64 = 1 << 16;
 const DIGEST_BYTES: usize = 32;
+/// Number of this format of checkpoints. Increase it if the words of the random streams or the [`Header`] change.
+const FORMAT: u32 = 1;
 
 /// What decides the bytes of a picture. A checkpoint is of use only where all of it is the same.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -78,6 +80,8 @@ fn digest_of(value: &impl Debug) -> String {
 /// The first line of a checkpoint.
 #[derive(Debug, Serialize, Deserialize)]
 struct Header {
+    #[serde(default)]
+    format: u32,
     #[serde(flatten)]
     origin: Origin,
     width: usize,
@@ -124,6 +128,9 @@ impl Checkpoint {
         let end = content.iter().position(|&byte| byte == b'\n').ok_or(DAMAGED)?;
         let header: Header = serde_json::from_slice(&content[..end]).map_err(|_| DAMAGED)?;
         header.origin.check(wanted)?;
+        if header.format != FORMAT || header.words != Streams::count() {
+            return Err("it is of another build of render-lab; start again without --resume".to_owned());
+        }
         let is_of_size = (header.width, header.height) == (size.width(), size.height()) && header.rows <= header.height;
         let (words, pixels) = content[end + 1..].split_at_checked(header.words.saturating_mul(8)).ok_or(DAMAGED)?;
         if !is_of_size || pixels.len() != 3 * header.rows * size.width() {
@@ -154,7 +161,7 @@ impl Checkpoint {
         streams.visit(|word| words.extend(word.to_le_bytes()));
         let size = image.size();
         let (origin, width, height) = (origin.clone(), size.width(), size.height());
-        let header = Header { origin, width, height, rows, words: words.len() / 8 };
+        let header = Header { format: FORMAT, origin, width, height, rows, words: words.len() / 8 };
         Output::open(path, options)?.fill(|file| {
             let mut file = BufWriter::with_capacity(1 << 16, Summed { file, digest: Sha256::new() });
             serde_json::to_writer(&mut file, &header)?;
@@ -237,10 +244,19 @@ mod tests {
             forged.extend(Sha256::digest(&forged));
             assert!(parse(&forged, &origin).is_err());
         }
-        let mut forged = bytes[..bytes.len() - DIGEST_BYTES].to_vec();
-        let words = format!("\"words\":{}", usize::MAX);
-        forged = String::from_utf8_lossy(&forged).replace("\"words\":", &format!("{words},\"x\":")).into_bytes();
-        forged.extend(Sha256::digest(&forged));
-        assert!(parse(&forged, &origin).is_err());
+        // A header with another number, and the right digest.
+        let end = bytes.iter().position(|&byte| byte == b'\n').expect("a header is a line");
+        let (header, rest) = bytes[..bytes.len() - DIGEST_BYTES].split_at(end);
+        let forged = |name: &str, number: usize| {
+            let wanted = format!("\"{name}\":{number},\"x\":");
+            let header = str::from_utf8(header).expect("it is JSON").replace(&format!("\"{name}\":"), &wanted);
+            let mut forged = [header.as_bytes(), rest].concat();
+            forged.extend(Sha256::digest(&forged));
+            parse(&forged, &origin).expect_err("it is forged")
+        };
+        for (name, number) in [("words", usize::MAX), ("words", 0), ("words", Streams::count() + 3), ("format", 0)] {
+            assert!(forged(name, number).contains("another build"), "{name} {number}");
+        }
+        assert!(forged("rows", 1).contains("damaged"));
     }
 }

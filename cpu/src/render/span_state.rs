@@ -6,7 +6,8 @@ use crate::render::{
 };
 use crate::{
     accel::stack::Stack, input::error::Error, layout::Layout, sampling::draw_order::PixelJitter,
-    sampling::scatter_stream::ScatterSamples, simd::instruction_set::InstructionSet,
+    sampling::scatter_stream::ScatterSamples, sampling::scatter_vectors::Scatter,
+    simd::instruction_set::InstructionSet,
 };
 
 /// The random streams of a picture: the offsets of the samples, and the scatter samples.
@@ -17,6 +18,15 @@ impl Streams<'_> {
     pub fn visit(&mut self, mut visit: impl FnMut(&mut u64)) {
         self.0.visit(&mut visit);
         self.1.visit(&mut visit);
+    }
+
+    /// Returns the number of words that [`Streams::visit`] visits. It is the same for all pictures.
+    #[must_use]
+    pub fn count() -> usize {
+        let mut samples = ScatterSamples::new(Scatter::Deterministic, 1, InstructionSet::Portable);
+        let mut count = 0;
+        Streams(&mut PixelJitter::new(1), &mut samples).visit(|_| count += 1);
+        count
     }
 }
 
