@@ -90,14 +90,14 @@ impl Picture {
         Ok(Self { width, height, pixels })
     }
 
-    /// Returns the picture as an address that an HTML page can have in itself: a PNG in base 64.
+    /// Returns the picture as the [`data_uri`] of a PNG.
     ///
     /// # Errors
     /// An error if the picture is too large for a PNG.
     pub fn address(&self) -> io::Result<String> {
         let mut png = Vec::new();
         self.write_png(&mut png)?;
-        Ok(format!("data:image/png;base64,{}", STANDARD.encode(&png)))
+        Ok(data_uri(&png))
     }
 
     /// Writes the picture to `out` in the format PNG.
@@ -130,6 +130,12 @@ impl Picture {
         }
         cpu::internals::image::ppm::write_ppm(&image, out)
     }
+}
+
+/// Returns the data URI of the bytes of a PNG: an address with the picture itself, in base 64, for an HTML page.
+#[must_use]
+pub fn data_uri(png: &[u8]) -> String {
+    format!("data:image/png;base64,{}", STANDARD.encode(png))
 }
 
 /// Number of bytes of the compressed picture that are written at once.

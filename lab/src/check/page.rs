@@ -3,14 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD as STANDARD;
-
 use super::cases::Group;
 use super::fault::{Fault, Kind, RULES};
 use super::{Checked, Report};
 use crate::format::Words;
 use crate::format::hint::Language;
+use crate::picture::data_uri;
 use crate::report::html;
 use crate::terminal;
 
@@ -110,10 +108,7 @@ impl Report {
             if index == 0 {
                 html::heading(body, &title(WRONG));
             }
-            let address = |name: &str| {
-                let png = fs::read(folder.join(&checked.case).join(name)).ok()?;
-                Some(format!("data:image/png;base64,{}", STANDARD.encode(png)))
-            };
+            let address = |name: &str| Some(data_uri(&fs::read(folder.join(&checked.case).join(name)).ok()?));
             let pictures = PICTURES.iter().zip(CAPTIONS).filter_map(|(name, caption)| {
                 Some((format!("{}: {}", checked.case, language.say(caption, &[])), address(name)?))
             });

@@ -8,6 +8,7 @@ use output::{Options, Output};
 use crate::picture::any::Any;
 use crate::picture::floats::GAMMA;
 use crate::picture::kind::Kind;
+use crate::supervise::above_zero;
 use crate::{Failure, sources};
 
 /// Examples, shown after the help of `convert`.
@@ -26,13 +27,8 @@ pub struct Arguments {
     /// Picture to write, in the format of its name's ending; - is PNG on standard output
     out: PathBuf,
     /// Gamma between bytes and the linear light of PFM, NPY and EXR
-    #[arg(long, default_value_t = GAMMA, value_parser = gamma)]
+    #[arg(long, default_value_t = GAMMA, value_parser = above_zero)]
     gamma: f64,
-}
-
-fn gamma(text: &str) -> Result<f64, String> {
-    let gamma = text.parse().ok().filter(|gamma: &f64| *gamma > 0.0 && gamma.is_finite());
-    gamma.ok_or_else(|| "a number above 0 is needed".to_owned())
 }
 
 impl Arguments {

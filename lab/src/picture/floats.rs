@@ -104,7 +104,8 @@ pub(super) fn from_pfm(bytes: &[u8]) -> Result<Floats, String> {
     };
     let (width, height, scale) = (word().ok_or(WRONG)?, word().ok_or(WRONG)?, word().ok_or(WRONG)?);
     let (width, height): (usize, usize) = (width.parse().map_err(|_| WRONG)?, height.parse().map_err(|_| WRONG)?);
-    let scale: f32 = scale.parse().map_err(|_| WRONG)?;
+    // The sign of the scale tells the order of the bytes, so 0 and NaN have no meaning.
+    let scale = scale.parse().ok().filter(|&scale: &f32| scale.abs() > 0.0).ok_or(WRONG)?;
     let channels = if bytes[1] == b'F' { 3 } else { 1 };
     let floats = from_numbers(rest, [width, height, channels], (4, scale < 0.0))?;
     let rows = floats.values.chunks_exact(width * channels).rev();
@@ -212,7 +213,8 @@ mod tests {
             assert_eq!((floats.width, &floats.values[..]), (2, &[1.0, -1.0][..]));
         }
         let huge = npy("{'descr':'<f4','fortran_order':False,'shape':(4294967296,4294967296)}", b"");
-        for bytes in [&huge[..], &huge[..9], b"PF 9999999999 9999999999 -1\n", b"PF 0 1 -1\n"] {
+        let [zero, nan] = ["0", "nan"].map(|scale| [b"Pf 2 1 ", scale.as_bytes(), &big[10..]].concat());
+        for bytes in [&huge[..], &huge[..9], &zero, &nan, b"PF 9999999999 9999999999 -1\n", b"PF 0 1 -1\n"] {
             assert!(Any::parse(bytes).is_err(), "{}", bytes.escape_ascii());
         }
     }
