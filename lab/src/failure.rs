@@ -3,7 +3,7 @@
 /// The reason why a command ended early.
 #[derive(Debug)]
 pub enum Failure {
-    /// Two pictures differ more than the course accepts.
+    /// Two pictures differ more than the course accepts, or `check` found a fault.
     Rejected,
     /// An error of the renderer or of its input files.
     Renderer(cpu::Error),
@@ -11,9 +11,9 @@ pub enum Failure {
     Other(String),
     /// A signal stopped the command, and no results were kept.
     Interrupted,
-    /// The picture is not finished, and a checkpoint has what is needed to go on.
+    /// The picture or the animation is not finished, and a checkpoint or a folder has what is needed to go on.
     Kept {
-        /// The file, the rows that it has, and how to go on.
+        /// The file or folder, the rows or frames that it has, and how to go on.
         message: String,
         /// Whether a signal stopped the command, and not one of its options.
         interrupted: bool,

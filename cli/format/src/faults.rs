@@ -13,12 +13,11 @@ use crate::recorder::Recorder;
 /// Largest number of wrong lines that a caller shows of a file.
 pub const MOST_FAULTS: usize = 20;
 
-/// Calls `tell` for the error `first`, which a parser has returned after it read from `input`, and for the error of
-/// each wrong line after it. Then `input` has that line as its last one. `tell` returns whether the next error is
-/// wanted.
+/// Calls `tell` with the error of each wrong line, until `tell` returns `false`. A parser has read `input` up to the
+/// first wrong line, and has returned the error `first`. At each call the last line of `input` is the wrong line.
 ///
-/// A material counts as defined after its wrong definition, or after the first line that misses it. So one mistake
-/// leads to one error.
+/// If the definition of a material is wrong, or if a line uses a material that no line defines, later lines may use the
+/// material without an error. So one mistake gives one error.
 pub fn each<R: BufRead>(
     kind: Kind,
     input: &mut Recorder<R>,

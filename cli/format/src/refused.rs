@@ -8,7 +8,7 @@ use crate::hint::Kind;
 pub struct Refused {
     /// The file with the line.
     pub kind: Kind,
-    /// The line, without a line end; in one case two lines.
+    /// The line, without a line end. In two cases a second line follows.
     pub line: &'static [u8],
     /// The message on standard error, without `Error: ` and without the line end.
     pub message: &'static [u8],
