@@ -259,12 +259,13 @@ export const tests = {
         const page = await open(url);
         await digest(page);
         await page.waitForFunction(() => document.getElementById('examples').length > 1);
-        for (const name of ['materials', 'ten-thousand']) {
+        const both = (name) => [true, false].map((fixed) => [name, fixed]);
+        for (const [name, fixed] of ['materials', 'ten-thousand'].flatMap(both)) {
             await page.selectOption('#examples', name);
             await page.evaluate(() => document.getElementById('cancel').click());
             await page.click('#tab-live');
-            await page.check('#live-fixed');
-            await still(page);
+            await page.setChecked('#live-fixed', fixed);
+            await page.waitForTimeout(500);
             const rate = await page.evaluate(async () => {
                 const canvas = document.getElementById('live-canvas');
                 const frames = () => Number(canvas.dataset.frames);
