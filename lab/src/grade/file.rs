@@ -68,7 +68,7 @@ pub struct Program {
     pub name: String,
     /// The folder in which its commands run. Without it, the folder of its name.
     pub folder: Option<PathBuf>,
-    /// The command that builds it, which sh runs.
+    /// The line of shell that builds the program.
     pub build: Option<String>,
     /// The words of the command that runs it, before the three names of files.
     pub command: Vec<String>,

@@ -66,7 +66,7 @@ impl Any {
         }
     }
 
-    /// Returns the picture as bytes. Numbers are taken as linear light, for `gamma`.
+    /// Returns the picture in bytes. Numbers are linear light, and become bytes by the exponent 1 / `gamma`.
     ///
     /// # Errors
     /// An error if memory is short.

@@ -33,9 +33,18 @@ export const tests = {
         await type(page, 'config', SLOW);
         await page.keyboard.press('Control+Enter');
         await page.waitForFunction(() => document.getElementById('bar').value > 0.01, null, { polling: 50 });
-        const first = await lastRow(page);
-        await page.waitForFunction((row) => document.getElementById('bar').value * 360 > row + 3, first, { polling: 50 });
-        const second = await lastRow(page);
+        // Until the first row has come, the canvas has the 270 rows of the picture before.
+        await page.waitForFunction(() => document.getElementById('canvas').height === 360, null, { polling: 50 });
+        const rowAfter = async (row) => {
+            let last = row;
+            for (let tries = 0; last <= row && tries < 200; tries++) {
+                await page.waitForTimeout(50);
+                last = await lastRow(page);
+            }
+            return last;
+        };
+        const first = await rowAfter(0);
+        const second = await rowAfter(first);
         check(first > 0 && second > first && second < 360, `${first} and then ${second} rows of 360`);
         await shoot(page, 'rows');
         await page.click('#cancel');
