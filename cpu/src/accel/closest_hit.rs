@@ -82,8 +82,13 @@ impl ClosestHit {
     /// Intersects the sphere at `index` among the spheres, and updates the closest hit.
     #[inline(always)]
     pub fn intersect_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
-        let decision = exact::sphere::filtered(&objects.sphere(index).record, ray);
-        self.update_by_sphere(objects, index, ray, decision);
+        add(Counter::SphereTests, 1);
+        let lambda = match exact::sphere::filtered_or_least(&objects.sphere(index).record, ray) {
+            Ok(lambda) => lambda,
+            Err(least) if is_certainly_closer(self.lambda, least) => None,
+            Err(_) => precise_sphere(objects, index, *ray),
+        };
+        self.update_by_lambda(objects, index, ray, lambda);
     }
 
     /// Intersects the dominant sphere, which is at `index` among the spheres, and updates the closest hit. The
@@ -91,20 +96,33 @@ impl ClosestHit {
     /// near the dominant sphere.
     #[inline(always)]
     pub fn intersect_dominant_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
-        let decision = exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray);
-        self.update_by_sphere(objects, index, ray, decision);
-    }
-
-    #[inline(always)]
-    fn update_by_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, decision: Decision<Option<f64>>) {
         add(Counter::SphereTests, 1);
-        let lambda = match decision {
+        let lambda = match exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray) {
             Decision::Certain(lambda) => lambda,
             Decision::Uncertain => precise_sphere(objects, index, *ray),
         };
+        self.update_by_lambda(objects, index, ray, lambda);
+    }
+
+    #[inline(always)]
+    fn update_by_lambda<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, lambda: Option<f64>) {
         if let Some(lambda) = lambda {
             let object = ObjectRef::Sphere(index).number(objects.sphere_count());
             self.update(objects, ray, Self { lambda, object, part: CylinderPart::Side });
+        }
+    }
+
+    /// Intersects the spheres whose bits are set in `spheres`, and updates the closest hit.
+    #[inline(always)]
+    pub fn intersect_spheres<O: Objects>(&mut self, objects: &O, mut spheres: u64, ray: &Ray) {
+        while spheres != 0 {
+            let index = spheres.trailing_zeros() as usize;
+            match exact::sphere::filtered(&objects.sphere(index).record, ray) {
+                Decision::Certain(lambda) => self.update_by_lambda(objects, index, ray, lambda),
+                Decision::Uncertain => return *self = with_uncertain_spheres(objects, spheres, *ray, *self),
+            }
+            add(Counter::SphereTests, 1);
+            spheres &= spheres - 1;
         }
     }
 
@@ -129,6 +147,38 @@ impl ClosestHit {
 #[inline(never)]
 fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64> {
     exact::sphere::compensated_or_precise(&objects.sphere(index).record, &ray)
+}
+
+/// Returns what [`ClosestHit::intersect_spheres`] does for spheres about which the plain formula may be uncertain. For a
+/// ray between thin shells it is uncertain about most of them. So these are put off, and the one with the smallest
+/// lower bound of lambda is intersected first. It mostly hides the others.
+#[cold]
+#[inline(never)]
+fn with_uncertain_spheres<O: Objects>(objects: &O, spheres: u64, ray: Ray, mut closest: ClosestHit) -> ClosestHit {
+    let (mut left, mut put_off, mut first) = (spheres, 0_u64, 0);
+    // The lower bound of the first sphere's lambda, and that of all other spheres.
+    let [mut least, mut second] = [f64::INFINITY; 2];
+    while left != 0 {
+        let index = left.trailing_zeros() as usize;
+        add(Counter::SphereTests, 1);
+        match exact::sphere::filtered_or_least(&objects.sphere(index).record, &ray) {
+            Ok(lambda) => closest.update_by_lambda(objects, index, &ray, lambda),
+            Err(lambda) => {
+                put_off |= 1 << index;
+                second = second.min(least.max(lambda));
+                if lambda < least {
+                    (least, first) = (lambda, index);
+                }
+            }
+        }
+        left &= left - 1;
+    }
+    while put_off != 0 && !is_certainly_closer(closest.lambda, least) {
+        closest.update_by_lambda(objects, first, &ray, precise_sphere(objects, first, ray));
+        put_off &= !(1 << first);
+        (first, least) = (put_off.trailing_zeros() as usize, second);
+    }
+    closest
 }
 
 /// Returns lambda and part by the precise formulas, or `None` for a miss. See [`precise_sphere`] for the parameters.

@@ -170,18 +170,15 @@ impl Accelerator for &FlatFilter {
                 return without_filter(objects, *ray);
             }
         }
-        let (mut spheres, mut cylinders) = self.may_hit::<S>(ray);
+        let (spheres, mut cylinders) = self.may_hit::<S>(ray);
         if !starts_on_dominant && let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
-            spheres |= 1 << index;
+            closest.intersect_dominant_sphere(objects, index, ray);
         }
         // Most rays certainly hit no object. One branch returns for all of them, as early as possible.
         if spheres | cylinders == 0 {
             return closest;
         }
-        while spheres != 0 {
-            closest.intersect_sphere(objects, spheres.trailing_zeros() as usize, ray);
-            spheres &= spheres - 1;
-        }
+        closest.intersect_spheres(objects, spheres, ray);
         while cylinders != 0 {
             closest.intersect_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
             cylinders &= cylinders - 1;

@@ -379,3 +379,15 @@ fn scenes_of_every_size_give_the_closest_hits() {
         }
     }
 }
+
+#[test]
+fn rays_between_thin_shells_hit_the_next_one() {
+    for (count, gap) in [7, 40, 90].into_iter().flat_map(|count| [(count, 1e-3), (count, 1e-5), (count, 1e-14)]) {
+        let mut text = String::from("matte: m 1 1 1\n");
+        for place in 0..count {
+            text += &format!("sphere: .1 .2 .3 {:e} m\n", 8.0 * (1.0 - gap * f64::from(place * 3 % count)));
+        }
+        let mut objects = parsed(&text);
+        agrees_with_plain(&accel(&mut objects), &objects, 100);
+    }
+}

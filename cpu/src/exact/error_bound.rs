@@ -9,7 +9,8 @@
 //!
 //! - the ray misses if `-D > E`;
 //! - a root is below [`LAMBDA_MIN`] if `(a LAMBDA_MIN - n) sqrt(D) > E`;
-//! - a root is accurate if `M + 4 n^2 < condition_limit n sqrt(D)`, and then `D > 0` is certain too.
+//! - a root is accurate if `M + 4 n^2 < condition_limit n sqrt(D)`, and then `D > 0` is certain too;
+//! - a root is at least `(n - E / sqrt(D)) / a`, but for the relative error of `a` and of this formula.
 //!
 //! If a quantity overflows, the result is uncertain, because every comparison with NaN is false. Underflow cannot make
 //! a wrong result certain, for two reasons: a tiny constant is added to `M`, and the direction must be [in
@@ -128,6 +129,15 @@ impl<T: Rounding> ErrorBound<T> {
         let finite = self.size.less(T::of(OVERFLOW));
         let hits = accurate & finite & self.limits.in_range(lambda);
         Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
+    }
+
+    /// Returns a lower bound of the exact lambda of the root `numerator / a`, with a relative error below 2^-50. It is
+    /// negative infinity if no bound is known.
+    #[inline(always)]
+    pub fn least_lambda(&self, a: T, numerator: T, root: T) -> T {
+        let least = (numerator - self.error / root) / a;
+        let is_known = T::of(f64::NEG_INFINITY).less(least) & self.size.less(T::of(OVERFLOW));
+        T::select(is_known, least, T::of(f64::NEG_INFINITY))
     }
 
     /// Whether the lambda `numerator / a` certainly is below [`LAMBDA_MIN`]. This is cheaper than

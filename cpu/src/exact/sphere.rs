@@ -3,7 +3,7 @@
 //! needed only if the step before it is uncertain.
 
 use crate::counters::{Counter, add};
-pub use crate::exact::sphere_filter::{filtered, filtered_from};
+pub use crate::exact::sphere_filter::{filtered, filtered_from, filtered_or_least};
 use crate::exact::{error_bound::Decision, sphere_compensated, sphere_exact};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::simd::fused::run_fused;

@@ -19,30 +19,39 @@ pub const LIMITS: Limits = Limits { error_constant: 32.0, condition_limit: 12288
 /// miss, and `Uncertain` if rounding may have changed a decision or if lambda may be inaccurate.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Decision<Option<T>> {
+    filtered_or_least(record, ray).map_or(Decision::Uncertain, Decision::Certain)
+}
+
+/// Computes the plain formula as [`filtered`] does.
+///
+/// # Errors
+/// If the plain formula is uncertain, the error is a [lower bound](ErrorBound::least_lambda) of the hit's lambda.
+#[inline(always)]
+pub fn filtered_or_least<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Result<Option<T>, T> {
     let a = ray.direction.dot(ray.direction);
     let view = record.seen_from(ray.origin);
     let (h, discriminant) = view.quadratic(ray.direction, a);
     let bound = ErrorBound::new(LIMITS, a, view.squares);
     if !in_scale(a) {
-        return Decision::Uncertain;
+        return Err(T::of(f64::NEG_INFINITY));
     }
     if bound.misses(discriminant) {
-        return Decision::Certain(None);
+        return Ok(None);
     }
     let root = discriminant.sqrt();
     let near_fails = bound.is_too_small(a, h - root, root);
     if !near_fails {
         let near = bound.root(a, h - root, root);
         if near.hits {
-            return Decision::Certain(Some(near.lambda));
+            return Ok(Some(near.lambda));
         }
     }
     let far = bound.root(a, h + root, root);
     match (near_fails && far.hits, far.fails) {
-        (true, _) => Decision::Certain(Some(far.lambda)),
+        (true, _) => Ok(Some(far.lambda)),
         // If the larger root is below the smallest lambda, the smaller root is too.
-        (_, true) => Decision::Certain(None),
-        _ => Decision::Uncertain,
+        (_, true) => Ok(None),
+        _ => Err(bound.least_lambda(a, if near_fails { h + root } else { h - root }, root)),
     }
 }
 
