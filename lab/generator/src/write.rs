@@ -65,12 +65,15 @@ fn line(text: &mut String, content: std::fmt::Arguments<'_>) {
     writeln!(text, "{content}").expect("a string takes all text");
 }
 
-fn vector(vector: Vec3) -> String {
+/// Returns the three numbers with blanks between them.
+#[must_use]
+pub fn vector(vector: Vec3) -> String {
     vector.to_array().map(real).join(" ")
 }
 
 /// Returns the shortest text that reads back as this number. Very large and very small numbers have an exponent.
-fn real(value: f64) -> String {
+#[must_use]
+pub fn real(value: f64) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }

@@ -1,46 +1,135 @@
-//! `render-lab convert`: writes a picture in another format.
+//! `render-lab convert`: writes a picture in another format, or a scene of pbrt-v4 or Mitsuba 3 as ours, or ours as
+//! theirs.
 
-use std::path::PathBuf;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
+use cpu::internals::input::reader::read;
+use cpu::internals::input::text::MAX_FILE_BYTES;
 use output::{Options, Output};
 
+use crate::convert::complete::complete;
+use crate::convert::notes::Notes;
+use crate::convert::sky::Layout;
+use crate::convert::world::World;
+use crate::convert::write::{self, Source};
+use crate::convert::{mitsuba, pbrt};
 use crate::picture::any::Any;
 use crate::picture::floats::GAMMA;
 use crate::picture::kind::Kind;
 use crate::supervise::above_zero;
-use crate::{Failure, sources};
+use crate::{Failure, sources, terminal};
 
 /// Examples, shown after the help of `convert`.
 const EXAMPLES: &str = "\
 Examples:
   render-lab convert picture.ppm picture.png
   render-lab convert linear.exr picture.png --gamma 2.4
-  render-lab convert depth.npy depth.pfm";
+  render-lab convert depth.npy depth.pfm
+  render-lab convert room.pbrt config.txt scene.txt
+  render-lab convert scenes/grid/config.txt scenes/grid/scene.txt grid.xml
+
+Scenes:
+  .pbrt is pbrt-v4, and .xml is Mitsuba 3. Spheres, cylinders, materials, camera and sky are converted. Standard error
+  lists the lines that have no match, with what is done instead";
 
 /// Options of `convert`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(
+    after_help = EXAMPLES,
+    override_usage = "render-lab convert [OPTIONS] PICTURE OUT\n       \
+                      render-lab convert SCENE.pbrt|SCENE.xml CONFIG SCENE\n       \
+                      render-lab convert CONFIG SCENE OUT.pbrt|OUT.xml"
+)]
 pub struct Arguments {
-    /// Picture, PPM, PNG, PFM, NPY or EXR; - is standard input
-    input: PathBuf,
-    /// Picture to write, in the format of its name's ending; - is PNG on standard output
-    out: PathBuf,
+    /// Two pictures, PPM, PNG, PFM, NPY or EXR, of which the second is written in the format of its name's ending; - is
+    /// standard input, and PNG on standard output. Or three files of two scenes
+    #[arg(required = true, num_args = 2..=3, value_name = "FILE")]
+    files: Vec<PathBuf>,
     /// Gamma between bytes and the linear light of PFM, NPY and EXR
     #[arg(long, default_value_t = GAMMA, value_parser = above_zero)]
     gamma: f64,
 }
 
 impl Arguments {
-    /// Converts the picture.
+    /// Converts the picture or the scene.
     ///
     /// # Errors
     /// An error of a file.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        let kind = Kind::of(&self.out, Kind::Png)?;
-        output::refuse_inputs(&self.out, &[&self.input])?;
-        let output = Output::open(&sources::output(&self.out), options)?;
-        let picture = Any::read(&sources::input(&self.input))?;
+        let ending = |path: &Path| path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
+        match &self.files[..] {
+            [input, out] => self.picture(input, out, options),
+            [config, scene, out] if ["pbrt", "xml"].contains(&&ending(out)[..]) => {
+                to_other([config, scene], out, ending(out) == "pbrt", options)
+            }
+            [input, outs @ ..] if ["pbrt", "xml"].contains(&&ending(input)[..]) => {
+                let mut world = World::default();
+                let read = if ending(input) == "pbrt" { pbrt::read } else { mitsuba::read };
+                let found = read(input, &mut world).and_then(|()| complete(&mut world));
+                found.map_err(|fault| world.notes.failure(fault))?;
+                let texts = [generator::write::config(&world.config), generator::write::scene(&world.scene)];
+                write_all(&[input], outs.iter().zip(texts.map(String::into_bytes)), options)?;
+                world.notes.print();
+                Ok(())
+            }
+            _ => Err("of three files, the first or the last must be a scene whose name ends in .pbrt or .xml".into()),
+        }
+    }
+
+    fn picture(&self, input: &Path, out: &Path, options: Options) -> Result<(), Failure> {
+        let kind = Kind::of(out, Kind::Png)?;
+        output::refuse_inputs(out, &[input])?;
+        let output = Output::open(&sources::output(out), options)?;
+        let picture = Any::read(&sources::input(input))?;
         Ok(output.fill(|file| picture.write(kind, self.gamma, file))?)
     }
+}
+
+/// Writes the configuration and the scene in the files `inputs` as a scene of pbrt or Mitsuba.
+fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Options) -> Result<(), Failure> {
+    if inputs.contains(&&PathBuf::from("-")) {
+        return Err("the configuration and the scene are read twice, so they cannot be standard input (-)".into());
+    }
+    let (config, scene) = (sources::config(inputs[0], &[])?, sources::scene(inputs[1])?);
+    let size = config.image_size().map_err(|error| sources::about_picture(error.into(), inputs[0], &[]))?;
+    // The name stands between quotation marks in both formats.
+    let name = out.file_name().and_then(OsStr::to_str).unwrap_or_default();
+    let name = format!("{}.exr", name.replace(|c: char| !c.is_alphanumeric() && !"-_. ".contains(c), "_"));
+    let has_picture = config.background_dark_color != config.background_light_color;
+    let source = Source { config: &config, scene: &scene, size, sky: has_picture.then_some(&name) };
+    let mut notes = Notes::of(inputs.map(|path| terminal::name(path)).to_vec());
+    let text = |path: &PathBuf| read(path, MAX_FILE_BYTES).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    write::note(&source, is_pbrt, [&text(inputs[0])?, &text(inputs[1])?], &mut notes);
+    let (text, layout) =
+        if is_pbrt { (write::pbrt(&source), Layout::Square) } else { (write::mitsuba(&source), Layout::Rows) };
+    let (sky, mut outs) = (out.with_file_name(&name), Vec::new());
+    if has_picture {
+        let mut bytes = Vec::new();
+        Any::Floats(layout.picture(&config)?).write(Kind::Exr, GAMMA, &mut bytes)?;
+        outs.push((&sky, bytes));
+    }
+    outs.push((out, text.into_bytes()));
+    write_all(&inputs, outs.into_iter(), options)?;
+    notes.print();
+    Ok(())
+}
+
+/// Writes several files. All are opened before one is written, so none is changed if one of them cannot be opened.
+fn write_all<'a>(
+    inputs: &[&PathBuf],
+    files: impl Iterator<Item = (&'a PathBuf, Vec<u8>)>,
+    options: Options,
+) -> Result<(), Failure> {
+    let inputs: Vec<_> = inputs.iter().map(|path| path.as_path()).collect();
+    let mut outs: Vec<(&PathBuf, Output, Vec<u8>)> = Vec::new();
+    for (path, bytes) in files {
+        if outs.iter().any(|(other, ..)| *other == path) {
+            return Err("the configuration and the scene need a file each; choose another name for one of them".into());
+        }
+        output::refuse_inputs(path, &inputs)?;
+        outs.push((path, Output::open(&sources::output(path), options)?, bytes));
+    }
+    outs.into_iter().try_for_each(|(_, output, bytes)| Ok(output.fill(|file| file.write_all(&bytes))?))
 }

@@ -16,6 +16,7 @@ mod limits;
 mod render;
 #[cfg(unix)]
 mod results;
+mod scenes;
 #[cfg(unix)]
 mod scripts;
 #[cfg(unix)]

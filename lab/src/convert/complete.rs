@@ -1,0 +1,90 @@
+//! Completes a scene that has been read: the sky, the size of the picture and the camera.
+
+use cpu::internals::Camera;
+use cpu::{Config, Shape, Vec3};
+
+use super::caps;
+use super::notes::{Fault, Place};
+use super::world::{Over, View, World};
+
+/// Sets the values of the configuration that depend on several plugins, and notes what is missing.
+///
+/// # Errors
+/// A fault if nothing has a match, or if the camera is wrong.
+pub fn complete(world: &mut World) -> Result<(), Fault> {
+    const START: Place = (0, 1);
+    if world.scene.objects.is_empty() && world.view.is_none() && world.sky.is_none() {
+        return Err((START, "nothing in this file has a match: no camera, sky, sphere or cylinder".to_owned()));
+    }
+    caps::close_cylinders(world);
+    set_size(&mut world.config, world.film);
+    if let Some([dark, light]) = world.sky {
+        (world.config.background_dark_color, world.config.background_light_color) = (dark, light);
+    } else {
+        world.notes.add(START, "no sky surrounds the scene; our default sky, the only light, takes its place");
+    }
+    let Some(view) = world.view.take() else {
+        world.notes.add(START, "there is no camera; our default takes its place");
+        return Ok(());
+    };
+    set_camera(world, &view);
+    let fov = world.config.field_of_view;
+    if !(fov > 0.0 && fov < 180.0) {
+        return Err((view.place, format!("the field of view is {fov} degrees; it must be above 0 and below 180")));
+    }
+    let camera = world.config.image_size().and_then(|size| Camera::new(&world.config, size));
+    camera.map(drop).map_err(|error| (view.place, error.to_string()))
+}
+
+fn set_camera(world: &mut World, view: &View) {
+    let [width, height] = world.film.map(|side| side as f64);
+    // The half height of the picture, where the field of view reaches to 1.
+    let top = match view.over {
+        Over::Height(top) => top,
+        Over::Shorter if width >= height => 1.0,
+        Over::Longer if width <= height => 1.0,
+        Over::Width | Over::Shorter | Over::Longer => height / width,
+        Over::Diagonal => height / width.hypot(height),
+    };
+    let half = (view.fov.to_radians() / 2.0).tan() * top;
+    let config = &mut world.config;
+    config.field_of_view = if top == 1.0 { view.fov } else { 2.0 * half.atan().to_degrees() };
+    let [_, north, forward] = view.to_world.columns;
+    let found = view.to_world.view.unwrap_or([view.to_world.origin, view.to_world.origin + forward, north]);
+    [config.camera_position, config.camera_target, config.camera_north] = found;
+    if !view.to_world.scale_of(3).1 {
+        world.notes.add(view.place, "a camera that is scaled unequally or sheared has no match; that is left out");
+    }
+    if (view.to_world.determinant() > 0.0) == view.x_is_right {
+        world.notes.add(view.place, "left and right of the picture are swapped as against ours; all x are negated");
+        let mirror = |vector: &mut Vec3| vector.x = 0.0 - vector.x;
+        mirror(&mut config.camera_position);
+        mirror(&mut config.camera_target);
+        mirror(&mut config.camera_north);
+        for object in &mut world.scene.objects {
+            match &mut object.shape {
+                Shape::Sphere(sphere) => mirror(&mut sphere.center),
+                Shape::Cylinder(cylinder) => {
+                    mirror(&mut cylinder.center);
+                    mirror(&mut cylinder.axis);
+                }
+            }
+        }
+    }
+}
+
+/// Sets the width and the simplest ratio of sides that gives the height.
+fn set_size(config: &mut Config, [width, height]: [u64; 2]) {
+    /// Largest second number of a ratio that is tried.
+    const MOST: u64 = 1000;
+    config.image_width = width;
+    // The height is rounded down, so the last ratio, which is in the middle of those that give it, always does.
+    let simple =
+        (1..=MOST.min(height)).map(|part| [(u128::from(width) * u128::from(part) / u128::from(height)) as u64, part]);
+    for ratio in simple.filter(|ratio| ratio[0] > 0).chain([[2 * width, 2 * height + 1]]) {
+        config.aspect_ratio = ratio;
+        if config.image_size().is_ok_and(|size| (size.width() as u64, size.height() as u64) == (width, height)) {
+            return;
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Reads a scene of pbrt-v4.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use cpu::Vec3;
+use cpu::internals::input::scene::MaterialId;
+
+use super::notes::{Fault, Place};
+use super::plugin::{Param, Plugin, number, shown};
+use super::sky::Layout;
+use super::tokens::Tokens;
+use super::transform::Transform;
+use super::world::{Over, View, World};
+
+/// What attribute blocks save and restore.
+#[derive(Clone, Copy)]
+struct State {
+    transform: Transform,
+    material: Option<MaterialId>,
+}
+
+struct Reader<'a> {
+    tokens: Tokens,
+    path: &'a Path,
+    world: &'a mut World,
+    state: State,
+    /// The states to return to, with the directive that saved each of them.
+    saved: Vec<(State, String)>,
+    materials: HashMap<String, MaterialId>,
+    systems: HashMap<String, Transform>,
+    /// The transform after `LookAt`, and its three vectors.
+    view: Option<(Transform, [Vec3; 3])>,
+}
+
+/// Reads the file `path` into `world`.
+///
+/// # Errors
+/// A fault of the file.
+pub fn read(path: &Path, world: &mut World) -> Result<(), Fault> {
+    world.film = [1280, 720];
+    (world.config.samples_per_pixel, world.config.max_depth) = (16, 6);
+    let state = State { transform: Transform::IDENTITY, material: None };
+    let (tokens, view) = (Tokens::default(), None);
+    let (saved, materials, systems) = (Vec::new(), HashMap::new(), HashMap::new());
+    let mut reader = Reader { tokens, path, world, state, saved, materials, systems, view };
+    reader.include(path, (0, 1))?;
+    while reader.tokens.peek().is_some() {
+        let (word, place) = reader.tokens.take()?;
+        reader.directive(&word, place)?;
+    }
+    let open = reader.saved.pop().map(|(_, begin)| format!("the file ends here, and a {begin} has no end"));
+    open.map_or(Ok(()), |text| Err((reader.tokens.last, text)))
+}
+
+impl Reader<'_> {
+    /// Reads a file that is named relative to the folder of the first one.
+    fn include(&mut self, path: &Path, place: Place) -> Result<(), Fault> {
+        self.world.notes.files.push(crate::terminal::name(path));
+        self.tokens.include(path, place)
+    }
+
+    fn directive(&mut self, word: &str, place: Place) -> Result<(), Fault> {
+        match word {
+            "Identity" | "WorldBegin" => self.state.transform = Transform::IDENTITY,
+            "Transform" => self.state.transform = self.matrix(place)?,
+            "Translate" | "Scale" | "Rotate" | "ConcatTransform" | "LookAt" => {
+                let before = self.state.transform;
+                let inner = self.inner(word, place)?;
+                self.state.transform = before.then_inner(&inner);
+                if let Some(view) = inner.view {
+                    let is_plain = [1.0, -1.0].map(|x| Transform::scale([x, 1.0, 1.0])).contains(&before);
+                    self.view = is_plain.then_some((self.state.transform, view));
+                }
+            }
+            "CoordinateSystem" => drop(self.text().map(|name| self.systems.insert(name, self.state.transform))?),
+            "CoordSysTransform" => self.state.transform = self.named(place, word, |reader| &reader.systems)?,
+            "NamedMaterial" => self.state.material = Some(self.named(place, word, |reader| &reader.materials)?),
+            "AttributeBegin" | "TransformBegin" | "ObjectBegin" => {
+                self.saved.push((self.state, word.to_owned()));
+                if word == "ObjectBegin" {
+                    self.left_out(word, place)?;
+                }
+            }
+            "AttributeEnd" | "TransformEnd" | "ObjectEnd" => {
+                let begin = word.replace("End", "Begin");
+                let last = self.saved.pop().filter(|(_, saved)| *saved == begin);
+                let (state, _) = last.ok_or((place, format!("no {begin} without an end stands above this {word}")))?;
+                let material = if word == "TransformEnd" { self.state.material } else { state.material };
+                self.state = State { material, ..state };
+            }
+            "ReverseOrientation" => {}
+            "Include" => {
+                let path = self.path.with_file_name(self.text()?);
+                self.include(&path, place)?;
+            }
+            "MakeNamedMaterial" => {
+                let mut plugin = self.plugin(word, place)?;
+                let name = plugin.kind().to_owned();
+                plugin.name = format!("Material {}", plugin.text("type").unwrap_or("diffuse"));
+                plugin.params.retain(|param| param.name != "type");
+                let material = self.world.material(&plugin)?;
+                self.materials.insert(name, material);
+            }
+            "Material" | "Shape" | "Camera" | "Film" | "Sampler" | "Integrator" | "PixelFilter" | "LightSource" => {
+                let plugin = self.plugin(word, place)?;
+                self.plugged(word, &plugin)?;
+            }
+            _ if !word.starts_with(char::is_alphabetic) => {
+                return Err((place, format!("[{}] stands here, and a directive is needed", shown(word))));
+            }
+            _ => self.left_out(word, place)?,
+        }
+        Ok(())
+    }
+
+    /// Reads the numbers of a transform that is applied before the current one.
+    fn inner(&mut self, word: &str, place: Place) -> Result<Transform, Fault> {
+        Ok(match word {
+            "Translate" => Transform::translate(self.numbers()?.into()),
+            "Scale" => Transform::scale(self.numbers()?),
+            "Rotate" => {
+                let [degrees, x, y, z] = self.numbers()?;
+                Transform::rotate(Vec3::new(x, y, z), degrees)
+            }
+            "LookAt" => {
+                let view = [self.numbers()?, self.numbers()?, self.numbers()?].map(Vec3::from);
+                Transform { view: Some(view), ..Transform::look_at(view).inverse() }
+            }
+            _ => self.matrix(place)?,
+        })
+    }
+
+    /// Handles a directive with the name of a plugin.
+    fn plugged(&mut self, word: &str, plugin: &Plugin) -> Result<(), Fault> {
+        let (world, transform) = (&mut *self.world, self.state.transform);
+        match (word, plugin.kind()) {
+            ("Material", _) => self.state.material = Some(world.material(plugin)?),
+            ("Shape", _) if self.saved.iter().any(|(_, begin)| begin == "ObjectBegin") => {}
+            ("Shape", _) => world.shape(plugin, &transform, self.state.material)?,
+            ("LightSource", "infinite") => {
+                let scale = plugin.real("scale", 1.0)?;
+                let picture = plugin.text("filename").map(|name| (self.path.with_file_name(name), Layout::Square));
+                world.sky(plugin, "L", picture, (transform.columns[2], scale))?;
+            }
+            ("LightSource", _) => world.notes.add(plugin.place, format!("{} has no match; left out", plugin.name)),
+            _ => world.known_by_parameters(plugin),
+        }
+        match word {
+            "Camera" => {
+                let view = self.view.filter(|(after, _)| *after == transform).map(|(_, view)| view);
+                let to_world = Transform { view, ..transform.inverse() };
+                self.systems.insert("camera".to_owned(), to_world);
+                let [left, right, bottom, top] = plugin.numbers("screenwindow", [0.0; 4])?;
+                if left != -right || bottom != -top {
+                    world.notes.add(plugin.place, "[screenwindow] is not symmetrical; its top is taken");
+                }
+                let over = if top > 0.0 { Over::Height(top) } else { Over::Shorter };
+                let fov = plugin.real("fov", 90.0)?;
+                world.view = Some(View { place: plugin.place, to_world, x_is_right: true, fov, over });
+            }
+            "Film" => world.film = [plugin.whole("xresolution", 1280, 1)?, plugin.whole("yresolution", 720, 1)?],
+            "Sampler" => {
+                let strata = plugin.whole("xsamples", 4, 1)? * plugin.whole("ysamples", 4, 1)?;
+                world.config.samples_per_pixel = plugin.whole("pixelsamples", strata, 1)?;
+            }
+            // pbrt counts the surfaces of a path, and ours counts its rays.
+            "Integrator" => world.config.max_depth = plugin.whole("maxdepth", 5, 0)? + 1,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Reads the type and the parameters of a plugin.
+    fn plugin(&mut self, word: &str, place: Place) -> Result<Plugin, Fault> {
+        let name = format!("{word} {}", self.text()?);
+        let mut params = Vec::new();
+        while self.tokens.peek().is_some_and(|token| token.starts_with('"')) {
+            let declared = self.text()?;
+            let place = self.tokens.last;
+            let advice = "write a type and a name, as in \"float radius\"";
+            let fault = || (place, format!("[{}] is no parameter; {advice}", shown(&declared)));
+            let (kind, name) = declared.trim().split_once(char::is_whitespace).ok_or_else(fault)?;
+            let (kind, name) = (kind.to_owned(), name.trim().to_owned());
+            params.push(Param { kind, name, words: self.values()?, place });
+        }
+        Ok(Plugin { name, params, place })
+    }
+
+    /// Reads a value, or those between brackets.
+    fn values(&mut self) -> Result<Vec<String>, Fault> {
+        let (first, mut values) = (self.tokens.take()?.0, Vec::new());
+        if first != "[" {
+            return Ok(vec![first.trim_start_matches('"').to_owned()]);
+        }
+        loop {
+            match self.tokens.take()? {
+                (token, _) if token == "]" => return Ok(values),
+                (token, place) if token == "[" => return Err((place, "a ] is needed before this [".to_owned())),
+                (token, _) => values.push(token.trim_start_matches('"').to_owned()),
+            }
+        }
+    }
+
+    /// Reads `N` numbers, which may stand between brackets.
+    fn numbers<const N: usize>(&mut self) -> Result<[f64; N], Fault> {
+        let mut numbers = [0.0; N];
+        let is_list = self.tokens.peek() == Some("[") && self.tokens.take().is_ok();
+        for value in &mut numbers {
+            let (token, place) = self.tokens.take()?;
+            *value = number(&token, place)?;
+        }
+        match if is_list { self.tokens.take()? } else { return Ok(numbers) } {
+            (token, _) if token == "]" => Ok(numbers),
+            (_, place) => Err((place, format!("a ] is needed here, after {N} numbers"))),
+        }
+    }
+
+    fn matrix(&mut self, place: Place) -> Result<Transform, Fault> {
+        Transform::matrix(self.numbers()?).ok_or((place, "the last column of the matrix must be 0 0 0 1".to_owned()))
+    }
+
+    fn text(&mut self) -> Result<String, Fault> {
+        let (token, place) = self.tokens.take()?;
+        let text = token.strip_prefix('"').map(str::to_owned);
+        text.ok_or_else(|| (place, format!("[{}] stands here, and a text in \" is needed", shown(&token))))
+    }
+
+    fn named<T: Copy>(&mut self, place: Place, word: &str, list: fn(&Self) -> &HashMap<String, T>) -> Result<T, Fault> {
+        let name = self.text()?;
+        let fault = || (place, format!("{word}: nothing of the name [{}] is defined above this line", shown(&name)));
+        list(self).get(&name).copied().ok_or_else(fault)
+    }
+
+    /// Notes that a directive has no match, and skips its values.
+    fn left_out(&mut self, word: &str, place: Place) -> Result<(), Fault> {
+        let is_value = |token: &str| !token.starts_with(char::is_alphabetic) || ["true", "false"].contains(&token);
+        while self.tokens.peek().is_some_and(is_value) {
+            self.tokens.take()?;
+        }
+        self.world.notes.add(place, format!("{} has no match; left out", shown(word)));
+        Ok(())
+    }
+}

@@ -1,0 +1,131 @@
+//! Plugins: the shapes, materials, lights and so on of a scene, with their parameters, as both formats have them.
+
+use cpu::Vec3;
+use cpu::internals::input::text::parse_real;
+
+use super::notes::{Fault, Notes, Place};
+
+/// A parameter of a plugin.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// Its type, such as `float`, `rgb` or `texture`.
+    pub kind: String,
+    /// Its name.
+    pub name: String,
+    /// Its numbers as they are written, or one text.
+    pub words: Vec<String>,
+    /// Its line.
+    pub place: Place,
+}
+
+/// A plugin with its parameters.
+#[derive(Clone, Debug)]
+pub struct Plugin {
+    /// The word of the format and the type, such as `Shape sphere` in pbrt or `shape sphere` in Mitsuba.
+    pub name: String,
+    /// All parameters, in the order of the file.
+    pub params: Vec<Param>,
+    /// The line on which it begins.
+    pub place: Place,
+}
+
+/// Returns the start of a text, for messages.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    text.chars().take(40).collect()
+}
+
+/// Returns the number that `word` is.
+///
+/// # Errors
+/// A fault at `place` if it is none, is not finite or overflows.
+pub fn number(word: &str, place: Place) -> Result<f64, Fault> {
+    parse_real(word.as_bytes())
+        .ok_or_else(|| (place, format!("[{}] is not a finite number; write one such as 1, -0.5 or 1e-3", shown(word))))
+}
+
+impl Plugin {
+    /// Returns the type: the second word of the name.
+    #[must_use]
+    pub fn kind(&self) -> &str {
+        self.name.split_once(' ').map_or("", |(_, kind)| kind)
+    }
+
+    /// Returns the parameter of this name.
+    #[must_use]
+    pub fn param(&self, name: &str) -> Option<&Param> {
+        self.params.iter().find(|param| param.name == name)
+    }
+
+    /// Returns the text of a parameter.
+    #[must_use]
+    pub fn text(&self, name: &str) -> Option<&str> {
+        self.param(name)?.words.first().map(String::as_str)
+    }
+
+    /// Returns the `N` numbers of a parameter, or `default` if it is missing.
+    ///
+    /// # Errors
+    /// A fault if there are not as many numbers.
+    pub fn numbers<const N: usize>(&self, name: &str, default: [f64; N]) -> Result<[f64; N], Fault> {
+        let Some(param) = self.param(name) else { return Ok(default) };
+        let numbers = param.words.iter().map(|word| number(word, param.place)).collect::<Result<Vec<_>, _>>()?;
+        let count = numbers.len();
+        numbers.try_into().map_err(|_| (param.place, format!("[{name}] has {count} numbers, and {N} are needed")))
+    }
+
+    /// Returns the number of a parameter, or `default` if it is missing.
+    ///
+    /// # Errors
+    /// Those of [`Plugin::numbers`].
+    pub fn real(&self, name: &str, default: f64) -> Result<f64, Fault> {
+        Ok(self.numbers(name, [default])?[0])
+    }
+
+    /// Returns the whole number of a parameter, or `default` if it is missing.
+    ///
+    /// # Errors
+    /// Those of [`Plugin::numbers`], and a fault if the number is not whole or not from `least` to 2^31.
+    pub fn whole(&self, name: &str, default: u64, least: u64) -> Result<u64, Fault> {
+        let value = self.real(name, default as f64)?;
+        if value.fract() != 0.0 || value < least as f64 || value > f64::from(1_u32 << 31) {
+            return Err((self.place, format!("[{name}] must be a whole number of at least {least}, and is {value}")));
+        }
+        Ok(value as u64)
+    }
+
+    /// Returns the three numbers of a parameter as a point or a vector.
+    ///
+    /// # Errors
+    /// Those of [`Plugin::numbers`].
+    pub fn vector(&self, name: &str, default: [f64; 3]) -> Result<Vec3, Fault> {
+        Ok(self.numbers(name, default)?.into())
+    }
+
+    /// Returns the colour of a parameter: three numbers, one number, or `#rrggbb`. A texture or a spectrum has no
+    /// match, so `default` takes its place.
+    ///
+    /// # Errors
+    /// A fault if a number is wrong.
+    pub fn color(&self, name: &str, default: [f64; 3], notes: &mut Notes) -> Result<Vec3, Fault> {
+        let Some(param) = self.param(name) else { return Ok(default.into()) };
+        let hex = param.words.first().and_then(|word| u32::from_str_radix(word.strip_prefix('#')?, 16).ok());
+        if let ("rgb", Some(hex)) = (&param.kind[..], hex) {
+            let linear = |byte: u32| {
+                let value = f64::from(byte & 255) / 255.0;
+                if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+            };
+            return Ok(Vec3::new(linear(hex >> 16), linear(hex >> 8), linear(hex)));
+        }
+        if !matches!((&param.kind[..], param.words.len()), ("rgb", 1 | 3) | ("float" | "spectrum", 1))
+            || param.words[0].parse::<f64>().is_err()
+        {
+            let [r, g, b] = default;
+            let instead = if r == g && g == b { r.to_string() } else { format!("{r} {g} {b}") };
+            notes.add(param.place, format!("{} [{name}] has no match; {instead} takes its place", param.kind));
+            return Ok(default.into());
+        }
+        let of = |at: usize| number(&param.words[at.min(param.words.len() - 1)], param.place);
+        Ok(Vec3::new(of(0)?, of(1)?, of(2)?))
+    }
+}

@@ -1,0 +1,201 @@
+//! Writes our scene in the formats of pbrt-v4 and Mitsuba 3.
+
+use cpu::internals::input::material::Material::{Matte, Metal, Refractive};
+use cpu::internals::input::scene::Shape;
+use cpu::{Config, Scene, Size, Vec3};
+use generator::write::{real, vector};
+
+use super::matches::{CONDUCTOR, GLASS, MATTE, ROUGH, SIDE};
+use super::notes::Notes;
+use super::transform::Transform;
+
+/// What is written: the values, the size of the picture, and the name of the file with the picture of the sky, if the
+/// sky is not of one colour.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// The configuration.
+    pub config: &'a Config,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The size of the picture.
+    pub size: Size,
+    /// The picture of the sky.
+    pub sky: Option<&'a str>,
+}
+
+/// Adds what the format cannot hold to `notes`, whose files 0 and 1 have the texts `config` and `scene`.
+pub fn note(source: &Source<'_>, is_pbrt: bool, [config, scene]: [&str; 2], notes: &mut Notes) {
+    fn lines<'a>(text: &'a str, tags: &'a [&str]) -> impl Iterator<Item = usize> + 'a {
+        let first = |line: &'a str| line.split_ascii_whitespace().next().unwrap_or_default();
+        (1..).zip(text.lines()).filter(move |(_, line)| tags.contains(&first(line))).map(|(number, _)| number)
+    }
+    let default = Config::default();
+    let seeds = |config: &Config| [config.material_rng_seed, config.ray_rng_seed];
+    if source.config.gamma != default.gamma {
+        lines(config, &["gamma:"])
+            .last()
+            .into_iter()
+            .for_each(|line| notes.add((0, line), "gamma has no match; left out"));
+    }
+    if seeds(source.config) != seeds(&default) {
+        let text = "seeds of random numbers have no match; left out";
+        lines(config, &["material_rng_seed:", "ray_rng_seed:"]).for_each(|line| notes.add((0, line), text));
+    }
+    for (material, line) in source.scene.materials.iter().zip(lines(scene, &["matte:", "metal:", "refractive:"])) {
+        match *material {
+            Matte { .. } => notes.add((1, line), MATTE),
+            Refractive { .. } => notes.add((1, line), GLASS),
+            Metal { diffusion, .. } => {
+                let differs = [(is_pbrt, CONDUCTOR), (diffusion > 0.0, ROUGH)];
+                differs.iter().filter(|(differs, _)| *differs).for_each(|(_, text)| notes.add((1, line), *text));
+            }
+        }
+    }
+    let radii = source.scene.objects.iter().filter_map(|object| match object.shape {
+        Shape::Cylinder(cylinder) => Some(cylinder.radius),
+        Shape::Sphere(_) => None,
+    });
+    let sides = radii.zip(lines(scene, &["cylinder:"])).filter(|(radius, _)| *radius != 1.0);
+    sides.for_each(|(_, line)| notes.add((1, line), SIDE));
+}
+
+/// Returns the scene in the format of pbrt-v4.
+#[must_use]
+pub fn pbrt(source: &Source<'_>) -> String {
+    let (config, [width, height]) = (source.config, [source.size.width(), source.size.height()]);
+    // pbrt counts the surfaces of a path, and ours counts its rays. Its fov is that of the shorter side, unless there is
+    // a window. It shows +x at the right for a view along +z with +y up, and ours shows it at the left.
+    let side = real(width as f64 / height as f64);
+    let window = if width < height { format!(r#" "float screenwindow" [-{side} {side} -1 1]"#) } else { String::new() };
+    let mut out = format!(
+        r#"Film "rgb" "integer xresolution" {width} "integer yresolution" {height}
+Sampler "independent" "integer pixelsamples" {}
+Integrator "path" "integer maxdepth" {}
+PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
+Scale -1 1 1
+LookAt {}
+Camera "perspective" "float fov" {}{window}
+WorldBegin
+"#,
+        config.samples_per_pixel,
+        config.max_depth - 1,
+        [config.camera_position, config.camera_target, config.camera_north].map(vector).join("  "),
+        real(config.field_of_view),
+    );
+    out += &match source.sky {
+        Some(name) => format!(
+            "AttributeBegin\n  Rotate -90 1 0 0\n  LightSource \"infinite\" \"string filename\" \"{name}\"\nAttributeEnd\n"
+        ),
+        None => format!("LightSource \"infinite\" \"rgb L\" [{}]\n", vector(config.background_dark_color)),
+    };
+    for (id, material) in source.scene.materials.iter().enumerate() {
+        let rgb = vector(material.reflectance());
+        let kind = match *material {
+            Matte { .. } => format!(r#""diffuse" "rgb reflectance" [{rgb}]"#),
+            Refractive { index } => format!(r#""dielectric" "float eta" {}"#, real(index)),
+            Metal { diffusion: 0.0, .. } => format!(r#""conductor" "rgb reflectance" [{rgb}]"#),
+            Metal { diffusion, .. } => {
+                let rough = real(diffusion / 2.0);
+                format!(
+                    r#""conductor" "rgb reflectance" [{rgb}] "float roughness" {rough} "bool remaproughness" false"#
+                )
+            }
+        };
+        out += &format!("MakeNamedMaterial \"m{id}\" \"string type\" {kind}\n");
+    }
+    for object in &source.scene.objects {
+        let shapes = match object.shape {
+            Shape::Sphere(sphere) => {
+                let (center, radius) = (vector(sphere.center), real(sphere.radius));
+                format!(r#"Translate {center} Shape "sphere" "float radius" {radius}"#)
+            }
+            Shape::Cylinder(cylinder) => {
+                let Transform { columns: [x, y, z], origin, .. } = Transform::along(cylinder.axis, cylinder.center);
+                let [x, y, z, origin] = [x, y, z, origin].map(vector);
+                let radius = format!(r#""float radius" {}"#, real(cylinder.radius));
+                format!(
+                    r#"Transform [{x} 0  {y} 0  {z} 0  {origin} 1]
+  Shape "cylinder" {radius} "float zmin" -0.5 "float zmax" 0.5
+  Shape "disk" {radius} "float height" 0.5
+  ReverseOrientation Shape "disk" {radius} "float height" -0.5"#
+                )
+            }
+        };
+        out += &format!("AttributeBegin NamedMaterial \"m{}\" {shapes} AttributeEnd\n", object.material);
+    }
+    out
+}
+
+/// Returns the scene in the format of Mitsuba 3.
+#[must_use]
+pub fn mitsuba(source: &Source<'_>) -> String {
+    let (config, [width, height]) = (source.config, [source.size.width(), source.size.height()]);
+    let float = |name: &str, value: f64| format!(r#"<float name="{name}" value="{}"/>"#, real(value));
+    let rgb = |name: &str, value: Vec3| format!(r#"<rgb name="{name}" value="{}"/>"#, vector(value));
+    let [origin, target, up] = [config.camera_position, config.camera_target, config.camera_north].map(vector);
+    let sky = match source.sky {
+        Some(name) => format!(r#"<emitter type="envmap"><string name="filename" value="{name}"/></emitter>"#),
+        None => format!(r#"<emitter type="constant">{}</emitter>"#, rgb("radiance", config.background_dark_color)),
+    };
+    // With roulette, Mitsuba would end paths earlier, with more noise.
+    let mut out = format!(
+        r#"<scene version="3.0.0">
+<integrator type="path">
+  <integer name="max_depth" value="{}"/><integer name="rr_depth" value="1000000000"/>
+</integrator>
+<sensor type="perspective">
+  {}<string name="fov_axis" value="y"/>
+  <float name="near_clip" value="0.001"/><float name="far_clip" value="1e9"/>
+  <transform name="to_world"><lookat origin="{origin}" target="{target}" up="{up}"/></transform>
+  <sampler type="independent"><integer name="sample_count" value="{}"/></sampler>
+  <film type="hdrfilm">
+    <integer name="width" value="{width}"/><integer name="height" value="{height}"/><rfilter type="box"/>
+  </film>
+</sensor>
+{sky}
+"#,
+        config.max_depth,
+        float("fov", config.field_of_view),
+        config.samples_per_pixel,
+    );
+    for (id, material) in source.scene.materials.iter().enumerate() {
+        let mirror =
+            || rgb("specular_reflectance", material.reflectance()) + r#"<string name="material" value="none"/>"#;
+        let (kind, params) = match *material {
+            Matte { reflectance } => ("diffuse", rgb("reflectance", reflectance)),
+            Refractive { index } => ("dielectric", float("int_ior", index) + &float("ext_ior", 1.0)),
+            Metal { diffusion: 0.0, .. } => ("conductor", mirror()),
+            Metal { diffusion, .. } => ("roughconductor", float("alpha", diffusion / 2.0) + &mirror()),
+        };
+        // Our opaque surfaces have two sides, and Mitsuba's have one.
+        out += &match material {
+            Refractive { .. } => format!("<bsdf type=\"{kind}\" id=\"m{id}\">{params}</bsdf>\n"),
+            _ => format!("<bsdf type=\"twosided\" id=\"m{id}\"><bsdf type=\"{kind}\">{params}</bsdf></bsdf>\n"),
+        };
+    }
+    for object in &source.scene.objects {
+        let mut shape = |kind: &str, params: &str| {
+            out += &format!("<shape type=\"{kind}\">{params}<ref id=\"m{}\"/></shape>\n", object.material);
+        };
+        match object.shape {
+            Shape::Sphere(sphere) => {
+                let center = format!(r#"<point name="center" value="{}"/>"#, vector(sphere.center));
+                shape("sphere", &(center + &float("radius", sphere.radius)));
+            }
+            Shape::Cylinder(cylinder) => {
+                let Transform { columns: [x, y, z], origin, .. } = Transform::along(cylinder.axis, cylinder.center);
+                let row = |of: fn(Vec3) -> f64| [x, y, z, origin].map(|column| real(of(column))).join(" ");
+                let rows = [row(|v| v.x), row(|v| v.y), row(|v| v.z)].join("  ");
+                let placed = |steps: &str| {
+                    format!(r#"<transform name="to_world">{steps}<matrix value="{rows}  0 0 0 1"/></transform>"#)
+                };
+                let ends = r#"<point name="p0" value="0 0 -0.5"/><point name="p1" value="0 0 0.5"/>"#;
+                shape("cylinder", &(ends.to_owned() + &float("radius", cylinder.radius) + &placed("")));
+                let scale = format!(r#"<scale x="{0}" y="{0}"/>"#, real(cylinder.radius));
+                shape("disk", &placed(&format!(r#"{scale}<translate z="0.5"/>"#)));
+                shape("disk", &placed(&format!(r#"{scale}<rotate x="1" angle="180"/><translate z="-0.5"/>"#)));
+            }
+        }
+    }
+    out + "</scene>\n"
+}

@@ -1,0 +1,71 @@
+//! Tests of `render-lab convert` with scenes of pbrt and Mitsuba.
+
+use std::fs;
+
+use cpu::{Config, Scene};
+use test_support::folder::Folder;
+
+use crate::{complaint, run};
+
+#[test]
+fn every_scene_comes_back_from_both_formats_with_the_same_numbers() {
+    let folder = Folder::new();
+    let root = test_support::project_root();
+    let mut inputs: Vec<_> = fs::read_dir(root.join("scenes"))
+        .expect("it is committed")
+        .map(|entry| ["config.txt", "scene.txt"].map(|name| entry.as_ref().expect("it is there").path().join(name)))
+        .collect();
+    assert!(inputs.len() >= 6);
+    // An upright picture, and a sky of one colour.
+    let [upright, scene] = [folder.file("upright.txt"), inputs[0][1].clone()];
+    let text = "image_width: 90\naspect_ratio: 9 16\nfield_of_view: 33\nbackground_dark_color: 1 1 1\n";
+    fs::write(&upright, text).expect("the folder is writable");
+    inputs.push([upright, scene]);
+    for [config, scene] in inputs {
+        for other in ["other.pbrt", "other.xml"] {
+            let name = |path: &std::path::Path| path.display().to_string();
+            let there = run(&["convert", &name(&config), &name(&scene), &folder.name(other)]);
+            assert!(there.status.success() && there.stdout.is_empty(), "{there:?}");
+            let back = run(&["convert", &folder.name(other), &folder.name("c.txt"), &folder.name("s.txt")]);
+            assert!(back.status.success(), "{back:?}");
+            let defaults = Config::default();
+            // Gamma and seeds have no match.
+            let expected = Config {
+                gamma: defaults.gamma,
+                material_rng_seed: defaults.material_rng_seed,
+                ray_rng_seed: defaults.ray_rng_seed,
+                ..Config::read(&config).expect("it is valid")
+            };
+            assert_eq!(Config::read(&folder.file("c.txt")).ok(), Some(expected), "{other}");
+            let found = Scene::read(&folder.file("s.txt")).expect("it is valid");
+            assert!(Scene::read(&scene).is_ok_and(|scene| scene == found), "{} {other}", scene.display());
+        }
+    }
+}
+
+#[test]
+fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
+    let folder = Folder::new();
+    let [config, scene, other] = ["c.txt", "s.txt", "o.xml"].map(|name| folder.name(name));
+    fs::write(&config, "gamma: 1\n\nray_rng_seed: 3").expect("the folder is writable");
+    fs::write(&scene, "metal: a 1 1 1 .5\nmatte: b 1 1 1\ncylinder: 0 0 0 2 0 1 0 a\n").expect("it is");
+    let output = run(&["convert", &config, &scene, &other]);
+    let said = String::from_utf8_lossy(&output.stderr).replace(&folder.name(""), "");
+    assert!(
+        output.status.success() && said.starts_with("c.txt:1: gamma has no match; left out\nc.txt:3: seeds"),
+        "{said}"
+    );
+    assert!(said.contains("\ns.txt:1: diffusion and") && said.contains("\ns.txt:3: the normal of our"), "{said}");
+    assert!(folder.names().contains(&"o.xml.exr".to_owned()), "the sky");
+    fs::write(folder.file("wrong.pbrt"), "\nTranslate 1").expect("the folder is writable");
+    let message = complaint(&["convert", &folder.name("wrong.pbrt"), &config, &scene]);
+    assert_eq!(
+        message,
+        format!("Error: {}:2: the file ends here, and a value is missing\n", folder.name("wrong.pbrt"))
+    );
+    assert!(fs::read_to_string(&config).is_ok_and(|text| text.starts_with("gamma: 1\n")));
+    assert!(complaint(&["convert", &other, &config, &config]).contains("need a file each"));
+    assert!(
+        complaint(&["convert", &config, &scene, "x.png"]).contains("must be a scene whose name ends in .pbrt or .xml")
+    );
+}
