@@ -1,7 +1,7 @@
 //! Converts scenes of pbrt-v4 and Mitsuba 3 to ours, and ours to theirs.
 //!
 //! [`pbrt`] and [`mitsuba`] read the two formats into [`world`], [`mod@complete`] makes a configuration and a scene of
-//! it, and [`write`](mod@write) writes both formats. [`matches`] is the table of what has a match, and [`notes`]
+//! it, and [`write`](mod@write) writes both formats. [`mod@matches`] is the table of what has a match, and [`notes`]
 //! collects what has none. Begin with [`world::World`].
 
 pub mod caps;

@@ -8,8 +8,8 @@ use super::complete::complete;
 use super::world::World;
 use super::{mitsuba, pbrt};
 
-/// Reads a file of this name and text in `folder`, which gets `inner.pbrt` too. Returns the configuration, the scene and
-/// the notes, or the message of the fault.
+/// Reads a file of this name and text in `folder`, which gets `inner.pbrt` too. Returns the configuration, the scene
+/// and the notes, or the message of the fault.
 fn read_in(folder: &Folder, name: &str, text: &[u8]) -> Result<(String, String, Vec<String>), String> {
     let path = folder.file(name);
     // To replace a file that is kept would wait for the disk.

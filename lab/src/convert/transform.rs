@@ -104,8 +104,8 @@ impl Transform {
         Self { origin: -linear.vector(self.origin), ..linear }
     }
 
-    /// Returns the factor by which the transform scales the first `axes` axes, two or three, and whether it scales them equally and
-    /// keeps all axes perpendicular, as far as `f32` can tell.
+    /// Returns the factor by which the transform scales the first `axes` axes, two or three. Returns also whether it
+    /// scales them equally and keeps all axes perpendicular, as far as `f32` can tell.
     ///
     /// A factor within 10^-12 of 1 counts as 1: the matrix of a rotation in decimals has such errors.
     #[must_use]

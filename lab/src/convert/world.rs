@@ -63,7 +63,7 @@ pub struct World {
     pub view: Option<View>,
     /// Width and height of the picture.
     pub film: [u64; 2],
-    /// Samples and depth of this configuration are set while the file is read, the other values by [`World::finish`].
+    /// Samples and depth of this configuration are set while the file is read, the other values when it is complete.
     pub config: Config,
     /// Materials and objects.
     pub scene: Scene,
@@ -161,8 +161,8 @@ impl World {
         }
     }
 
-    /// Sets the sky to a light that surrounds the scene, times a factor: with the colour of the parameter `color`, or by
-    /// a picture whose axis has the direction `up` in the world.
+    /// Sets the sky to a light that surrounds the scene, times a factor. The light has the colour of the parameter
+    /// `color`, or a picture whose axis has the direction `up` in the world.
     ///
     /// # Errors
     /// A fault if a number is wrong, or if memory is short.

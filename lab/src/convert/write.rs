@@ -63,8 +63,8 @@ pub fn note(source: &Source<'_>, is_pbrt: bool, [config, scene]: [&str; 2], note
 #[must_use]
 pub fn pbrt(source: &Source<'_>) -> String {
     let (config, [width, height]) = (source.config, [source.size.width(), source.size.height()]);
-    // pbrt counts the surfaces of a path, and ours counts its rays. Its fov is that of the shorter side, unless there is
-    // a window. It shows +x at the right for a view along +z with +y up, and ours shows it at the left.
+    // pbrt counts the surfaces of a path, and ours counts its rays. Its fov is that of the shorter side, unless there
+    // is a window. It shows +x at the right for a view along +z with +y up, and ours shows it at the left.
     let side = real(width as f64 / height as f64);
     let window = if width < height { format!(r#" "float screenwindow" [-{side} {side} -1 1]"#) } else { String::new() };
     let mut out = format!(
@@ -84,7 +84,7 @@ WorldBegin
     );
     out += &match source.sky {
         Some(name) => format!(
-            "AttributeBegin\n  Rotate -90 1 0 0\n  LightSource \"infinite\" \"string filename\" \"{name}\"\nAttributeEnd\n"
+            "AttributeBegin Rotate -90 1 0 0\n  LightSource \"infinite\" \"string filename\" \"{name}\"\nAttributeEnd\n"
         ),
         None => format!("LightSource \"infinite\" \"rgb L\" [{}]\n", vector(config.background_dark_color)),
     };
