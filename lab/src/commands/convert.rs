@@ -31,8 +31,8 @@ Examples:
   render-lab convert scenes/grid/config.txt scenes/grid/scene.txt grid.xml
 
 Scenes:
-  .pbrt is pbrt-v4, and .xml is Mitsuba 3. Spheres, cylinders, materials, camera and sky are converted. Standard error
-  lists the lines that have no match, with what is done instead";
+  .pbrt is pbrt-v4, and .xml is Mitsuba 3. Spheres, cylinders, materials, camera and sky are
+  converted. The lines that have no match are listed on standard error, with what is done instead";
 
 /// Options of `convert`.
 #[derive(Debug, Args)]
