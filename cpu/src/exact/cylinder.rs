@@ -246,6 +246,17 @@ mod tests {
     const UPRIGHT: [f64; 3] = [0.0, 4.0, 0.0];
 
     #[test]
+    fn nothing_is_certain_where_a_product_overflows() {
+        // The ray hits the side. In the discriminant `h^2` is finite, and `a c` overflows.
+        let center = Vec3::new(-1.141091951153477e153, 6.341182490742231e152, -4.749887967150452e152);
+        let axis = Vec3::new(0.550038010843549, 0.7925339449163328, -0.26334033641397786);
+        let record = CylinderRecord::with_unit_axis(center, 1e140, axis, 1e139);
+        let ray = ray([0.0; 3], [-7.9279994299912815, 4.405682742854909, -3.300094182421093]);
+        let (.., discriminant) = record.quadratic(&record.seen_from(ray.origin), ray.direction);
+        assert_eq!((discriminant, filtered(&record, &ray)), (f64::NEG_INFINITY, Decision::Uncertain));
+    }
+
+    #[test]
     fn the_plain_formulas_decide_rays_from_cap_to_cap_that_run_along_the_axis() {
         let axis = Vec3::from(UPRIGHT);
         let record = CylinderRecord::new(Vec3::ZERO, 1.0, axis);

@@ -7,7 +7,7 @@
 //! `exact/cylinder_exact.rs` decides without rounding. The reference has a literal copy of the rule in `cap` of
 //! `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
 
-use crate::exact::error_bound::{Decision, ErrorBound, Limits, Outcome};
+use crate::exact::error_bound::{Decision, ErrorBound, HEADROOM, Limits, Outcome};
 use crate::geometry::{
     cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::LAMBDA_MIN, ray::Ray,
 };
@@ -27,7 +27,10 @@ pub const STEEPNESS: f64 = 4.0;
 /// of second order, and the error of the size itself if the ray starts farther away along the axis than 2^46 radii.
 pub const SHARE_OF_WHOLE: f64 = f64::from_bits((1023 - 44) << 52);
 /// Covers underflow in the square of the size of a long cylinder, 2^-350. A size above it has no product below 2^-1022.
-const LEAST_SIZE: f64 = f64::from_bits((1023 - 350) << 52);
+pub const LEAST_SIZE: f64 = f64::from_bits((1023 - 350) << 52);
+
+/// Covers underflow in lengths, 2^-300: it is added to each bound of coordinates.
+pub const LEAST_EXTENT: f64 = f64::from_bits((1023 - 300) << 52);
 
 /// Whether a cylinder is long: rays may run nearly along its axis from one side to the other.
 #[inline(always)]
@@ -39,7 +42,7 @@ pub fn is_long<T: Real>(record: &CylinderRecord<T>) -> T::Mask {
 /// discriminant.
 #[inline(always)]
 pub fn is_inside<T: Rounding>(view: &CylinderView<T>) -> T::Mask {
-    ErrorBound::of_size(LIMITS, view.squares).misses(view.c)
+    ErrorBound::of_size(LIMITS, view.squares * T::of(HEADROOM)).misses(view.c)
 }
 
 /// The quadratic of one ray and an infinite cylinder, with its error bound.
@@ -128,18 +131,19 @@ impl<T: Rounding> Crossing<T> {
     }
 }
 
-/// Returns the size of the terms that cancel in the discriminant: `|d|^2 (|O - C|^2 + r^2)`. For a [long](is_long)
-/// cylinder, it returns `|d'| S (|d| S + |d'| |O - C|)`, or up to twice as much, with `S^2 = |(O - C)'|^2 + r^2`, where
-/// the prime marks the parts across the axis. This is smaller if the ray runs nearly along the axis.
+/// Returns the size of the terms that cancel in the discriminant, times [`HEADROOM`]. The size is
+/// `|d|^2 (|O - C|^2 + r^2)`. For a [long](is_long) cylinder it is `|d'| S (|d| S + |d'| |O - C|)`, or up to twice as
+/// much, with `S^2 = |(O - C)'|^2 + r^2`, where the prime marks the parts across the axis. This is smaller if the ray
+/// runs nearly along the axis.
 #[inline(always)]
 fn size<T: Rounding>(record: &CylinderRecord<T>, view: &CylinderView<T>, a: T, length_squared: T, is_long: bool) -> T {
-    let whole = length_squared * view.squares;
+    let whole = length_squared * (view.squares * T::of(HEADROOM));
     if !is_long {
         return whole;
     }
     let across = view.c + record.radius_squared + record.radius_squared;
     let product = a * (across * (length_squared * across + a * view.squares));
-    (product + product).sqrt() + whole * T::of(SHARE_OF_WHOLE) + T::of(LEAST_SIZE)
+    (product + product).sqrt() * T::of(HEADROOM) + whole * T::of(SHARE_OF_WHOLE) + T::of(LEAST_SIZE * HEADROOM)
 }
 
 impl<T: Rounding> Side<T> {
@@ -177,9 +181,7 @@ impl<T: Rounding> Side<T> {
 /// `|v|_1` is the sum of the magnitudes of a vector's components. The result is constant for all rays.
 #[inline(always)]
 fn extent_of_axis<T: Real>(record: &CylinderRecord<T>) -> T {
-    // Underflow changes a length by far less than 2^-300.
-    const UNDERFLOW: f64 = f64::from_bits((1023 - 300) << 52);
-    magnitude(record.center) + record.half_height + T::of(UNDERFLOW)
+    magnitude(record.center) + record.half_height + T::of(LEAST_EXTENT)
 }
 
 /// Returns a bound of the distance, in scene units, by which rounding moves the ray's point. `error` is twice the bound

@@ -12,9 +12,9 @@
 //! - a root is accurate if `M + 4 n^2 < condition_limit n sqrt(D)`, and then `D > 0` is certain too;
 //! - a root is at least `(n - E / sqrt(D)) / a`, but for the relative error of `a` and of this formula.
 //!
-//! If a quantity overflows, the result is uncertain, because every comparison with NaN is false. Underflow cannot make
-//! a wrong result certain, for two reasons: a tiny constant is added to `M`, and the direction must be [in
-//! scale](in_scale).
+//! If `|O - C|^2 + r^2` or `M` is 2^1000 or more, `E` overflows, and nothing is certain. In all other cases no quantity
+//! overflows. Underflow cannot make a wrong result certain, for two reasons: a tiny constant is added to `M`, and the
+//! direction must be [in scale](in_scale). `cpu/stability/src/proof/magnitudes.rs` proves both.
 
 use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
 
@@ -47,6 +47,12 @@ impl Limits {
         256.0 * self.condition_limit * <f64 as Rounding>::UNIT_ROUNDOFF
     }
 
+    /// Returns the error of the discriminant as a share of `M`, which is given [`HEADROOM`] times as large.
+    #[inline(always)]
+    pub const fn error_of_size(&self) -> f64 {
+        self.error_constant * <f64 as Rounding>::UNIT_ROUNDOFF / HEADROOM
+    }
+
     /// Whether `lambda`, which must be accurate, certainly is at least [`LAMBDA_MIN`].
     #[inline(always)]
     pub fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
@@ -60,11 +66,13 @@ pub const NUMERATOR_WEIGHT: f64 = 4.0;
 /// The constant that covers underflow, 2^-600. It is added to terms whose products may underflow.
 pub const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
 /// The limit of `M`, 2^1000. If `M` is smaller, its products cannot overflow.
-pub(super) const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
+pub const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
+/// `|O - C|^2 + r^2` is multiplied by this power of two, so that it or `M` overflows if it is not below [`OVERFLOW`].
+pub const HEADROOM: f64 = f64::from_bits((1023 + 24) << 52);
 /// The smallest squared length of a direction that is in scale, 2^-300. Underflow in its computation is negligible.
-const SHORTEST: f64 = f64::from_bits((1023 - 300) << 52);
+pub const SHORTEST: f64 = f64::from_bits((1023 - 300) << 52);
 /// The largest squared length of a direction that is in scale, 2^300.
-const LONGEST: f64 = f64::from_bits((1023 + 300) << 52);
+pub const LONGEST: f64 = f64::from_bits((1023 + 300) << 52);
 
 /// Whether a direction is in scale: the square of its length lies between 2^-300 and 2^300. If a direction is not in
 /// scale, every result is uncertain. This does not depend on the object.
@@ -89,7 +97,7 @@ pub struct Outcome<T: Real> {
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorBound<T> {
     limits: Limits,
-    /// `M`, the size of the terms that cancel in the discriminant.
+    /// `M`, the size of the terms that cancel in the discriminant, times [`HEADROOM`].
     size: T,
     /// `E`, the bound of the error in the discriminant.
     error: T,
@@ -100,13 +108,13 @@ impl<T: Rounding> ErrorBound<T> {
     /// `|O - C|^2 + r^2`.
     #[inline(always)]
     pub fn new(limits: Limits, length_squared: T, squares: T) -> Self {
-        Self::of_size(limits, length_squared * squares)
+        Self::of_size(limits, length_squared * (squares * T::of(HEADROOM)))
     }
 
-    /// Returns the error bound of a discriminant whose terms have this size.
+    /// Returns the error bound of a discriminant, for the size of its terms times [`HEADROOM`].
     #[inline(always)]
     pub fn of_size(limits: Limits, size: T) -> Self {
-        Self { limits, size, error: size * T::of(limits.error_constant * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW) }
+        Self { limits, size, error: size * T::of(limits.error_of_size()) + T::of(UNDERFLOW) }
     }
 
     /// Whether the ray's line certainly misses the surface, for this computed discriminant.
@@ -123,11 +131,10 @@ impl<T: Rounding> ErrorBound<T> {
         let share = 1.0 / self.limits.condition_limit;
         // The compiler computes the first sum once for both roots. If both sides are infinite, the root is not
         // accurate.
-        let least =
-            (self.size * T::of(share) + T::of(UNDERFLOW)) + numerator * numerator * T::of(NUMERATOR_WEIGHT * share);
+        let least = (self.size * T::of(share / HEADROOM) + T::of(UNDERFLOW))
+            + numerator * numerator * T::of(NUMERATOR_WEIGHT * share);
         let accurate = least.less(root * numerator);
-        let finite = self.size.less(T::of(OVERFLOW));
-        let hits = accurate & finite & self.limits.in_range(lambda);
+        let hits = accurate & self.limits.in_range(lambda);
         Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
     }
 

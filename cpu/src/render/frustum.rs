@@ -15,7 +15,7 @@
 //!
 //! [`RayError::turn`]: crate::render::ray_error::RayError::turn
 
-use crate::render::{prepared::Prepared, span::Span};
+use crate::render::{hit_lanes::limited, prepared::Prepared, span::Span};
 
 use crate::{
     accel::bounds::Bounds, accel::bounds::extent_of_disc, accel::object::ObjectId, accel::object::ObjectRef,
@@ -137,11 +137,14 @@ impl Candidates {
             let candidate = match ObjectRef::of(objects, outline.id) {
                 ObjectRef::Sphere(index) => {
                     let record = objects.sphere(index).record;
-                    Candidate::Sphere(record, record.seen_from(camera.position))
+                    let view = record.seen_from(camera.position);
+                    Candidate::Sphere(record, SphereView { squares: limited(view.squares), ..view })
                 }
                 ObjectRef::Cylinder(index) => {
                     let record = objects.cylinder(index).record;
-                    Candidate::Cylinder(record, objects.axis(index), record.seen_from(camera.position))
+                    let view = record.seen_from(camera.position);
+                    let view = CylinderView { squares: limited(view.squares), ..view };
+                    Candidate::Cylinder(record, objects.axis(index), view)
                 }
             };
             self.span.push((outline.id, candidate));

@@ -15,6 +15,15 @@ use crate::{
 /// constants of the filters.
 pub const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
 
+/// The limit of `|O - C|^2 + r^2`, 2^700. If the sum is smaller, no discriminant overflows for a direction that is [in
+/// scale](in_scale).
+pub const LARGEST_SQUARES: f64 = f64::from_bits((1023 + 700) << 52);
+
+/// Returns `|O - C|^2 + r^2`, or infinity if a discriminant may overflow. Then no miss is certain.
+pub fn limited(squares: f64) -> f64 {
+    if squares < LARGEST_SQUARES { squares } else { f64::INFINITY }
+}
+
 /// The closest hit of each of several rays, one ray in each lane. The number of the part is stored as a
 /// whole number in `f64` lanes.
 #[derive(Clone, Copy)]
@@ -98,7 +107,7 @@ impl<V: SimdF64> HitLanes<V> {
     }
 
     /// Intersects camera rays with a sphere, and updates the hits. `view` has the sphere's terms for the camera's
-    /// position.
+    /// position, with [`limited`] squares.
     #[inline(always)]
     pub fn intersect_sphere<O: Objects>(
         &mut self,
@@ -149,7 +158,7 @@ impl<V: SimdF64> HitLanes<V> {
     }
 
     /// Intersects camera rays with a cylinder, and updates the hits. `cylinder` is the record and the axis of the scene
-    /// file. `view` has the cylinder's terms for the camera's position.
+    /// file. `view` has the cylinder's terms for the camera's position, with [`limited`] squares.
     #[inline(always)]
     pub fn intersect_cylinder<O: Objects>(
         &mut self,
@@ -220,6 +229,11 @@ mod tests {
             hits.lambda.store(&mut lambda);
             lambda[0]
         }
+    }
+
+    #[test]
+    fn no_miss_is_certain_where_a_discriminant_may_overflow() {
+        assert_eq!([1.0, LARGEST_SQUARES].map(limited), [1.0, f64::INFINITY]);
     }
 
     #[test]

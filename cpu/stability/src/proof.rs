@@ -16,6 +16,7 @@ pub mod filters;
 mod frustum;
 pub mod interval;
 pub mod lanes;
+mod magnitudes;
 mod operations;
 pub mod parts;
 pub mod polynomial;
@@ -32,6 +33,7 @@ pub fn rows() -> Vec<row::Row> {
         exact::rows(),
         filters::rows(),
         boxes::rows(),
+        magnitudes::rows().to_vec(),
         background::rows().to_vec(),
         vec![camera::row(), frustum::row(), series::row(), power::row()],
     ]

@@ -19,9 +19,8 @@
 //!
 //! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
 //! product with a coordinate exceeds 10^38, unless the ray starts on a giant ([`is_in_reach`]). If a distance is NaN
-//! all the same, the maximum and the minimum return their other operand, which keeps the box. The product `s r` may be
-//! subnormal, which changes a distance by at most `255 * 2^-150`. Each plane is moved by at least [`LEAST_MARGIN`]
-//! times `r`, which is more than 10 times as much.
+//! all the same, the maximum and the minimum return their other operand, which keeps the box. Products may be
+//! subnormal, which changes a distance by less than [`LEAST_MARGIN`] times `r`.
 
 use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
 use crate::accel::{bounds::Bounds, extent::is_within, may_hit::conservative::is_too_short};
@@ -40,11 +39,11 @@ pub const LARGEST_RECIPROCAL: f32 = 1e28;
 /// its reciprocal is limited to [`LARGEST_RECIPROCAL`], this move is a lambda of 10^18. For a direction that is not
 /// [too short](is_too_short), that exceeds the lambda of every plane across the direction's largest component. So a
 /// slab that contains such a ray never excludes it.
-const LEAST_MARGIN: f32 = 1e-10;
+pub const LEAST_MARGIN: f32 = 1e-10;
 
 /// The square of the largest length of a direction for which boxes are tested. This length is 10^30. A component above
 /// the largest `f32`, 3.4 10^38, would round to infinity, and its reciprocal would be zero.
-const LONGEST_SQUARED: f64 = 1e60;
+pub const LONGEST_SQUARED: f64 = 1e60;
 
 /// Whether a direction is in scale for slab tests: the square of its length is at least 10^-14 and at most 10^60. The
 /// result is false for NaN.
@@ -54,7 +53,7 @@ pub fn is_in_scale(length_squared: f64) -> bool {
 }
 
 /// The largest coordinate of an origin for a direction of length 1.
-const FARTHEST: f64 = 1e17;
+pub const FARTHEST: f64 = 1e17;
 
 /// Whether a ray that is [in scale](is_in_scale) starts near enough for slab tests, and for those of sphere leaves:
 /// `|o| <= 10^17 min(|d|, 1)`. A ray that starts on a [giant](crate::accel::giants) may start farther away.

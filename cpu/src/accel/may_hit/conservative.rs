@@ -18,9 +18,9 @@ use crate::math::{real::Real, rounding::MulAdd, vec3::Vec3};
 /// rounding never discards an object that the ray hits (docs/margins.md).
 pub const MARGIN: f64 = 512.0 * f64::EPSILON;
 
-/// The smallest squared length of a direction for which the tests are valid. With it the margins exceed 10^-31, so
-/// underflow is negligible, in single precision too.
-const SHORTEST: f64 = 1e-14;
+/// The smallest squared length of a direction for which the tests are valid. With it underflow is negligible, in single
+/// precision too (`cpu/stability/src/proof/filters.rs`).
+pub const SHORTEST: f64 = 1e-14;
 
 /// Whether a direction with this squared length is too short for the tests: shorter than 10^-7. The caller must then
 /// intersect every object.
@@ -32,9 +32,9 @@ pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
 /// A ray for conservative tests, or one ray in each lane. The ray must start inside the scene's extent.
 ///
 /// Coordinates are at most 10^9 (see [`Extent::LARGEST`](crate::accel::extent::Extent::LARGEST)). A direction may have
-/// any length that is not [too short](is_too_short). With a direction longer than 10^144 a product may overflow, and a
-/// test may discard the object. This is right, because such a ray has passed all objects before the smallest lambda in
-/// range, 10^-3. NaN discards no object, because every comparison with NaN is false.
+/// any length that is not [too short](is_too_short). No product overflows if the ray is near an object at the smallest
+/// lambda in range, 10^-3, and every other miss is right. NaN discards no object, because every comparison with NaN is
+/// false.
 ///
 /// A sphere may have any centre and radius if the direction is at most 10^30 long. If the square of the distance or of
 /// the radius overflows, `size` is infinite, so `c` less the margin is NaN or `-inf`, and the sphere is kept.

@@ -18,15 +18,13 @@
 //! miss. The miss is right, for this reason. Let `L` be the [largest
 //! coordinate](crate::accel::extent::Extent::max_coordinate) of the scene. The ray's origin and the points of objects
 //! are at most `3.5 L` apart. So a ray with `|d| > 3500 L` is past all objects at the smallest lambda in range, 10^-3.
-//! For a shorter direction `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is
-//! `2.2 10^38` for the largest scene that is filtered ([`MAX_COORDINATE`]). Single precision holds numbers up to `3.4
-//! 10^38`.
+//! For a shorter direction nothing overflows (`cpu/stability/src/proof/magnitudes.rs`).
 
 use crate::accel::may_hit::target::Target;
 use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::Ray, math::vec3::Vec3, simd::SimdF32};
 
 /// The largest coordinate of a scene for which the tests of [`FilterRay`] are valid, in scene units. A scene with
-/// larger coordinates gets another acceleration structure. The documentation of [this module](self) derives the limit.
+/// larger coordinates gets another acceleration structure.
 pub const MAX_COORDINATE: f64 = 2e7;
 
 /// Number of objects in a block. It is a multiple of every instruction set's number of lanes.

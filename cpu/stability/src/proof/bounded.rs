@@ -67,6 +67,11 @@ pub fn compared() -> Vec<[Bounded; 2]> {
     TABLE.with_borrow(|table| table.compared.clone())
 }
 
+/// Returns all numbers, each after those it is computed from.
+pub(super) fn numbers() -> impl Iterator<Item = Bounded> {
+    (0..TABLE.with_borrow(|table| table.numbers.len() as u32)).map(Bounded)
+}
+
 /// Forgets all comparisons, and all numbers that were computed after this one. So a formula that runs again takes the
 /// lemmas about this number, and about those before it.
 pub fn forget_later(number: Bounded) {
@@ -144,6 +149,29 @@ impl Bounded {
     #[must_use]
     pub fn later(self, other: Self) -> Self {
         Self(self.0.max(other.0))
+    }
+
+    /// Returns the place of the number in the table.
+    pub(super) fn place(self) -> usize {
+        self.0 as usize
+    }
+
+    /// Returns the formula of the number, down to this depth. An input has its family and component.
+    pub(super) fn formula(self, depth: u32) -> String {
+        let of = |number: Self| number.formula(depth.saturating_sub(1));
+        match self.operation() {
+            Operation::Input((family, component)) => format!("x{family}.{component}"),
+            Operation::Constant(bits) => format!("{:e}", f64::from_bits(bits)),
+            _ if depth == 0 => "..".to_owned(),
+            Operation::Sum(a, b) => format!("({} + {})", of(a), of(b)),
+            Operation::Difference(a, b) => format!("({} - {})", of(a), of(b)),
+            Operation::Product(a, b) => format!("{} * {}", of(a), of(b)),
+            Operation::Fused(a, b, c) => format!("({} * {} + {})", of(a), of(b), of(c)),
+            Operation::Quotient(a, b) => format!("{} / {}", of(a), of(b)),
+            Operation::Negative(a) => format!("-{}", of(a)),
+            Operation::Magnitude(a) | Operation::Flipped(a, _) => format!("|{}|", of(a)),
+            Operation::Root(a) => format!("sqrt({})", of(a)),
+        }
     }
 
     /// Returns how the number has been computed.

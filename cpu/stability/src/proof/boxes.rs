@@ -6,10 +6,13 @@
 
 use cpu::internals::accel::bounds::{Bounds, MARGIN as DISC_MARGIN, extent_of_disc};
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
-use cpu::internals::accel::bvh::slab_ray::{LARGEST_RECIPROCAL, MARGIN, SlabRay, margin, moved};
+use cpu::internals::accel::bvh::slab_ray::{
+    FARTHEST as FARTHEST_ORIGIN, LARGEST_RECIPROCAL, LEAST_MARGIN, LONGEST_SQUARED, MARGIN, SlabRay, margin, moved,
+};
 use cpu::internals::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
 use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit};
 use cpu::internals::accel::extent::Extent;
+use cpu::internals::accel::may_hit::conservative::SHORTEST;
 use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
 use cpu::{Ray, Vec3};
@@ -33,6 +36,8 @@ const FRAME: u8 = DERIVED + 4;
 /// The families of a cross product and of an enlarged radius, and of the square of a direction's length.
 const CROSS: u8 = DERIVED + 7;
 const SQUARE: u8 = DERIVED + 8;
+/// The family of a step.
+const STEP: u8 = DERIVED + 9;
 
 /// The most steps, relative to `P`.
 const MOST_STEPS: f64 = 2.0 * (1.0 + 1.0 / 127.0);
@@ -42,6 +47,7 @@ const MOST_STEPS: f64 = 2.0 * (1.0 + 1.0 / 127.0);
 pub fn rows() -> Vec<Row> {
     let mut rows = vec![disc(), leaves()];
     rows.extend(slabs());
+    rows.extend([underflow(), limited_reciprocal()]);
     rows.extend(bounding_spheres());
     rows
 }
@@ -67,11 +73,12 @@ fn acts(number: Bounded, growing: i8) {
     assert_eq!(growth(number), Some(growing), "the margin acts on the wrong side");
 }
 
-/// Returns the rows of the distance of a plane, and of its largest magnitude, which bounds all products and sums.
-fn slabs() -> [Row; 2] {
-    lanes::begin(WITHOUT_UNDERFLOW, f64::from(MARGIN));
+/// Runs the test of a plane that is at most `steps` steps from the origin of its frame. Returns the numbers of a plane
+/// where the ray enters, and of one where it leaves.
+fn distances(arithmetic: Arithmetic, steps: Polynomial, of_step: impl Fn() -> Bounded) -> [Bounded; 2] {
+    lanes::begin(arithmetic, f64::from(MARGIN));
     // The values stand for the numbers of ray and plane.
-    let (origin, direction, plane, frame) = (3.0, 5.0, 7.0, 11.0);
+    let (origin, direction, plane, frame, step) = (3.0, 5.0, 7.0, 11.0, 17.0);
     let margins = [13.0; 3];
     let least = margin(Bounded::number(FARTHEST, 0.0), Bounded::constant(0.0, 0.0));
     let reciprocal = Bounded::constant(1.0, 0.0) / Bounded::number(DIRECTION, 1.0);
@@ -80,13 +87,20 @@ fn slabs() -> [Row; 2] {
     let numbers = moved(Bounded::number(ORIGIN, 1.0), reciprocal, reciprocal.abs(), least);
     name(1.0 / direction, reciprocal);
     values.into_iter().zip(numbers).for_each(|(value, number)| name(value, number));
-    name(plane, Bounded::of_size(STEPS, length(FARTHEST).scaled(MOST_STEPS), 0.0));
+    name(plane, Bounded::of_size(STEPS, steps, 0.0));
     name(frame, Bounded::of_size(FRAME, length(FARTHEST), 0.0));
+    name(step, of_step());
     let splat = |value: f32| Vec3::splat(f64::from(value));
     let ray = SlabRay::<Lane>::new(&Ray { origin: splat(origin), direction: splat(direction) }, &margins);
     let planes: Planes<f32> = [[[plane; WIDTH]; 3]; 2];
-    _ = ray.in_frame(&[frame; 3], &[1.0; 3]).intersect(&planes, f32::INFINITY, &mut [0.0; WIDTH]);
+    _ = ray.in_frame(&[frame; 3], &[step; 3]).intersect(&planes, f32::INFINITY, &mut [0.0; WIDTH]);
     let [[near, _], [far, _]] = compared()[..2] else { unreachable!("a test takes a maximum and a minimum") };
+    [near, far]
+}
+
+/// Returns the rows of the distance of a plane, and of its largest magnitude, which bounds all products and sums.
+fn slabs() -> [Row; 2] {
+    let [near, far] = distances(WITHOUT_UNDERFLOW, length(FARTHEST).scaled(MOST_STEPS), || Bounded::constant(1.0, 0.0));
     acts(near, -1);
     acts(far, 1);
     let size = length(RECIPROCAL).times(&sum(&[FARTHEST, ORIGIN].map(length)));
@@ -114,6 +128,31 @@ fn slabs() -> [Row; 2] {
             unit: "10^37",
         },
     ]
+}
+
+/// Returns the row of the least move of a plane, which covers underflow with the smallest reciprocal too.
+///
+/// A number of steps is at most 255. What is left of the error, beside the multiples of `|r| (P + |O|)` and of the
+/// product of `|r|` and a step, comes from underflow.
+fn underflow() -> Row {
+    let [_, far] = distances(Arithmetic::F32, Polynomial::constant(255.0), || Bounded::number(STEP, 0.0));
+    let error =
+        far.bounds().error.scaled_by(bounded::MARGIN.0, f64::from(MARGIN)).enlarged(&[(bounded::MARGIN.0, None)]);
+    let size = length(RECIPROCAL).times(&sum(&[FARTHEST, ORIGIN, STEP].map(length)));
+    let (_, rest) = error.relative_to(&size);
+    assert!(rest.0.keys().all(|monomial| monomial.iter().all(|of| of.0 == RECIPROCAL)), "{rest:?}");
+    let need = rest.sum() * V * LONGEST_SQUARED.sqrt();
+    let (what, file) = ("least move of a box's plane", "accel/bvh/slab_ray.rs");
+    Row { what, file, constant: f64::from(LEAST_MARGIN) * 1e14, need: need * 1e14, unit: "10^-14" }
+}
+
+/// Returns the row of the lambda that the least move is at least, if a reciprocal is limited. It must exceed the lambda
+/// of every plane across the largest component of the direction, which is at least `|d| / sqrt(3)`.
+fn limited_reciprocal() -> Row {
+    let constant = f64::from(LEAST_MARGIN) * f64::from(LARGEST_RECIPROCAL);
+    let need = 3.0_f64.sqrt() * (1.01 * Extent::LARGEST / SHORTEST.sqrt() + FARTHEST_ORIGIN);
+    let (what, file) = ("lambda along a slab", "accel/bvh/slab_ray.rs");
+    Row { what, file, constant: constant / 1e16, need: need / 1e16, unit: "10^16" }
 }
 
 /// Returns the row of the bounding spheres of leaves.

@@ -82,7 +82,7 @@ pub fn rows() -> Vec<Row> {
 
 /// Returns the row of `c`, which shows that a ray starts inside an infinite cylinder.
 fn inside() -> Row {
-    let margin = cylinder_parts::LIMITS.error_constant * U;
+    let margin = cylinder_parts::LIMITS.error_of_size();
     begin(Arithmetic::F64, margin);
     let [_, _, c, _] = cylinder(false);
     let pairs = compared();
@@ -104,7 +104,7 @@ const LONG: u8 = DERIVED + 10;
 /// `n^2 Ea / a` is at most `2 Ea S^2`. All terms are at most a multiple of `m`.
 fn long_cylinder(of_a: f64) -> [Row; 3] {
     let limits = cylinder_parts::LIMITS;
-    let margin = limits.error_constant * U;
+    let margin = limits.error_of_size();
     begin(Arithmetic::F64, margin);
     let run = || {
         let [_, h, c, discriminant] = cylinder(true);
@@ -150,13 +150,14 @@ fn factors_of(product: Bounded) -> [Bounded; 2] {
 }
 
 /// Returns the root in the size of a long cylinder, and the number of which it is the root. The error of the
-/// discriminant is a multiple of this size, which is a sum of the root, the share and underflow, and then underflow.
+/// discriminant is a multiple of this size, which is a sum of a multiple of the root, the share and underflow, and then
+/// underflow.
 fn root_of_long(error: Bounded) -> [Bounded; 2] {
     let first_term = |sum: Bounded| {
         let Operation::Sum(first, _) = sum.operation() else { panic!("it is no sum") };
         first
     };
-    let root = first_term(first_term(factors_of(first_term(error))[0]));
+    let [root, _] = factors_of(first_term(first_term(factors_of(first_term(error))[0])));
     let Operation::Root(square) = root.operation() else { panic!("it is no root") };
     [root, square]
 }
@@ -197,7 +198,7 @@ fn quadratic(limits: Limits, file: &'static str, run: impl Fn() -> [Bounded; 4])
     run();
     // Both roots are compared with the smallest lambda from both sides.
     assert_eq!(uses_of_margin(), 4, "{file}: the margin of lambda is not used, or on the wrong side");
-    let margin = limits.error_constant * U;
+    let margin = limits.error_of_size();
     begin(Arithmetic::F64, margin);
     let [a, h, c, discriminant] = run();
     let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
@@ -218,7 +219,8 @@ fn quadratic(limits: Limits, file: &'static str, run: impl Fn() -> [Bounded; 4])
     }
 }
 
-fn sphere() -> [Bounded; 4] {
+/// Runs the formulas of a sphere. Returns `a`, `h`, `c` and the discriminant.
+pub fn sphere() -> [Bounded; 4] {
     let (ray, center) = (ray(), Bounded::vector(CENTER, 0.0));
     is(center - ray.origin, TO_CENTER);
     let view = SphereRecord::new(center, Bounded::number(RADIUS, 0.0)).seen_from(ray.origin);
@@ -228,7 +230,8 @@ fn sphere() -> [Bounded; 4] {
     [a, h, view.c, discriminant]
 }
 
-fn cylinder(is_long: bool) -> [Bounded; 4] {
+/// Runs the formulas of the side of a cylinder. Returns `a`, `h`, `c` and the discriminant.
+pub fn cylinder(is_long: bool) -> [Bounded; 4] {
     let (ray, record) = (ray(), record());
     is(ray.origin - record.center, TO_CENTER);
     is((ray.origin - record.center).perpendicular_to(record.axis), TO_CENTER_ACROSS);

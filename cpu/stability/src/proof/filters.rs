@@ -2,8 +2,9 @@
 
 use std::slice;
 
+use cpu::internals::accel::extent::Extent;
 use cpu::internals::accel::inside::{STEEP_SHARE, is_steep};
-use cpu::internals::accel::may_hit::conservative::{ConservativeRay, MARGIN};
+use cpu::internals::accel::may_hit::conservative::{ConservativeRay, MARGIN, SHORTEST};
 use cpu::internals::accel::may_hit::filter_ray::{
     BoundingSpheres, CYLINDER_MARGIN, FilterRay, InfiniteCylinders, SPHERE_MARGIN,
 };
@@ -20,13 +21,15 @@ use super::polynomial::Polynomial;
 use super::row::{Domain, Row, U, added, enlarged, family::*, is, length, ray, relative_to_sizes, squared};
 
 /// The directions that are not too short, and the scenes of moderate extent.
-const MODERATE: Domain = Domain { direction: 1e-7, size: 1e-6, underflow: 0.0 };
+fn moderate() -> Domain {
+    Domain { direction: SHORTEST.sqrt(), size: Extent::SMALLEST, underflow: 0.0 }
+}
 
 /// The family of the scene's largest coordinate `L`.
-const EXTENT: u8 = DERIVED + 8;
+pub const EXTENT: u8 = DERIVED + 8;
 
 /// The value by which the flat filter multiplies the size of a cylinder.
-const FLAT_MARGIN: f64 = (4.0 * CYLINDER_MARGIN) as f32 as f64;
+pub const FLAT_MARGIN: f64 = (4.0 * CYLINDER_MARGIN) as f32 as f64;
 
 /// Returns the rows of all tests.
 #[must_use]
@@ -46,7 +49,7 @@ fn size_of_c() -> Polynomial {
 }
 
 /// Returns a target whose numbers are rounded.
-fn target(is_sphere: bool) -> Target<Bounded> {
+pub fn target(is_sphere: bool) -> Target<Bounded> {
     let (axis, half_height) = axis_and_half_height();
     let radius = Bounded::number(if is_sphere { RADIUS } else { INNER_RADIUS }, 0.0);
     let bounding_radius_squared = radius * radius + half_height * half_height;
@@ -68,7 +71,7 @@ fn steep() -> Row {
     _ = is_steep(slope, test.length_squared);
     let [least, _] = compared()[compared().len() - 1];
     let constant = added(least, &squared(DIRECTION), STEEP_SHARE, U) * U;
-    let need = 2.0 * relative_to_sizes(&slope.bounds().error, 0.0, &[length(DIRECTION)], MODERATE.direction);
+    let need = 2.0 * relative_to_sizes(&slope.bounds().error, 0.0, &[length(DIRECTION)], moderate().direction);
     let (what, file) = ("steep rays inside a cylinder", "accel/inside.rs");
     Row { what, file, constant: constant.sqrt() / U, need, unit: "u abs(d)" }
 }
@@ -87,7 +90,7 @@ fn beyond_a_cap() -> Row {
     let error = enlarged(&error).enlarged(&[TO_CENTER, DIRECTION, HALF_HEIGHT].map(|family| (family, Some(EXTENT))));
     let size = length(EXTENT);
     let constant = added(limit, &size, SLACK, U);
-    let need = relative_to_sizes(&error, SLACK, slice::from_ref(&size), MODERATE.size);
+    let need = relative_to_sizes(&error, SLACK, slice::from_ref(&size), moderate().size);
     Row { what: "the ray starts beyond a cap", file: "accel/may_hit/target.rs", constant, need, unit: "u L" }
 }
 
@@ -109,7 +112,7 @@ fn conservative(is_sphere: bool) -> [Row; 3] {
     _ = test.starts_within(&quadratic);
     let [inside, _] = compared()[compared().len() - 1];
     let size = squared(DIRECTION).times(&size_of_c());
-    let need = MODERATE.relative(&discriminant.bounds().error, &size, MARGIN);
+    let need = moderate().relative(&discriminant.bounds().error, &size, MARGIN);
     let names = if is_sphere {
         ["the line misses a sphere", "the ray has passed a sphere", "the ray starts in a sphere"]
     } else {
@@ -121,10 +124,10 @@ fn conservative(is_sphere: bool) -> [Row; 3] {
         Row { what, file, constant, need, unit }
     };
     let conservative = "accel/may_hit/conservative.rs";
-    let passed_need = relative_to_sizes(&in_t(at_first), MARGIN, &sizes_of_points(), MODERATE.size.powi(2));
+    let passed_need = relative_to_sizes(&in_t(at_first), MARGIN, &sizes_of_points(), moderate().size.powi(2));
     // Whether a ray that is not inside is found inside does not depend on how far it goes.
     let all = size_of_c().plus(&squared(DIRECTION));
-    let inside_need = relative_to_sizes(&in_t(inside), MARGIN, slice::from_ref(&all), MODERATE.size.powi(2));
+    let inside_need = relative_to_sizes(&in_t(inside), MARGIN, slice::from_ref(&all), moderate().size.powi(2));
     let with_t = size_of_c().plus(&squared(DIRECTION).scaled(LAMBDA_MIN * LAMBDA_MIN));
     [
         row(misses, conservative, discriminant, &size, need, "u M"),
@@ -153,7 +156,7 @@ fn flat_filter() -> [Row; 3] {
     const V: f64 = Arithmetic::F32.roundoff;
     let squares = squared(CENTER).plus(&squared(ORIGIN)).plus(&squared(RADIUS));
     let row = |what, constant: f64, number: Bounded, size: &Polynomial| {
-        let need = MODERATE.relative(&number.bounds().error, size, FLAT_MARGIN);
+        let need = moderate().relative(&number.bounds().error, size, FLAT_MARGIN);
         Row { what, file: "accel/may_hit/filter_ray.rs", constant: constant / V, need, unit: "v a S" }
     };
     let size = squared(DIRECTION).times(&squares).scaled(4.0);
@@ -171,7 +174,7 @@ fn flat_filter() -> [Row; 3] {
     let products = [CENTER, ORIGIN].map(|family| length(DIRECTION).times(&length(family)).scaled(0.5));
     let [center, origin] = products;
     let sizes = [squares, squared(DIRECTION).scaled(1.0 / 3.0), center, origin];
-    let passed = relative_to_sizes(&in_t(at_first), SPHERE_MARGIN, &sizes, MODERATE.size.powi(2));
+    let passed = relative_to_sizes(&in_t(at_first), SPHERE_MARGIN, &sizes, moderate().size.powi(2));
     let misses = row("the line misses a bounding sphere", SPHERE_MARGIN * used, sphere, &size);
     [
         Row { what: "the ray has passed a bounding sphere", need: passed, unit: "v S", ..misses.clone() },
@@ -184,14 +187,16 @@ fn flat_filter() -> [Row; 3] {
 }
 
 /// What the flat filter compares with 0: four times the discriminants, and `f(t)`.
-struct FlatNumbers {
-    sphere: Bounded,
+pub struct FlatNumbers {
+    /// Of a sphere, less its margin.
+    pub sphere: Bounded,
     at_first: Bounded,
-    cylinder: Bounded,
+    /// Of a cylinder, less its margin.
+    pub cylinder: Bounded,
 }
 
 /// Runs the flat filter on one ray and one object.
-fn flat_numbers(margin: f64) -> FlatNumbers {
+pub fn flat_numbers(margin: f64) -> FlatNumbers {
     // The code doubles all terms of a cylinder, and multiplies the margin by 4.
     lanes::begin(Arithmetic::F32, margin);
     const ROOT: f64 = std::f64::consts::SQRT_2;

@@ -5,7 +5,7 @@ use std::slice;
 use cpu::Vec3;
 use cpu::internals::accel::isolated::SEPARATION;
 use cpu::internals::exact::cylinder::SideLanes;
-use cpu::internals::exact::cylinder_parts::{LIMITS, Plane};
+use cpu::internals::exact::cylinder_parts::{LEAST_EXTENT, LIMITS, Plane};
 use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::math::real::Real;
@@ -123,7 +123,7 @@ fn plane(of_slope: f64) -> ([f64; 2], f64) {
     // A vector's length is at most the sum of its components' magnitudes.
     let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT)]);
     let sizes = [sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length)), extent.clone()];
-    let need = |number: Bounded| relative_to_sizes(&number.bounds().error, 16.0 * U, &sizes, 2.0_f64.powi(-300));
+    let need = |number: Bounded| relative_to_sizes(&number.bounds().error, 16.0 * U, &sizes, LEAST_EXTENT);
     let [[distance, _]] = run(16.0 * U);
     let row = [added(distance, &extent, 16.0 * U, U), need(distance)];
     // Lambda is accepted if the distance exceeds `X / (4 k)`, and the slope `|d|_1 / (8 k)`.
@@ -157,7 +157,7 @@ fn margins(split: u8, run: impl Fn() -> (Vec<Bounded>, Polynomial)) -> [[f64; 2]
     let pair = [(MOVED, moved(components(DIRECTION))), (FIXED, fixed)].map(|(margin, size)| {
         begin(Arithmetic::F64, margin * U);
         let (numbers, error) = run();
-        (least_added(&numbers, &size, margin * U), factors(&error, margin * U, &sizes, 2.0_f64.powi(-300)))
+        (least_added(&numbers, &size, margin * U), factors(&error, margin * U, &sizes, LEAST_EXTENT))
     });
     let need = |factors: &[f64], from: usize| factors[..2].iter().chain(&factors[from..from + 3]).sum();
     [[pair[0].0, pair[1].0], [need(&pair[0].1, 2), need(&pair[1].1, 5)]]
@@ -184,8 +184,8 @@ fn height(of_side: f64) -> [[f64; 2]; 2] {
             accepted(numerator / a, of_side);
         }
         _ = SideLanes::new(&record, &view, &ray, false);
-        // The comparison of `c` and five of the root come before those of the height, at the entry and at the exit.
-        let ([[along, within], _, [beyond, _]], exit) = (first(6), first::<3>(15));
+        // The comparison of `c` and four of the root come before those of the height, at the entry and at the exit.
+        let ([[along, within], _, [beyond, _]], exit) = (first(5), first::<3>(13));
         let error = along.bounds().error.plus(&within.bounds().error);
         (vec![within, beyond, exit[0][1], exit[2][0]], error)
     })

@@ -203,6 +203,12 @@ impl Domain {
     /// If underflow is not negligible.
     #[must_use]
     pub fn relative(&self, error: &Polynomial, size: &Polynomial, margin: f64) -> f64 {
+        self.relative_and_rest(error, size, margin).iter().sum()
+    }
+
+    /// Returns the result of [`Self::relative`] in two parts, of which the second one comes from underflow.
+    #[must_use]
+    pub fn relative_and_rest(&self, error: &Polynomial, size: &Polynomial, margin: f64) -> [f64; 2] {
         let (factor, rest) = with_margin(error, margin).relative_to(size);
         for monomial in rest.0.keys() {
             let directions = monomial.iter().filter(|variable| variable.0 == DIRECTION).count();
@@ -212,6 +218,6 @@ impl Domain {
         let most = rest.sum() / (self.direction * size).powi(2);
         assert!(most < limit, "underflow adds {most:e} u: {rest:?}");
         assert!(factor.is_finite(), "nothing is known of a part of the error");
-        factor + most
+        [factor, most]
     }
 }

@@ -1,6 +1,5 @@
 //! Proves the margins of `cpu`, and holds the proofs against numbers.
 
-use cpu::internals::accel::may_hit::filter_ray::MAX_COORDINATE;
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use cpu::internals::math::{double_double::DoubleDouble, real::Real};
@@ -20,8 +19,6 @@ fn every_margin_is_as_large_as_proved() {
             assert!(row.need * U <= PROVEN_ERRORS[usize::from(!of_sphere)], "{row:?}");
         }
     }
-    // The head of `filter_ray.rs` derives this product.
-    assert!(1.4e9 * MAX_COORDINATE.powi(4) < f32::MAX.into());
 }
 
 #[test]
@@ -48,7 +45,7 @@ fn a_margin_that_the_formulas_do_not_use_is_zero() {
         let size = squared(family::DIRECTION).times(&squared(family::RADIUS));
         compared().iter().map(|pair| added(pair[0], &size, margin, f64::EPSILON / 2.0)).fold(0.0, f64::max)
     };
-    let margin = sphere_filter::LIMITS.error_constant * f64::EPSILON / 2.0;
+    let margin = sphere_filter::LIMITS.error_of_size();
     assert_eq!(constant(margin).round(), sphere_filter::LIMITS.error_constant);
     assert_eq!(constant(margin * 2.0), 0.0, "the code does not use this constant");
 }
