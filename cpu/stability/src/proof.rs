@@ -8,6 +8,7 @@ pub mod background;
 pub mod bounded;
 pub mod bounds;
 pub mod boxes;
+mod bytes;
 pub mod camera;
 mod compensated;
 pub mod direction;
@@ -35,7 +36,7 @@ pub fn rows() -> Vec<row::Row> {
         boxes::rows(),
         magnitudes::rows().to_vec(),
         background::rows().to_vec(),
-        vec![camera::row(), frustum::row(), series::row(), power::row()],
+        vec![camera::row(), frustum::row(), bytes::row(), series::row(), power::row()],
     ]
     .concat()
 }
