@@ -211,8 +211,10 @@ fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2], margin:
 mod tests {
     use super::*;
     use crate::geometry::camera::Camera;
-    use crate::input::config::Config;
-    use crate::render::ray_error::RayError;
+    use crate::input::{config::Config, scene::Scene};
+    use crate::layout::aos::Aos;
+    use crate::render::{ray_error::RayError, span::spans_of_row};
+    use crate::sampling::scatter_vectors::Scatter;
 
     const LEFT: Vec3 = Vec3::new(1.0, 0.0, 0.0);
     const RIGHT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
@@ -260,6 +262,24 @@ mod tests {
             }
         }
         assert!(beyond > 30, "{beyond} points beyond the planes");
+    }
+
+    #[test]
+    fn the_squares_of_far_candidates_are_infinite() {
+        let scene = b"matte: m 1 1 1\nsphere: 0 0 1e110 9e109 m\ncylinder: 0 0 1e110 9e109 0 9e109 0 m\n";
+        let scene = Scene::parse(&scene[..]).expect("it is valid");
+        let prepared =
+            Prepared::<Aos>::new(&Config::default(), &scene, Scatter::Statement).expect("it can be rendered");
+        let mut candidates = Candidates::new(&prepared).expect("it fits");
+        let row = prepared.size.height() / 2;
+        candidates.begin_row(&prepared, row);
+        let span = spans_of_row(prepared.size.width(), prepared.samples, 1024).next().expect("a row has a span");
+        candidates.begin_span(&prepared, row, &span);
+        let squares = candidates.span.iter().map(|(_, candidate)| match candidate {
+            Candidate::Sphere(_, view) => view.squares,
+            Candidate::Cylinder(.., view) => view.squares,
+        });
+        assert_eq!(squares.collect::<Vec<_>>(), [f64::INFINITY; 2]);
     }
 
     #[test]
