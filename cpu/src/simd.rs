@@ -108,7 +108,7 @@ pub trait SimdF64: MulAdd {
 /// Returns a bit for each lane, lane 0 lowest, which is 1 for the first `count` lanes and 0 for the others. If there
 /// are fewer lanes than `count`, every bit is 1.
 #[inline(always)]
-pub fn valid_lanes<V: SimdF64>(count: usize) -> u32 {
+pub(crate) fn valid_lanes<V: SimdF64>(count: usize) -> u32 {
     let all = (1_u32 << V::LANES) - 1;
     if count >= V::LANES { all } else { (1_u32 << count) - 1 }
 }

@@ -51,7 +51,7 @@ impl Bounds {
     }
 
     /// Returns the box with each of its six planes moved outward by at least `by`, in scene units.
-    pub fn enlarged(mut self, by: f32) -> Self {
+    pub(crate) fn enlarged(mut self, by: f32) -> Self {
         for axis in 0..3 {
             self.low[axis] = (self.low[axis] - by).next_down();
             self.high[axis] = (self.high[axis] + by).next_up();
@@ -70,7 +70,7 @@ impl Bounds {
     }
 
     /// Whether the boxes have a point in common.
-    pub fn overlaps(&self, other: &Self) -> bool {
+    pub(crate) fn overlaps(&self, other: &Self) -> bool {
         (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
     }
 

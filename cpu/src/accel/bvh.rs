@@ -62,7 +62,7 @@ impl<B: Boxes> Bvh<B> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(objects: &mut impl Objects, extent: &Extent, sphere_leaves: Option<bool>) -> Result<Self, Error> {
+    pub(crate) fn new(objects: &mut impl Objects, extent: &Extent, sphere_leaves: Option<bool>) -> Result<Self, Error> {
         let count = count(objects);
         let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));

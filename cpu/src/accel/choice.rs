@@ -74,7 +74,7 @@ impl Accel {
 
     /// Returns the structure whose few objects are intersected with one ray in each lane, if the scene has it.
     #[inline(always)]
-    pub const fn in_lanes(&self) -> Option<&SmallScene> {
+    pub(crate) const fn in_lanes(&self) -> Option<&SmallScene> {
         if let Self::SmallScene(small_scene) = self { Some(small_scene) } else { None }
     }
 

@@ -25,7 +25,7 @@ pub struct ClosestHit {
 /// is false in both orders. The parameters are values and no references, so that most rays keep them in registers.
 #[cold]
 #[inline(never)]
-pub fn is_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, closest: ClosestHit) -> bool {
+pub(crate) fn is_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, closest: ClosestHit) -> bool {
     if !closest.is_hit() {
         return true;
     }
@@ -61,7 +61,7 @@ impl ClosestHit {
 
     /// Replaces the hit by `other`, which must be a hit of the same ray, if that one is closer.
     #[inline(always)]
-    pub fn update<O: Objects>(&mut self, objects: &O, ray: &Ray, other: Self) {
+    pub(crate) fn update<O: Objects>(&mut self, objects: &O, ray: &Ray, other: Self) {
         debug_assert!(other.is_hit());
         if is_certainly_closer(other.lambda, self.lambda)
             || !is_certainly_closer(self.lambda, other.lambda) && is_closer(objects, *ray, other, *self)
@@ -72,7 +72,7 @@ impl ClosestHit {
 
     /// Intersects the object with the number `id`, and updates the closest hit.
     #[inline(always)]
-    pub fn intersect<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
+    pub(crate) fn intersect<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
         match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => self.intersect_sphere(objects, index, ray),
             ObjectRef::Cylinder(index) => self.intersect_cylinder(objects, index, ray),
@@ -81,7 +81,7 @@ impl ClosestHit {
 
     /// Intersects the sphere at `index` among the spheres, and updates the closest hit.
     #[inline(always)]
-    pub fn intersect_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub(crate) fn intersect_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::SphereTests, 1);
         let lambda = match exact::sphere::filtered_or_least(&objects.sphere(index).record, ray) {
             Ok(lambda) => lambda,
@@ -95,7 +95,7 @@ impl ClosestHit {
     /// compensated formula is inlined into this function, because the filter is often uncertain for rays that start
     /// near the dominant sphere.
     #[inline(always)]
-    pub fn intersect_dominant_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub(crate) fn intersect_dominant_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::SphereTests, 1);
         let lambda = match exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray) {
             Decision::Certain(lambda) => lambda,
@@ -114,7 +114,7 @@ impl ClosestHit {
 
     /// Intersects the spheres whose bits are set in `spheres`, and updates the closest hit.
     #[inline(always)]
-    pub fn intersect_spheres<O: Objects>(&mut self, objects: &O, mut spheres: u64, ray: &Ray) {
+    pub(crate) fn intersect_spheres<O: Objects>(&mut self, objects: &O, mut spheres: u64, ray: &Ray) {
         while spheres != 0 {
             let index = spheres.trailing_zeros() as usize;
             match exact::sphere::filtered(&objects.sphere(index).record, ray) {
@@ -128,7 +128,7 @@ impl ClosestHit {
 
     /// Intersects the cylinder at `index` among the cylinders, and updates the closest hit.
     #[inline(always)]
-    pub fn intersect_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub(crate) fn intersect_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::CylinderTests, 1);
         let hit = match exact::cylinder::filtered(&objects.cylinder(index).record, ray) {
             Decision::Certain(hit) => hit,

@@ -25,7 +25,7 @@ pub struct DominantSphere(pub Option<ObjectId>);
 
 impl DominantSphere {
     /// Finds the dominant sphere among `objects`.
-    pub fn of(objects: &impl Objects) -> Self {
+    pub(crate) fn of(objects: &impl Objects) -> Self {
         let radius = |id: ObjectId| bounding_sphere(objects, id).1;
         let spheres = 0..objects.sphere_count() as ObjectId;
         let largest = spheres.max_by(|&left, &right| radius(left).total_cmp(&radius(right)));
@@ -37,7 +37,7 @@ impl DominantSphere {
 
     /// Whether the object with the number `id` is the dominant sphere.
     #[inline(always)]
-    pub fn is(self, id: ObjectId) -> bool {
+    pub(crate) fn is(self, id: ObjectId) -> bool {
         self.0 == Some(id)
     }
 
@@ -46,7 +46,7 @@ impl DominantSphere {
     ///
     /// A sphere is convex. So if a ray from its surface hits it again, the ray is inside the sphere between the two
     /// points. Such a ray can hit only the dominant sphere and the objects that overlap it.
-    pub fn overlapping(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
+    pub(crate) fn overlapping(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
         let (center, radius) = bounding_sphere(objects, self.0?);
         let reach = radius + SEPARATION * extent.max_coordinate;
         let overlaps = |&id: &ObjectId| !self.is(id) && Bounds::of_object(objects, id).distance(center) <= reach;
@@ -58,7 +58,7 @@ impl DominantSphere {
     /// Whether a ray from the surface of the dominant sphere enters it. The result is false if there is no dominant
     /// sphere.
     #[inline(always)]
-    pub fn is_entered_by<O: Objects>(self, objects: &O, ray: &Ray) -> bool {
+    pub(crate) fn is_entered_by<O: Objects>(self, objects: &O, ray: &Ray) -> bool {
         self.0.is_some_and(|id| ray.direction.dot(ray.origin - objects.sphere(id as usize).record.center) < 0.0)
     }
 
@@ -75,7 +75,7 @@ impl DominantSphere {
     /// both of length one. The dot product of the mirrored direction and `w` is `-d.w / |d|`, and that of the normal is
     /// `|w|` or `-|w|`. All these products follow from `w = (O - C) + lambda d`. So only lambda is needed of the hit.
     #[inline(always)]
-    pub fn predicts_entry<O: Objects>(self, objects: &O, ray: &Ray, lambda: f64, terms: &ScatterTerms) -> bool {
+    pub(crate) fn predicts_entry<O: Objects>(self, objects: &O, ray: &Ray, lambda: f64, terms: &ScatterTerms) -> bool {
         let Some(id) = self.0 else {
             return false;
         };
@@ -96,7 +96,7 @@ impl DominantSphere {
     /// Returns the index of the dominant sphere among the spheres if the ray may hit it. The result is `None` if the
     /// ray certainly misses it, or if there is no dominant sphere.
     #[inline(always)]
-    pub fn may_be_hit<O: Objects>(self, objects: &O, conservative: &ConservativeRay<f64>) -> Option<usize> {
+    pub(crate) fn may_be_hit<O: Objects>(self, objects: &O, conservative: &ConservativeRay<f64>) -> Option<usize> {
         let index = self.0? as usize;
         conservative.sphere(&Target::sphere(&objects.sphere(index).record)).then_some(index)
     }

@@ -33,7 +33,11 @@ pub fn intersect_every_object<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
 
 /// Returns the closest hit among the objects with these numbers, spheres and cylinders.
 #[inline(never)]
-pub fn intersect_objects<O: Objects>(objects: &O, [spheres, cylinders]: [Range<ObjectId>; 2], ray: Ray) -> ClosestHit {
+pub(crate) fn intersect_objects<O: Objects>(
+    objects: &O,
+    [spheres, cylinders]: [Range<ObjectId>; 2],
+    ray: Ray,
+) -> ClosestHit {
     add(Counter::UnfilteredTests, (spheres.len() + cylinders.len()) as u64);
     let mut closest = ClosestHit::NOTHING;
     for id in spheres {

@@ -49,7 +49,7 @@ impl Extent {
 }
 
 /// Returns a bound of the magnitudes of an object's coordinates, in scene units.
-pub fn reach(objects: &impl Objects, id: ObjectId) -> f64 {
+pub(crate) fn reach(objects: &impl Objects, id: ObjectId) -> f64 {
     let (center, radius) = bounding_sphere(objects, id);
     magnitude(center) + radius
 }
@@ -61,7 +61,7 @@ fn magnitude(vector: Vec3) -> f64 {
 /// Whether no coordinate of the point exceeds `max_coordinate`, apart from the rounding of a hit point. NaN does not
 /// exceed it. Debug builds check with this that a ray starts inside the scene's extent, and trees
 /// that a ray does not start too far away.
-pub fn is_within(point: Vec3, max_coordinate: f64) -> bool {
+pub(crate) fn is_within(point: Vec3, max_coordinate: f64) -> bool {
     let limit = max_coordinate * (1.0 + 1e-6);
     point.to_array().iter().all(|coordinate| coordinate.is_nan() || coordinate.abs() <= limit)
 }

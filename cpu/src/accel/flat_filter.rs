@@ -46,7 +46,7 @@ impl FlatFilter {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+    pub(crate) fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let dominant = DominantSphere::of(objects);
         let mut filter = Self {
             middle: middle(objects, dominant),

@@ -15,7 +15,7 @@ const GAP: f64 = 1e4;
 
 /// Returns the reach beyond which an object is a giant, or `None` if the scene has no giants. The dominant sphere is no
 /// giant, because it is not in the tree anyway.
-pub fn giants_beyond(objects: &impl Objects, dominant: DominantSphere, extent: &Extent) -> Option<f64> {
+pub(crate) fn giants_beyond(objects: &impl Objects, dominant: DominantSphere, extent: &Extent) -> Option<f64> {
     // The largest numbers, in descending order.
     let mut farthest = [0.0; MOST + 1];
     for id in (0..count(objects) as ObjectId).filter(|&id| !dominant.is(id)) {

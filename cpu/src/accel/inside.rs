@@ -39,7 +39,7 @@ impl SmallScene {
     /// Whether the ray is certainly inside one of the objects at the smallest lambda in range, so that it hits. The ray
     /// must start inside the scene's extent.
     #[inline(always)]
-    pub fn starts_inside<O: Objects>(&self, objects: &O, ray: &Ray) -> bool {
+    pub(crate) fn starts_inside<O: Objects>(&self, objects: &O, ray: &Ray) -> bool {
         debug_assert!(is_within(ray.origin, self.max_coordinate));
         let (conservative, mut inside) = (ConservativeRay::new(*ray), false);
         for id in 0..count(objects) as ObjectId {

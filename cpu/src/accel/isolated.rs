@@ -27,7 +27,7 @@ impl Isolated {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn none(count: usize) -> Result<Self, Error> {
+    pub(crate) fn none(count: usize) -> Result<Self, Error> {
         let mut words = with_room(count.div_ceil(64), OBJECTS)?;
         words.resize(count.div_ceil(64), 0);
         Ok(Self(words))
@@ -35,14 +35,14 @@ impl Isolated {
 
     /// Adds the object with the number `id`, for which the set must have room.
     #[inline(always)]
-    pub fn insert(&mut self, id: ObjectId) {
+    pub(crate) fn insert(&mut self, id: ObjectId) {
         debug_assert!((id as usize) < 64 * self.0.len());
         self.0[id as usize / 64] |= 1 << (id % 64);
     }
 
     /// Whether the object with the number `id` is isolated.
     #[inline(always)]
-    pub fn is(&self, id: ObjectId) -> bool {
+    pub(crate) fn is(&self, id: ObjectId) -> bool {
         self.0.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
     }
 }

@@ -27,7 +27,7 @@ impl ObjectRef {
 
     /// Returns kind and index of the object with the number `id`, in a scene of `sphere_count` spheres.
     #[inline(always)]
-    pub fn of_number(id: ObjectId, sphere_count: usize) -> Self {
+    pub(crate) fn of_number(id: ObjectId, sphere_count: usize) -> Self {
         match (id as usize).checked_sub(sphere_count) {
             None => Self::Sphere(id as usize),
             Some(index) => Self::Cylinder(index),
@@ -36,7 +36,7 @@ impl ObjectRef {
 
     /// Returns the object's number, in a scene of `sphere_count` spheres.
     #[inline(always)]
-    pub const fn number(self, sphere_count: usize) -> ObjectId {
+    pub(crate) const fn number(self, sphere_count: usize) -> ObjectId {
         match self {
             Self::Sphere(index) => index as ObjectId,
             Self::Cylinder(index) => (sphere_count + index) as ObjectId,
@@ -47,7 +47,7 @@ impl ObjectRef {
 /// Returns the index, among the cylinders, of the cylinder with the number `id`. It saves the branch of
 /// [`ObjectRef::of`] if the kind is known.
 #[inline(always)]
-pub fn cylinder_index(objects: &impl Objects, id: ObjectId) -> usize {
+pub(crate) fn cylinder_index(objects: &impl Objects, id: ObjectId) -> usize {
     id as usize - objects.sphere_count()
 }
 
@@ -65,7 +65,7 @@ pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
 }
 
 /// Returns centre and radius of the smallest sphere around an object, in scene units and rounded.
-pub fn bounding_sphere(objects: &impl Objects, id: ObjectId) -> (Vec3, f64) {
+pub(crate) fn bounding_sphere(objects: &impl Objects, id: ObjectId) -> (Vec3, f64) {
     match ObjectRef::of(objects, id) {
         ObjectRef::Sphere(index) => {
             let record = objects.sphere(index).record;

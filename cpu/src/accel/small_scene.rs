@@ -28,7 +28,7 @@ pub struct SmallScene {
 
 impl SmallScene {
     /// Builds the structure over `objects`.
-    pub fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Self {
+    pub(crate) fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Self {
         Self { count: count(objects), object_lanes: ObjectLanes::new(objects, max_coordinate), max_coordinate }
     }
 
@@ -41,7 +41,7 @@ impl SmallScene {
     /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray may hit the object. The ray
     /// must start inside the scene's extent.
     #[inline(always)]
-    pub fn objects_may_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
+    pub(crate) fn objects_may_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
         debug_assert!(is_within(ray.origin, self.max_coordinate));
         if self.uses_object_lanes() {
             return self.object_lanes.objects_may_hit::<V>(ray);
@@ -60,7 +60,7 @@ impl SmallScene {
 
 /// Returns the closest hit of a ray among the objects whose bits are set in `may_hit`.
 #[inline(always)]
-pub fn closest_hit_among<O: Objects>(objects: &O, ray: &Ray, may_hit: u32) -> ClosestHit {
+pub(crate) fn closest_hit_among<O: Objects>(objects: &O, ray: &Ray, may_hit: u32) -> ClosestHit {
     let mut closest = ClosestHit::NOTHING;
     intersect_spheres(&mut closest, objects, ray, may_hit);
     intersect_cylinders(&mut closest, objects, ray, may_hit >> objects.sphere_count());

@@ -18,7 +18,7 @@ impl Stack {
     /// Adds a node among the entries from index `first` on, which stay sorted by distance, so that the nearest is
     /// popped first. Increments `depth`.
     #[inline(always)]
-    pub fn push_sorted(&mut self, depth: &mut usize, first: usize, entry: (u32, f32)) {
+    pub(crate) fn push_sorted(&mut self, depth: &mut usize, first: usize, entry: (u32, f32)) {
         debug_assert!(*depth < CAPACITY, "a tree is deeper than `CAPACITY` assumes");
         // The minimum tells the compiler that every index is valid.
         let mut place = (*depth).min(CAPACITY - 1);
@@ -32,7 +32,7 @@ impl Stack {
 
     /// Removes and returns the last entry, and decrements `depth`, which must not be 0.
     #[inline(always)]
-    pub fn pop(&self, depth: &mut usize) -> (u32, f32) {
+    pub(crate) fn pop(&self, depth: &mut usize) -> (u32, f32) {
         debug_assert!(*depth > 0);
         *depth -= 1;
         self.0[*depth % CAPACITY]

@@ -67,7 +67,7 @@ impl CylinderPart {
     }
 
     /// Returns the part with this number.
-    pub fn of_number(number: f64) -> Self {
+    pub(crate) fn of_number(number: f64) -> Self {
         debug_assert!([0.0, 1.0, 2.0].contains(&number));
         [Self::Side, Self::Top, Self::Bottom][number as usize % 3]
     }
@@ -132,7 +132,7 @@ impl<T: Real> CylinderRecord<T> {
     /// Returns the normals of several points, one in each lane, as [`CylinderRecord::outward`] does. `part` has the
     /// [number](CylinderPart::number) of each point's part.
     #[inline(always)]
-    pub fn outward_lanes(&self, part: T, point: Vec3<T>) -> Vec3<T> {
+    pub(crate) fn outward_lanes(&self, part: T, point: Vec3<T>) -> Vec3<T> {
         let before = |next: CylinderPart| part.less(next.number());
         let cap = Vec3::select(before(CylinderPart::Bottom), self.axis, -self.axis);
         Vec3::select(before(CylinderPart::Top), self.outward(CylinderPart::Side, point), cap)

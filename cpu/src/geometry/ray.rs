@@ -53,7 +53,7 @@ pub struct Hit<T = f64> {
 /// Returns whether a ray along `direction` comes from outside, and the normal on the side that the ray comes from
 /// (specification, section 8.3). `outward` is the normal that points out of the object.
 #[inline(always)]
-pub fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
+pub(crate) fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
     let front = direction.dot(outward).less(T::of(0.0));
     (front, Vec3::select(front, outward, -outward))
 }

@@ -71,7 +71,7 @@ impl SphereRecord {
     /// reciprocal, which is exact. A product has a third of the latency of a quotient, and the next ray of a path waits
     /// for the normal.
     #[inline(always)]
-    pub fn outward_by_reciprocal(&self, point: Vec3) -> Vec3 {
+    pub(crate) fn outward_by_reciprocal(&self, point: Vec3) -> Vec3 {
         // Only the significand's leading bit is set, which is not stored. A subnormal radius fails this test.
         let is_power_of_two = self.radius.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1;
         if is_power_of_two { (point - self.center) * (1.0 / self.radius) } else { self.outward(point) }

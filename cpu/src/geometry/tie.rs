@@ -32,7 +32,7 @@ pub struct Place {
 impl Place {
     /// Returns the rank of the hit among the hits at the same lambda: the hit with the highest rank counts.
     #[inline(always)]
-    pub fn rank(self) -> i64 {
+    pub(crate) fn rank(self) -> i64 {
         let order = i64::from(self.order);
         if self.on_cap { -1 - order } else { order }
     }

@@ -49,7 +49,7 @@ pub fn for_each_line<E: From<io::Error>>(
 
 /// The error for an input of more than `limit` bytes.
 #[must_use]
-pub fn too_large(limit: u64) -> io::Error {
+pub(crate) fn too_large(limit: u64) -> io::Error {
     io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {limit} bytes"))
 }
 
@@ -107,22 +107,22 @@ impl<'a> Tokens<'a> {
     /// Returns the part of the line that has not been read, without blanks at both ends. The result is empty if no
     /// token is left.
     #[must_use]
-    pub fn rest(&self) -> &'a [u8] {
+    pub(crate) fn rest(&self) -> &'a [u8] {
         trim(self.rest)
     }
 
     /// Returns the next token as a real number, or `None` if there is no token or [`parse_real`] refuses it.
-    pub fn real(&mut self) -> Option<f64> {
+    pub(crate) fn real(&mut self) -> Option<f64> {
         parse_real(self.next()?)
     }
 
     /// Returns the next three tokens as real numbers, or `None` if [`Tokens::real`] fails for one of them.
-    pub fn reals(&mut self) -> Option<[f64; 3]> {
+    pub(crate) fn reals(&mut self) -> Option<[f64; 3]> {
         Some([self.real()?, self.real()?, self.real()?])
     }
 
     /// Returns the next token as a positive integer of at most 64 bits, or `None` if there is no such token.
-    pub fn positive_integer(&mut self) -> Option<u64> {
+    pub(crate) fn positive_integer(&mut self) -> Option<u64> {
         parse_positive_integer(self.next()?)
     }
 }

@@ -8,7 +8,7 @@ const HUGE_PAGE: usize = 2 << 20;
 
 /// Asks the system to place the memory of `list`, with its spare capacity, in huge pages. Nothing happens if it
 /// refuses, or if no whole huge page lies in the list. The list keeps its content and its address.
-pub fn ask<T>(list: &mut Vec<T>) {
+pub(crate) fn ask<T>(list: &mut Vec<T>) {
     let (from, bytes) = (list.as_mut_ptr() as usize, list.capacity() * size_of::<T>());
     // Only the huge pages that lie in the list as a whole are asked for.
     let (first, end) = (from.next_multiple_of(HUGE_PAGE), (from + bytes) / HUGE_PAGE * HUGE_PAGE);

@@ -11,7 +11,7 @@ const CACHE_LINE: usize = 64;
 /// Asks the processor for the cache lines of `value`. A program cannot observe this, except by its speed.
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 #[inline(always)]
-pub fn prefetch<T>(value: &T) {
+pub(crate) fn prefetch<T>(value: &T) {
     use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
 
     let start = std::ptr::from_ref(value).cast::<i8>();
@@ -28,4 +28,4 @@ pub fn prefetch<T>(value: &T) {
 /// Does nothing. Other processors have no such instruction in Rust's stable library, and Miri does not interpret it.
 #[cfg(not(all(target_arch = "x86_64", not(miri))))]
 #[inline(always)]
-pub fn prefetch<T>(_: &T) {}
+pub(crate) fn prefetch<T>(_: &T) {}

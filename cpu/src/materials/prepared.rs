@@ -40,7 +40,7 @@ impl PreparedMaterial {
     };
 
     /// Prepares `material` for the convention `scatter` of random vectors.
-    pub fn new(material: &Material, scatter: Scatter) -> Self {
+    pub(crate) fn new(material: &Material, scatter: Scatter) -> Self {
         let (bsdf_kind, extent, negligible, index) = match *material {
             Material::Matte { .. } => (BsdfKind::Matte, 1.0, NEGLIGIBLE, 1.0),
             Material::Metal { diffusion, .. } => (BsdfKind::Metal, diffusion, 0.0, 1.0),

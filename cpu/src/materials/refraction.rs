@@ -31,13 +31,13 @@ pub struct IndexRatio {
 
 impl IndexRatio {
     /// Returns the ratios of a material whose refractive index is `rho`.
-    pub const fn new(rho: f64) -> Self {
+    pub(crate) const fn new(rho: f64) -> Self {
         Self { entering: 1.0 / rho, leaving: rho }
     }
 
     /// Returns the ratio for a ray that hits the surface from outside if `front` holds, and from inside otherwise.
     #[inline(always)]
-    pub fn at<T: Real>(&self, front: T::Mask) -> T {
+    pub(crate) fn at<T: Real>(&self, front: T::Mask) -> T {
         T::select(front, T::of(self.entering), T::of(self.leaving))
     }
 }

@@ -21,7 +21,7 @@ broadcast!(ScatterParams:; scale, shift, negligible);
 impl<T: Real> ScatterParams<T> {
     /// Returns the random vector that `scatter_sample` gives.
     #[inline(always)]
-    pub fn vector(&self, scatter_sample: Vec3<T>) -> Vec3<T> {
+    pub(crate) fn vector(&self, scatter_sample: Vec3<T>) -> Vec3<T> {
         scatter_sample * self.scale + Vec3::splat(self.shift)
     }
 }

@@ -29,18 +29,18 @@ impl Dyadic {
     }
 
     /// Returns `magnitude * 2^exponent`. The highest limb of `magnitude` must not be zero.
-    pub fn of_limbs(magnitude: Vec<u64>, exponent: i64) -> Self {
+    pub(crate) fn of_limbs(magnitude: Vec<u64>, exponent: i64) -> Self {
         debug_assert!(magnitude.last() != Some(&0));
         Self { negative: false, magnitude, exponent }
     }
 
     /// Returns the number zero.
-    pub const fn zero() -> Self {
+    pub(crate) const fn zero() -> Self {
         Self { negative: false, magnitude: Vec::new(), exponent: 0 }
     }
 
     /// Returns the number one.
-    pub fn one() -> Self {
+    pub(crate) fn one() -> Self {
         Self { negative: false, magnitude: vec![1], exponent: 0 }
     }
 
@@ -54,30 +54,30 @@ impl Dyadic {
     }
 
     /// Returns the square of the number.
-    pub fn squared(&self) -> Self {
+    pub(crate) fn squared(&self) -> Self {
         self * self
     }
 
     /// Returns the number times `2^power`.
-    pub fn scaled(&self, power: i64) -> Self {
+    pub(crate) fn scaled(&self, power: i64) -> Self {
         Self { exponent: self.exponent + power, ..self.clone() }
     }
 
     /// Returns the smallest `e` with `|self| < 2^e`, or `None` for zero, which is below every power of two. The
     /// exponent of a zero has no meaning, because it comes from the numbers that cancelled.
-    pub fn order(&self) -> Option<i64> {
+    pub(crate) fn order(&self) -> Option<i64> {
         (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
     }
 
     /// Returns `part` and `power`, so that the number is `part 2^power`. This works for magnitudes beyond the range of
     /// `f64` too. The part is truncated to 106 bits, with `0.5 <= |part| < 1`. For zero the result is `(0, 0)`.
-    pub fn to_part_and_power(&self) -> (DoubleDouble, i64) {
+    pub(crate) fn to_part_and_power(&self) -> (DoubleDouble, i64) {
         let power = self.order().unwrap_or(0);
         (self.scaled(-power).to_double_double(), power)
     }
 
     /// Returns the number, truncated to 106 bits.
-    pub fn to_double_double(&self) -> DoubleDouble {
+    pub(crate) fn to_double_double(&self) -> DoubleDouble {
         let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
         let part = |skipped: i64| power_of_two(self.digits(skipped) as f64, order - 53 - skipped);
         let (high, low) = two_sum(part(0), part(53));
@@ -107,20 +107,20 @@ impl Dyadic {
 }
 
 /// Returns a finite number without rounding.
-pub fn exact(value: f64) -> Dyadic {
+pub(crate) fn exact(value: f64) -> Dyadic {
     Dyadic::new(value).expect("the value is finite")
 }
 
 /// Returns `(integer, exponent)` with `|value| = integer * 2^exponent`. `value` must be finite. The integer is below
 /// 2^53 and the exponent is at least -1074, because this is how an `f64` stores numbers (IEEE 754, binary64).
-pub const fn integer_and_exponent(value: f64) -> (u64, i64) {
+pub(crate) const fn integer_and_exponent(value: f64) -> (u64, i64) {
     debug_assert!(value.is_finite());
     let (fraction, biased) = (value.to_bits() & ((1 << 52) - 1), (value.to_bits() >> 52 & 0x7FF) as i64);
     if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) }
 }
 
 /// Returns `value 2^power`. The result is infinite if it is too large for `f64`, and zero if it is too small.
-pub fn power_of_two(mut value: f64, power: i64) -> f64 {
+pub(crate) fn power_of_two(mut value: f64, power: i64) -> f64 {
     let mut left = power.clamp(-4000, 4000);
     while left != 0 {
         let step = left.clamp(-1022, 1023);

@@ -6,7 +6,7 @@ use crate::math::vec3::Vec3;
 
 /// Returns the rounded `a + b` and its rounding error: the exact sum minus the rounded one (Knuth).
 #[inline(always)]
-pub fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
+pub(crate) fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))

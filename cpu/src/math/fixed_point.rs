@@ -64,7 +64,7 @@ pub fn two_atanh<N: Units>(numerator: u64, denominator: u64, bits: usize) -> N {
 /// error.
 ///
 /// With `integer = m 2^k` and `1 <= m < 2` it is `(exponent + k) ln 2 + ln m`.
-pub fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dyadic) {
+pub(crate) fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dyadic) {
     let k = integer.ilog2();
     let (one, power) = (1 << k, exponent + i64::from(k));
     let of_units = |units| Dyadic::of_limbs(units, -(bits as i64));
@@ -76,7 +76,7 @@ pub fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dyadic) {
 
 /// Returns sine and cosine of `integer 2^exponent`, and the bound of the error of each. The angle must be from 0 to
 /// 1.58, and a multiple of `2^-bits`.
-pub fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2], Dyadic) {
+pub(crate) fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2], Dyadic) {
     debug_assert!(exponent + bits as i64 >= 0 && integer as f64 * 2.0_f64.powi(exponent as i32) <= 1.58);
     let angle: Vec<u64> = Units::of(integer, (exponent + bits as i64) as usize);
     let [cosine, sine, minus_cosine, minus_sine] =

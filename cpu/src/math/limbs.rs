@@ -12,12 +12,12 @@ fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
 }
 
 /// Compares the numbers `a` and `b`.
-pub fn compare(a: &[u64], b: &[u64]) -> Ordering {
+pub(crate) fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
 /// Returns `a + b`. If `is_difference` is set, it returns `a - b`, and `b` must be at most `a`.
-pub fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
+pub(crate) fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
     debug_assert!(!is_difference || compare(a, b) != Ordering::Less);
     let limb = |list: &[u64], index: usize| i128::from(list.get(index).copied().unwrap_or(0));
     let mut carry = 0;
@@ -31,7 +31,7 @@ pub fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
 }
 
 /// Returns the product of `a` and `b`.
-pub fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
+pub(crate) fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
     let mut limbs = vec![0; a.len() + b.len()];
     for (shift, &x) in a.iter().enumerate() {
         let mut carry = 0;
@@ -45,7 +45,7 @@ pub fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
 }
 
 /// Returns `a / 2^shift`, truncated.
-pub fn shifted_right(a: &[u64], shift: usize) -> Vec<u64> {
+pub(crate) fn shifted_right(a: &[u64], shift: usize) -> Vec<u64> {
     let kept = a.get(shift / 64..).unwrap_or_default();
     let shift = shift % 64;
     let above = kept.iter().skip(1).chain([&0]);
@@ -54,7 +54,7 @@ pub fn shifted_right(a: &[u64], shift: usize) -> Vec<u64> {
 }
 
 /// Returns `a / divisor`, truncated, for a divisor that is not zero.
-pub fn quotient(a: &[u64], divisor: u64) -> Vec<u64> {
+pub(crate) fn quotient(a: &[u64], divisor: u64) -> Vec<u64> {
     let mut remainder = 0;
     let mut limbs = a.to_vec();
     for limb in limbs.iter_mut().rev() {
@@ -66,7 +66,7 @@ pub fn quotient(a: &[u64], divisor: u64) -> Vec<u64> {
 }
 
 /// Returns `a 2^shift`.
-pub fn shifted(a: &[u64], shift: u64) -> Vec<u64> {
+pub(crate) fn shifted(a: &[u64], shift: u64) -> Vec<u64> {
     let mut limbs = vec![0; (shift / 64) as usize];
     let shift = shift % 64;
     let mut carry = 0;

@@ -30,7 +30,7 @@ impl Midpoint {
 ///
 /// `compare` compares the number with a midpoint, and returns `None` if it cannot. Then the result is `None` too. The
 /// search starts at `candidate` and goes to a neighbour at each step, so `candidate` should be near the number.
-pub fn nearest(candidate: f64, compare: impl Fn(Midpoint) -> Option<Ordering>) -> Option<f64> {
+pub(crate) fn nearest(candidate: f64, compare: impl Fn(Midpoint) -> Option<Ordering>) -> Option<f64> {
     let even = |lower: f64| if lower.to_bits().is_multiple_of(2) { lower } else { lower.next_up() };
     let mut result = candidate.clamp(0.0, f64::MAX);
     loop {
@@ -54,7 +54,7 @@ pub fn nearest(candidate: f64, compare: impl Fn(Midpoint) -> Option<Ordering>) -
 
 /// Returns the sign of a number that differs from `difference` by at most `error`. The result is `None` if both signs
 /// are possible.
-pub fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
+pub(crate) fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
     match ((difference - error).sign(), (difference + error).sign()) {
         (Ordering::Greater, _) => Some(Ordering::Greater),
         (_, Ordering::Less) => Some(Ordering::Less),

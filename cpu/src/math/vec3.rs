@@ -66,7 +66,7 @@ impl<T: Copy> Vec3<T> {
 impl<T: Real> Vec3<T> {
     /// Returns `yes` where `mask` holds, and `no` elsewhere.
     #[inline(always)]
-    pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+    pub(crate) fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self::new(T::select(mask, yes.x, no.x), T::select(mask, yes.y, no.y), T::select(mask, yes.z, no.z))
     }
 

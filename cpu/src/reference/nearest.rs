@@ -22,7 +22,7 @@ pub(super) struct Hit {
 
 impl Hit {
     /// Returns lambda and surface of the hit, which is on an object with this shape.
-    pub fn lambda_and_surface(&self, shape: &Shape) -> (f64, Surface) {
+    pub(crate) fn lambda_and_surface(&self, shape: &Shape) -> (f64, Surface) {
         let surface = match *shape {
             Shape::Sphere(Sphere { center, radius }) => Surface::Sphere(SphereRecord::new(center, radius)),
             Shape::Cylinder(Cylinder { center, radius, axis }) => {

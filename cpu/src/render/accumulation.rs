@@ -16,14 +16,14 @@ pub struct Accumulator {
 
 impl Accumulator {
     /// Returns an empty sum, for pixels of `samples` samples each.
-    pub const fn new(samples: u64) -> Self {
+    pub(crate) const fn new(samples: u64) -> Self {
         Self { samples, summed: 0, sum: Vec3::ZERO }
     }
 
     /// Adds the samples of a span. Their colours are in `batch`. Calls `pixel` with the column and the mean colour of
     /// every pixel whose samples are then complete.
     #[inline(always)]
-    pub fn add(&mut self, span: &Span, batch: &Batch, mut pixel: impl FnMut(usize, Vec3)) {
+    pub(crate) fn add(&mut self, span: &Span, batch: &Batch, mut pixel: impl FnMut(usize, Vec3)) {
         for (column, samples) in span.pixels(self.samples) {
             self.summed += samples.len() as u64;
             self.sum = samples.fold(self.sum, |sum, sample| sum + batch.color.get(sample).into());

@@ -74,7 +74,7 @@ pub fn rounding(samples: f64) -> f64 {
 
 impl BackgroundPixels {
     /// Returns the state before the first span.
-    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
+    pub(crate) fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
         let background = &prepared.background;
         let constant = [0, 1, 2].map(|channel| {
             let (dark, light) = (background.dark.to_array()[channel], background.light.to_array()[channel]);

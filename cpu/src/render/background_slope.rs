@@ -84,14 +84,14 @@ impl<T: Real> DerivativeBound<T> {
 impl DerivativeBound {
     /// Returns the derivative bound with these [numbers](DerivativeBound::numbers).
     #[inline(always)]
-    pub fn of([middle, right, down, remainder]: [f64; 4]) -> Self {
+    pub(crate) fn of([middle, right, down, remainder]: [f64; 4]) -> Self {
         Self { middle, along: [right, down], remainder }
     }
 
     /// Whether `(s + 1) / 2`, the weight of `dark`, certainly is in `[0, 1]` at every point of the pixel, in spite of
     /// rounding.
     #[inline(always)]
-    pub fn weight_is_in_unit_interval(&self) -> bool {
+    pub(crate) fn weight_is_in_unit_interval(&self) -> bool {
         let (middle, radius) = self.anywhere();
         middle.abs() + radius < 0.999
     }
@@ -99,7 +99,7 @@ impl DerivativeBound {
     /// Returns the middle and the radius of an interval that contains the mean of `s` over samples. `offset` is the
     /// mean of the samples' offsets from the pixel's centre, in pixels.
     #[inline(always)]
-    pub fn at(&self, offset: [f64; 2]) -> (f64, f64) {
+    pub(crate) fn at(&self, offset: [f64; 2]) -> (f64, f64) {
         (self.middle + offset[0] * self.along[0] + offset[1] * self.along[1], self.remainder)
     }
 }

@@ -14,7 +14,7 @@ impl<T> Boxed<T> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(make: impl FnMut() -> T) -> Result<Self, Error> {
+    pub(crate) fn new(make: impl FnMut() -> T) -> Result<Self, Error> {
         let mut list = with_room(1, "the samples of a span")?;
         list.resize_with(1, make);
         Ok(Self(list))

@@ -18,7 +18,7 @@ type Lanes = Columns<8, MOST_LANES>;
 /// formulas or, if these are uncertain too, from dyadic arithmetic, and lambda is NaN for a miss. All other lanes keep
 /// the given values.
 #[inline(always)]
-pub fn uncertain_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, cylinder: Cylinder) -> (V, V) {
+pub(crate) fn uncertain_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, cylinder: Cylinder) -> (V, V) {
     let Ray { origin: o, direction: d } = *ray;
     let mut lanes = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, hits.0, hits.1]);
     replace_uncertain(&mut lanes, uncertain, cylinder);

@@ -16,7 +16,12 @@ type Intersect<'a> = &'a dyn Fn(&Ray) -> Option<(f64, CylinderPart)>;
 /// Returns lambda and part of each lane. In the lanes whose bits are set in `uncertain` they come from `intersect`,
 /// where lambda is NaN for a miss. All other lanes keep the given values.
 #[inline(always)]
-pub fn precise<V: SimdF64>(ray: &Ray<V>, (lambda, part): (V, V), uncertain: u32, intersect: Intersect<'_>) -> (V, V) {
+pub(crate) fn precise<V: SimdF64>(
+    ray: &Ray<V>,
+    (lambda, part): (V, V),
+    uncertain: u32,
+    intersect: Intersect<'_>,
+) -> (V, V) {
     let Ray { origin: o, direction: d } = *ray;
     let mut lanes = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, lambda, part]);
     precise_lane_by_lane(&mut lanes, uncertain, intersect);
@@ -27,7 +32,7 @@ pub fn precise<V: SimdF64>(ray: &Ray<V>, (lambda, part): (V, V), uncertain: u32,
 /// Replaces lambda and part of the lanes whose bits are set in `uncertain`, as [`precise`] does.
 #[cold]
 #[inline(never)]
-pub fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, intersect: Intersect<'_>) {
+pub(crate) fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, intersect: Intersect<'_>) {
     for_each_lane(uncertain, |lane| {
         let [x, y, z, dx, dy, dz, ..] = lanes.get(lane);
         let ray = Ray { origin: [x, y, z].into(), direction: [dx, dy, dz].into() };
@@ -45,7 +50,7 @@ type IsCloser<'a> = &'a dyn Fn(&Ray, [ClosestHit; 2]) -> bool;
 /// In the lanes whose bits are set in `near`, replaces the second of two hits by the first if the first is closer.
 /// Returns the hits, and a bit for each lane in which this happened.
 #[inline(always)]
-pub fn closer_of_near<V: SimdF64>(
+pub(crate) fn closer_of_near<V: SimdF64>(
     ray: &Ray<V>,
     ([lambda, object, part], closest): (Hits<V>, Hits<V>),
     near: u32,
@@ -84,7 +89,7 @@ fn closer_lane_by_lane(
 
 /// Calls `visit` with the index of every lane whose bit is set, the lowest first.
 #[inline(always)]
-pub fn for_each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
+pub(crate) fn for_each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
     while bits != 0 {
         visit(bits.trailing_zeros() as usize % MOST_LANES);
         bits &= bits - 1;

@@ -103,7 +103,7 @@ impl Candidates {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
+    pub(crate) fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
         let count = count(&prepared.objects);
         Ok(Self { row: with_room(count, OBJECTS)?, span: with_room(count, OBJECTS)?, are_culled: prepared.moderate })
     }

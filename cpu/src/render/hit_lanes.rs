@@ -54,7 +54,7 @@ pub struct Rays<'a, V: SimdF64, O> {
 impl<'a, V: SimdF64, O: Objects> Rays<'a, V, O> {
     /// Prepares the rays. `valid` has a bit for each lane that holds a ray.
     #[inline(always)]
-    pub fn new(objects: &'a O, ray: &'a Ray<V>, valid: u32) -> Self {
+    pub(crate) fn new(objects: &'a O, ray: &'a Ray<V>, valid: u32) -> Self {
         let a = ray.direction.dot(ray.direction);
         let discriminant_error = V::select(in_scale(a), a * V::of(DISCRIMINANT_ERROR), V::of(f64::INFINITY));
         Self { objects, ray, a, discriminant_error, valid }
@@ -77,7 +77,7 @@ impl<'a, V: SimdF64, O: Objects> Rays<'a, V, O> {
 impl<V: SimdF64> HitLanes<V> {
     /// Returns the value before any hit.
     #[inline(always)]
-    pub fn none() -> Self {
+    pub(crate) fn none() -> Self {
         Self { lambda: V::of(f64::INFINITY), object: ObjectNumber(V::of(-1.0)), part: V::of(0.0), bits: 0 }
     }
 
@@ -109,7 +109,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects camera rays with a sphere, and updates the hits. `view` has the sphere's terms for the camera's
     /// position, with [`limited`] squares.
     #[inline(always)]
-    pub fn intersect_sphere<O: Objects>(
+    pub(crate) fn intersect_sphere<O: Objects>(
         &mut self,
         id: ObjectId,
         record: &SphereRecord,
@@ -125,7 +125,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects rays with a sphere that at least one of them may hit, and updates the hits. Each ray has its own
     /// origin, which must lie inside the scene's extent.
     #[inline(always)]
-    pub fn filtered_sphere<O: Objects>(
+    pub(crate) fn filtered_sphere<O: Objects>(
         &mut self,
         id: ObjectId,
         record: &SphereRecord,
@@ -160,7 +160,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects camera rays with a cylinder, and updates the hits. `cylinder` is the record and the axis of the scene
     /// file. `view` has the cylinder's terms for the camera's position, with [`limited`] squares.
     #[inline(always)]
-    pub fn intersect_cylinder<O: Objects>(
+    pub(crate) fn intersect_cylinder<O: Objects>(
         &mut self,
         id: ObjectId,
         cylinder: Cylinder,
@@ -176,7 +176,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects rays with a cylinder that at least one of them may hit, and updates the hits. Each ray has its own
     /// origin, which must lie inside the scene's extent. `cylinder` is the record and the axis of the scene file.
     #[inline(always)]
-    pub fn filtered_cylinder<O: Objects>(
+    pub(crate) fn filtered_cylinder<O: Objects>(
         &mut self,
         id: ObjectId,
         cylinder: Cylinder,

@@ -11,7 +11,7 @@ pub struct ObjectNumber<T = f64>(pub T);
 impl<T: Real> ObjectNumber<T> {
     /// Returns the number of the object `id`.
     #[inline(always)]
-    pub fn of(id: ObjectId) -> Self {
+    pub(crate) fn of(id: ObjectId) -> Self {
         Self(T::of(f64::from(id)))
     }
 }
@@ -19,7 +19,7 @@ impl<T: Real> ObjectNumber<T> {
 impl ObjectNumber {
     /// Returns the object, which must be one.
     #[inline(always)]
-    pub fn id(self) -> ObjectId {
+    pub(crate) fn id(self) -> ObjectId {
         debug_assert!(self.0 >= 0.0);
         self.0 as ObjectId
     }
@@ -31,13 +31,13 @@ pub struct SampleIndex<T = f64>(pub T);
 
 impl SampleIndex {
     /// Returns `index` in this form.
-    pub const fn new(index: usize) -> Self {
+    pub(crate) const fn new(index: usize) -> Self {
         Self(f64::from_bits(index as u64))
     }
 
     /// Returns the index.
     #[inline(always)]
-    pub const fn get(self) -> usize {
+    pub(crate) const fn get(self) -> usize {
         self.0.to_bits() as usize
     }
 }

@@ -62,7 +62,7 @@ impl Limits {
 
     /// Whether the picture is to stop, and the renderer looks before each ray.
     #[inline(always)]
-    pub fn stops_every_ray(&self) -> bool {
+    pub(crate) fn stops_every_ray(&self) -> bool {
         self.every_ray && self.is_stopped()
     }
 

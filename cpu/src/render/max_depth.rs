@@ -23,14 +23,14 @@ impl RaysLeft {
     const PAUSE: u64 = 64;
 
     /// Returns the number of rays that may follow the camera ray. `max_depth` is at least 1.
-    pub const fn after_camera_ray(max_depth: u64) -> Self {
+    pub(crate) const fn after_camera_ray(max_depth: u64) -> Self {
         debug_assert!(max_depth > 0);
         Self(max_depth - 1)
     }
 
     /// Whether no ray is left. A path that hits a surface then contributes black.
     #[inline(always)]
-    pub const fn is_none(self) -> bool {
+    pub(crate) const fn is_none(self) -> bool {
         self.0 == 0
     }
 
@@ -38,26 +38,26 @@ impl RaysLeft {
     /// left. This test is as short as [`RaysLeft::is_none`], so a caller that needs both begins with this
     /// one.
     #[inline(always)]
-    pub const fn pauses(self) -> bool {
+    pub(crate) const fn pauses(self) -> bool {
         self.0.is_multiple_of(Self::PAUSE)
     }
 
     /// Whether exactly one ray is left, so that the next ray is the last one.
     #[inline(always)]
-    pub const fn is_one(self) -> bool {
+    pub(crate) const fn is_one(self) -> bool {
         self.0 == 1
     }
 
     /// Returns the number after one more ray. At least one ray must be left.
     #[inline(always)]
-    pub const fn minus_one(self) -> Self {
+    pub(crate) const fn minus_one(self) -> Self {
         debug_assert!(!self.is_none());
         Self(self.0 - 1)
     }
 
     /// Returns the number, the same in every lane.
     #[inline(always)]
-    pub fn in_lanes<T: Real>(self) -> RaysLane<T> {
+    pub(crate) fn in_lanes<T: Real>(self) -> RaysLane<T> {
         RaysLane(T::of(f64::from_bits(self.0)))
     }
 }
@@ -69,7 +69,7 @@ pub struct RaysLane<T = f64>(pub T);
 impl RaysLane {
     /// Returns the number.
     #[inline(always)]
-    pub const fn get(self) -> RaysLeft {
+    pub(crate) const fn get(self) -> RaysLeft {
         RaysLeft(self.0.to_bits())
     }
 }

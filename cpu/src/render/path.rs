@@ -39,7 +39,7 @@ impl PathTracer {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Boxed<Self>, Error> {
+    pub(crate) fn new<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Boxed<Self>, Error> {
         Boxed::new(|| Self {
             scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed, set),
             queue: PathQueue::EMPTY,
@@ -52,12 +52,12 @@ impl PathTracer {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory was short for the surfaces of a path.
-    pub fn ended(&mut self) -> Result<Option<Ended>, Error> {
+    pub(crate) fn ended(&mut self) -> Result<Option<Ended>, Error> {
         Ok(self.ends.check()?.or_else(|| self.limits.is_stopped().then_some(Ended::Stopped)))
     }
 
     /// Whether every path of the queue may send at least one ray.
-    pub fn all_may_send_rays(&self) -> bool {
+    pub(crate) fn all_may_send_rays(&self) -> bool {
         let rays = &self.queue.entries.0[PathVertex::RAYS][..self.queue.count];
         !rays.iter().any(|&rays| RaysLane(rays).get().is_none())
     }
@@ -65,7 +65,7 @@ impl PathTracer {
     /// Ends the path at index `at` of the queue at the maximum depth, on a matte or metal surface. The path is black,
     /// but the surface takes its scatter sample, so that the next surface gets the next one.
     #[inline(always)]
-    pub fn end_at_max_depth(&mut self, at: usize) {
+    pub(crate) fn end_at_max_depth(&mut self, at: usize) {
         self.scatter_samples.skip(1);
         self.ends.terminate(at, &mut self.queue);
     }
@@ -74,7 +74,7 @@ impl PathTracer {
     /// that the path may still send. If there are none, or if the picture ends, the path ends in black, and the result
     /// is `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
     #[inline(always)]
-    pub fn scatter<L: Layout>(
+    pub(crate) fn scatter<L: Layout>(
         &mut self,
         prepared: &Prepared<L>,
         (at, rays): (usize, RaysLeft),

@@ -53,20 +53,20 @@ impl PathEnds {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory was short. A path between mirrors may hit up to `max_depth` surfaces.
-    pub const fn check(&mut self) -> Result<Option<Ended>, Error> {
+    pub(crate) const fn check(&mut self) -> Result<Option<Ended>, Error> {
         std::mem::replace(&mut self.shortage, Ok(None))
     }
 
     /// Begins a path. All paths before it must have ended.
     #[inline(always)]
-    pub const fn begin(&mut self) {
+    pub(crate) const fn begin(&mut self) {
         self.begin = self.attenuations.len();
     }
 
     /// Attenuates the present path, at index `at` of the queue, by a material. Returns false if it cannot be
     /// stored. [`PathEnds::check`] then tells the reason.
     #[inline(always)]
-    pub fn push_attenuation(&mut self, at: usize, material: MaterialId) -> bool {
+    pub(crate) fn push_attenuation(&mut self, at: usize, material: MaterialId) -> bool {
         if self.attenuations.len() == self.attenuations.capacity() && !self.grow() {
             return false;
         }
@@ -89,7 +89,7 @@ impl PathEnds {
 
     /// Ends the present path, at index `at` of `queue`, at the maximum depth, so that it is black.
     #[inline(always)]
-    pub fn terminate(&mut self, at: usize, queue: &mut PathQueue) {
+    pub(crate) fn terminate(&mut self, at: usize, queue: &mut PathQueue) {
         self.attenuations.truncate(self.begin);
         self.direction.set(at, [1.0; 3]);
         for column in &mut queue.entries.0[PathVertex::REFLECTANCE] {
@@ -100,21 +100,26 @@ impl PathEnds {
 
     /// Ends the present path, at index `at` of the queue, with a ray along `direction` that leaves the scene.
     #[inline(always)]
-    pub fn escape(&mut self, at: usize, direction: Vec3) {
+    pub(crate) fn escape(&mut self, at: usize, direction: Vec3) {
         self.direction.set(at, direction.to_array());
     }
 
     /// Ends the paths from index `at` on, one in each lane, with their first rays, which leave the scene. All paths
     /// before `at` must have ended. A later call may end one of these paths again. It then replaces the direction.
     #[inline(always)]
-    pub fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
+    pub(crate) fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
         self.direction.store(at, directions.to_array());
         self.begin();
     }
 
     /// Computes the colours of all paths of the queue, stores them in `batch`, and removes the attenuations.
     #[inline(always)]
-    pub fn color<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, queue: &PathQueue, batch: &mut Batch) {
+    pub(crate) fn color<V: SimdF64, L: Layout>(
+        &mut self,
+        prepared: &Prepared<L>,
+        queue: &PathQueue,
+        batch: &mut Batch,
+    ) {
         let colors = &mut self.direction;
         let background = prepared.background.lanes::<V>();
         for at in (0..queue.count).step_by(V::LANES) {

@@ -43,7 +43,7 @@ impl PathVertex {
 
     /// Returns the ray that the matte or metal surface scatters with this scatter sample.
     #[inline(always)]
-    pub fn scattered_ray(&self, scatter_sample: Vec3) -> Ray {
+    pub(crate) fn scattered_ray(&self, scatter_sample: Vec3) -> Ray {
         Ray { origin: self.point, direction: self.scatter_params.scatter_around(self.unperturbed, scatter_sample) }
     }
 }
@@ -52,7 +52,12 @@ impl<T: Real> PathVertex<T> {
     /// Returns a vertex on a surface of this prepared material. `sample` and `rays` are 0, and the caller replaces
     /// them.
     #[inline(always)]
-    pub fn new(point: Vec3<T>, unperturbed: Vec3<T>, object: ObjectNumber<T>, material: &PreparedMaterial) -> Self {
+    pub(crate) fn new(
+        point: Vec3<T>,
+        unperturbed: Vec3<T>,
+        object: ObjectNumber<T>,
+        material: &PreparedMaterial,
+    ) -> Self {
         let (scatter_params, reflectance) = (material.scatter_params.lanes(), material.reflectance.map(T::of));
         let (sample, rays) = (SampleIndex(T::of(0.0)), RaysLane(T::of(0.0)));
         Self { point, unperturbed, scatter_params, reflectance, object, sample, rays }
@@ -62,7 +67,7 @@ impl<T: Real> PathVertex<T> {
     /// and from `other` elsewhere. The point, the object, the sample and the number of rays always come from this
     /// vertex.
     #[inline(always)]
-    pub fn where_else(&self, mask: T::Mask, other: &Self) -> Self {
+    pub(crate) fn where_else(&self, mask: T::Mask, other: &Self) -> Self {
         let (mut numbers, others) = (self.numbers(), other.numbers());
         for index in PathVertex::SELECTED {
             numbers[index] = T::select(mask, numbers[index], others[index]);
@@ -72,7 +77,7 @@ impl<T: Real> PathVertex<T> {
 
     /// Returns the numbers of the vertex, in the order of the [path queue](crate::render::queue::PathQueue).
     #[inline(always)]
-    pub fn numbers(&self) -> [T; PathVertex::NUMBERS] {
+    pub(crate) fn numbers(&self) -> [T; PathVertex::NUMBERS] {
         let Self { point: p, unperturbed: u, scatter_params: s, reflectance: r, object, sample, rays } = *self;
         [p.x, p.y, p.z, u.x, u.y, u.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object.0, sample.0, rays.0]
     }
@@ -80,14 +85,14 @@ impl<T: Real> PathVertex<T> {
     /// Returns the numbers of a vertex on a refractive surface, in the order of the
     /// [specular queue](crate::render::queue::SpecularQueue): point, direction, object and sample.
     #[inline(always)]
-    pub fn specular_numbers(&self) -> [T; 8] {
+    pub(crate) fn specular_numbers(&self) -> [T; 8] {
         let Self { point: p, unperturbed: u, object, sample, .. } = *self;
         [p.x, p.y, p.z, u.x, u.y, u.z, object.0, sample.0]
     }
 
     /// Returns the vertex with these [numbers](PathVertex::numbers).
     #[inline(always)]
-    pub fn of(numbers: [T; PathVertex::NUMBERS]) -> Self {
+    pub(crate) fn of(numbers: [T; PathVertex::NUMBERS]) -> Self {
         let [px, py, pz, ux, uy, uz, scale, shift, negligible, rx, ry, rz, object, sample, rays] = numbers;
         Self {
             point: Vec3::new(px, py, pz),

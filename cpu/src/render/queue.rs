@@ -30,7 +30,7 @@ impl<const N: usize> Queue<N> {
 
     /// Adds an entry for each lane whose bit is set in `bits`, in the order of the lanes.
     #[inline(always)]
-    pub fn push<V: SimdF64>(&mut self, numbers: [V; N], bits: u32) {
+    pub(crate) fn push<V: SimdF64>(&mut self, numbers: [V; N], bits: u32) {
         let at = self.count;
         // Mostly all lanes are selected, because neighbouring rays mostly hit the same surface.
         if bits == valid_lanes::<V>(V::LANES) {
@@ -45,7 +45,7 @@ impl<const N: usize> Queue<N> {
 
     /// Adds one entry.
     #[inline(always)]
-    pub fn push_one(&mut self, numbers: [f64; N]) {
+    pub(crate) fn push_one(&mut self, numbers: [f64; N]) {
         self.entries.set(self.count, numbers);
         self.count += 1;
     }
@@ -54,7 +54,7 @@ impl<const N: usize> Queue<N> {
     /// bits of this number are an integer below [`CAPACITY`], and no integer may occur twice. This queue must be sorted
     /// already. `other` need not be sorted.
     #[inline(always)]
-    pub fn merge(&mut self, other: &mut Self, key: usize) {
+    pub(crate) fn merge(&mut self, other: &mut Self, key: usize) {
         const NONE: u16 = u16::MAX;
         let mut entry_of = [NONE; CAPACITY];
         debug_assert!(self.entries.0[key][..self.count].is_sorted_by_key(|number| number.to_bits()));

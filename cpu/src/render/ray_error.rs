@@ -34,7 +34,7 @@ pub struct RayError {
 
 impl RayError {
     /// Returns the bounds for the picture of `size` pixels that `camera` takes.
-    pub fn new(camera: &Camera, size: Size) -> Self {
+    pub(crate) fn new(camera: &Camera, size: Size) -> Self {
         let to_origin = camera.origin - camera.position;
         let right = camera.delta_x.length() * size.width() as f64;
         let down = camera.delta_y.length() * size.height() as f64;

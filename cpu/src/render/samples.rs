@@ -32,7 +32,7 @@ impl Batch {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new() -> Result<Boxed<Self>, Error> {
+    pub(crate) fn new() -> Result<Boxed<Self>, Error> {
         Boxed::new(|| Self {
             count: 0,
             column: [0.0; ROOM],
@@ -46,13 +46,18 @@ impl Batch {
 
     /// Makes a sample black, because its path is at the maximum depth.
     #[inline(always)]
-    pub fn terminate(&mut self, sample: SampleIndex) {
+    pub(crate) fn terminate(&mut self, sample: SampleIndex) {
         self.color.set(sample.get(), [0.0; 3]);
     }
 
     /// Replaces the samples by those of `span`, and draws their offsets. In deterministic mode all offsets stay 0.
     #[inline(always)]
-    pub fn draw<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, pixel_jitter: &mut PixelJitter) {
+    pub(crate) fn draw<V: SimdF64, L: Layout>(
+        &mut self,
+        prepared: &Prepared<L>,
+        span: &Span,
+        pixel_jitter: &mut PixelJitter,
+    ) {
         self.count = span.count;
         for (column, samples) in span.pixels(prepared.samples) {
             self.column[samples].fill(column as f64);

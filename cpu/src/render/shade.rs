@@ -10,7 +10,11 @@ use crate::{
 /// refractive surface. Lanes without a hit have the bit 0, and their vertices have no meaning. The caller sets `sample`
 /// and `rays` of the vertices.
 #[inline(always)]
-pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &HitLanes<V>) -> (PathVertex<V>, u32) {
+pub(crate) fn shade<V: SimdF64, L: Layout>(
+    prepared: &Prepared<L>,
+    ray: &Ray<V>,
+    hits: &HitLanes<V>,
+) -> (PathVertex<V>, u32) {
     let objects = &prepared.objects;
     let mut objects_hit = [0.0; MOST_LANES];
     let ObjectNumber(object) = hits.object;

@@ -31,14 +31,14 @@ impl Span {
     }
 
     /// Whether the span has all samples of each of its pixels. `samples` is the number of samples of each pixel.
-    pub const fn is_whole(&self, samples: u64) -> bool {
+    pub(crate) const fn is_whole(&self, samples: u64) -> bool {
         self.first_sample == 0 && self.count as u64 == self.width() as u64 * samples
     }
 
     /// Returns the column of every pixel, with the indices of the pixel's samples in the span. `samples` is the number
     /// of samples of each pixel.
     #[inline(always)]
-    pub fn pixels(&self, samples: u64) -> impl Iterator<Item = (usize, Range<usize>)> {
+    pub(crate) fn pixels(&self, samples: u64) -> impl Iterator<Item = (usize, Range<usize>)> {
         let (count, mut left, mut to) = (self.count, samples - self.first_sample, 0);
         (self.first..=self.last).map(move |column| {
             let from = to;
@@ -51,7 +51,7 @@ impl Span {
     /// Returns the span that has only the pixel at index `at` of this span. `samples` is the number of samples of each
     /// pixel, and this span must have all samples of its pixels.
     #[inline(always)]
-    pub const fn pixel(&self, at: usize, samples: u64) -> Self {
+    pub(crate) const fn pixel(&self, at: usize, samples: u64) -> Self {
         debug_assert!(self.is_whole(samples));
         let column = self.first + at;
         Self { first: column, first_sample: 0, count: samples as usize, last: column }

@@ -70,12 +70,12 @@ impl<'a, L: Layout> SpanState<'a, L> {
     }
 
     /// Returns the random streams. Between two rows they are where the next row begins.
-    pub fn streams(&mut self) -> Streams<'_> {
+    pub(crate) fn streams(&mut self) -> Streams<'_> {
         Streams(&mut self.pixel_jitter, &mut self.tracer.scatter_samples)
     }
 
     /// Sets the limits of the picture. Before the call there are none.
-    pub fn set_limits(&mut self, limits: &Limits) {
+    pub(crate) fn set_limits(&mut self, limits: &Limits) {
         self.tracer.ends.set_most(limits.surfaces);
         self.tracer.limits = limits.clone();
     }

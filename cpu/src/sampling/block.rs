@@ -40,7 +40,7 @@ impl BlockUniform {
     }
 
     /// Calls `visit` with each word of the stream's state, to read or to replace it.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
+    pub(crate) fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
         let mut used = self.used as u64;
         visit(&mut used);
         self.used = LENGTH.min(used as usize);

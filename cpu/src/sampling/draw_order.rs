@@ -40,19 +40,19 @@ pub struct PixelJitter {
 
 impl PixelJitter {
     /// Returns the stream with a generator that starts from `seed`.
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self { stream: BlockUniform::new(seed), passed_over: 0 }
     }
 
     /// Calls `visit` with each word of the stream's state, after skipping the random numbers that were passed over.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
+    pub(crate) fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
         self.stream.skip(std::mem::take(&mut self.passed_over));
         self.stream.visit(visit);
     }
 
     /// Passes over the offsets of the next `samples` samples.
     #[inline(always)]
-    pub fn pass_over(&mut self, samples: u64) {
+    pub(crate) fn pass_over(&mut self, samples: u64) {
         let draws = DRAWS_OF_OFFSET as u64 * samples;
         self.passed_over += draws;
         add(Counter::RayDrawsSkipped, draws);
@@ -61,7 +61,7 @@ impl PixelJitter {
     /// Draws the offsets of the next `count` samples, in pixels, each in `[-1/2, 1/2)`. `draws` is memory for the
     /// random numbers of these samples, rounded up to whole lanes. Offsets beyond the last sample have no meaning.
     #[inline(always)]
-    pub fn draw<V: SimdF64, const LENGTH: usize>(
+    pub(crate) fn draw<V: SimdF64, const LENGTH: usize>(
         &mut self,
         count: usize,
         draws: &mut [f64],

@@ -46,7 +46,7 @@ impl ScatterSamples {
     }
 
     /// Calls `visit` with each word of the stream's state: of the generator, and of the samples that are made.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
+    pub(crate) fn visit(&mut self, visit: &mut impl FnMut(&mut u64)) {
         self.generator.visit(visit);
         let mut next = self.next as u64;
         visit(&mut next);
@@ -86,19 +86,19 @@ impl ScatterSamples {
     /// Returns the position of the next sample in the stream, plus an unknown constant. Only differences of two
     /// positions have a meaning.
     #[inline(always)]
-    pub const fn position(&self) -> u64 {
+    pub(crate) const fn position(&self) -> u64 {
         self.before.wrapping_add(self.next as u64)
     }
 
     /// Returns the next samples, one in each lane. None of them is taken.
     #[inline(always)]
-    pub fn peek<V: SimdF64>(&self) -> Vec3<V> {
+    pub(crate) fn peek<V: SimdF64>(&self) -> Vec3<V> {
         self.samples.load(self.next).into()
     }
 
     /// Takes `count` samples without returning them.
     #[inline(always)]
-    pub fn skip(&mut self, count: usize) {
+    pub(crate) fn skip(&mut self, count: usize) {
         add(Counter::ScatterSamples, count as u64);
         self.next += count;
     }

@@ -41,20 +41,20 @@ pub struct ScatterVectors {
 
 impl ScatterVectors {
     /// Returns the stream of the given convention, with a generator that starts from `seed`.
-    pub fn new(convention: Scatter, seed: u64) -> Self {
+    pub(crate) fn new(convention: Scatter, seed: u64) -> Self {
         Self { convention, draws: Uniform::new(seed), words: 0 }
     }
 
     /// Returns how many words of the generator all vectors so far have taken. A draw takes one word, so this is the
     /// place in the stream at which the next vector starts.
-    pub const fn words(&self) -> u64 {
+    pub(crate) const fn words(&self) -> u64 {
         self.words
     }
 
     /// Returns the next vector. `extent` is 1 for a matte surface, and the diffusion for a metal one. It is half the
     /// side of the cube in the statement's convention, and the vector's length in the published one.
     #[inline]
-    pub fn next(&mut self, extent: f64) -> Vec3 {
+    pub(crate) fn next(&mut self, extent: f64) -> Vec3 {
         let mut in_cube = |half: f64| {
             self.words += DRAWS_OF_SCATTER_SAMPLE as u64;
             Vec3::from([(); DRAWS_OF_SCATTER_SAMPLE].map(|()| self.draws.draw(-half, half)))

@@ -17,7 +17,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
     /// Returns a list whose first entries are the lanes: entry `i` has the numbers of lane `i`. All other entries are
     /// zero.
     #[inline(always)]
-    pub fn of_lanes<V: SimdF64>(numbers: [V; N]) -> Self {
+    pub(crate) fn of_lanes<V: SimdF64>(numbers: [V; N]) -> Self {
         let mut columns = Self::ZERO;
         columns.store(0, numbers);
         columns
@@ -25,7 +25,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
 
     /// Returns the entry at index `at`.
     #[inline(always)]
-    pub fn get(&self, at: usize) -> [f64; N] {
+    pub(crate) fn get(&self, at: usize) -> [f64; N] {
         // This is a loop and no closure; see `Kernel::call`.
         let mut numbers = [0.0; N];
         for (number, column) in numbers.iter_mut().zip(&self.0) {
@@ -36,7 +36,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
 
     /// Replaces the entry at index `at`.
     #[inline(always)]
-    pub fn set(&mut self, at: usize, numbers: [f64; N]) {
+    pub(crate) fn set(&mut self, at: usize, numbers: [f64; N]) {
         for (column, number) in self.0.iter_mut().zip(numbers) {
             column[at] = number;
         }
@@ -44,7 +44,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
 
     /// Returns the entries from index `at` on, one in each lane.
     #[inline(always)]
-    pub fn load<V: SimdF64>(&self, at: usize) -> [V; N] {
+    pub(crate) fn load<V: SimdF64>(&self, at: usize) -> [V; N] {
         let mut numbers = [V::of(0.0); N];
         for (lanes, column) in numbers.iter_mut().zip(&self.0) {
             *lanes = V::load(&column[at..]);
@@ -54,7 +54,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
 
     /// Replaces the entries from index `at` on by the lanes, one entry for each lane.
     #[inline(always)]
-    pub fn store<V: SimdF64>(&mut self, at: usize, numbers: [V; N]) {
+    pub(crate) fn store<V: SimdF64>(&mut self, at: usize, numbers: [V; N]) {
         for (column, lanes) in self.0.iter_mut().zip(numbers) {
             lanes.store(&mut column[at..]);
         }

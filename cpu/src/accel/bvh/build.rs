@@ -32,7 +32,7 @@ pub struct Tree<B> {
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
-pub fn build<B: Boxes>(
+pub(crate) fn build<B: Boxes>(
     most: usize,
     sphere_count: usize,
     objects: impl Iterator<Item = (Bounds, ObjectId)>,

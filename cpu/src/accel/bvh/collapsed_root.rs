@@ -24,7 +24,7 @@ pub const LEAST_LANES: usize = 8;
 /// Returns the number of boxes that the collapsed root over `objects` objects should have, so that all nodes below it
 /// can be full. The builder gives the children of the root about this number of children in total. The result is `None`
 /// if a single node can hold all these boxes.
-pub fn planned(objects: usize) -> Option<usize> {
+pub(crate) fn planned(objects: usize) -> Option<usize> {
     let mut nodes = objects.div_ceil(WIDTH);
     while nodes > MOST {
         nodes = nodes.div_ceil(WIDTH);
@@ -54,7 +54,7 @@ impl CollapsedRoot {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new<B: Boxes>(nodes: &mut Vec<Node<B>>, objects: usize) -> Result<Self, Error> {
+    pub(crate) fn new<B: Boxes>(nodes: &mut Vec<Node<B>>, objects: usize) -> Result<Self, Error> {
         let mut root = Self { rows: Vec::new(), occupied: 0, nodes: [0; MOST], axis: 0 };
         if planned(objects).is_none() {
             return Ok(root);
@@ -99,13 +99,13 @@ impl CollapsedRoot {
 
     /// Whether there are no boxes. A traversal then begins at the root of the tree.
     #[inline(always)]
-    pub const fn is_empty(&self) -> bool {
+    pub(crate) const fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
     /// Returns a bit for each box, which is 1 if the ray hits the box at a lambda of at most `farthest`.
     #[inline(always)]
-    pub fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32) -> u64 {
+    pub(crate) fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32) -> u64 {
         add(Counter::NodeVisits, self.rows.len() as u64);
         let mut bits = 0;
         for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
@@ -117,14 +117,14 @@ impl CollapsedRoot {
 
     /// Whether a ray along `direction` passes the sorted boxes from the last to the first.
     #[inline(always)]
-    pub fn is_passed_backwards(&self, direction: Vec3) -> bool {
+    pub(crate) fn is_passed_backwards(&self, direction: Vec3) -> bool {
         direction.to_array()[self.axis] < 0.0
     }
 
     /// Removes one box from `bits` and returns the index of the node to which it leads. This is the last box if
     /// `backwards` is set, and else the first. `bits` must not be 0.
     #[inline(always)]
-    pub fn take_nearest(&self, bits: &mut u64, backwards: bool) -> usize {
+    pub(crate) fn take_nearest(&self, bits: &mut u64, backwards: bool) -> usize {
         debug_assert!(*bits != 0);
         let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());
         let place = if backwards { last } else { first };

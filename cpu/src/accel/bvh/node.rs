@@ -30,7 +30,7 @@ impl Kind {
 
     /// Returns the kind of an object.
     #[inline(always)]
-    pub const fn of(object: ObjectRef) -> Self {
+    pub(crate) const fn of(object: ObjectRef) -> Self {
         match object {
             ObjectRef::Sphere(_) => Self::Sphere,
             ObjectRef::Cylinder(_) => Self::Cylinder,
@@ -69,13 +69,13 @@ impl<B: Boxes> Node<B> {
 
     /// Returns the node with these children: `boxes` are their boxes, ordered by kind. `counts` says how many
     /// children of each kind there are, and `first` has the [number](Child::number) of the first child of each kind.
-    pub fn new(boxes: &[Bounds], counts: [usize; 3], first: [u32; 3]) -> Self {
+    pub(crate) fn new(boxes: &[Bounds], counts: [usize; 3], first: [u32; 3]) -> Self {
         Self::with_bounds(B::new(boxes), counts, first)
     }
 
     /// Returns the node whose children are spheres with these boxes. It holds their bounding spheres. `first` is the
     /// number of the first sphere.
-    pub fn of_spheres(boxes: &[Bounds], first: u32) -> Self {
+    pub(crate) fn of_spheres(boxes: &[Bounds], first: u32) -> Self {
         let node = Self::with_bounds(B::of_spheres(boxes), [0, boxes.len(), 0], [first; 3]);
         Self { has_bounding_spheres: true, ..node }
     }
@@ -93,7 +93,7 @@ impl<B: Boxes> Node<B> {
     }
 
     /// Returns a node with one child.
-    pub fn of_child(bounds: Bounds, child: Child) -> Self {
+    pub(crate) fn of_child(bounds: Bounds, child: Child) -> Self {
         let counts = Kind::ALL.map(|kind| usize::from(kind == child.kind));
         Self::new(&[bounds], counts, [child.number; 3])
     }
@@ -101,14 +101,14 @@ impl<B: Boxes> Node<B> {
     /// Returns the bounding spheres of the children, if this node has them instead of boxes. Then every child is a
     /// sphere.
     #[inline(always)]
-    pub fn bounding_spheres(&self) -> Option<SphereLeaf<'_, B::Number>> {
+    pub(crate) fn bounding_spheres(&self) -> Option<SphereLeaf<'_, B::Number>> {
         self.has_bounding_spheres.then(|| self.boxes.bounding_spheres())
     }
 
     /// Returns 16 bits. Bit `i` is 1 if the box or the bounding sphere of child `i` overlaps `bounds`. It may also be 1
     /// if the two are near each other. If there are fewer children, the caller must ignore the other bits.
     #[inline(always)]
-    pub fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
+    pub(crate) fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
         match self.bounding_spheres() {
             Some(spheres) => spheres.overlaps::<F>(bounds),
             None => self.boxes.overlaps::<F>(bounds),
@@ -116,7 +116,7 @@ impl<B: Boxes> Node<B> {
     }
 
     /// Whether every child is a node.
-    pub const fn has_only_nodes(&self) -> bool {
+    pub(crate) const fn has_only_nodes(&self) -> bool {
         self.ends[0] == self.ends[2]
     }
 
@@ -128,13 +128,13 @@ impl<B: Boxes> Node<B> {
 
     /// Returns a bit for each lane, which is 1 if the lane has a child.
     #[inline(always)]
-    pub const fn occupied(&self) -> u32 {
+    pub(crate) const fn occupied(&self) -> u32 {
         self.lanes_up_to(Kind::Cylinder)
     }
 
     /// Returns a bit for each lane, for each kind in turn. The bit is 1 if the child in this lane has the kind.
     #[inline(always)]
-    pub const fn lanes(&self) -> [u32; 3] {
+    pub(crate) const fn lanes(&self) -> [u32; 3] {
         let (nodes, spheres) = (self.lanes_up_to(Kind::Node), self.lanes_up_to(Kind::Sphere));
         [nodes, spheres ^ nodes, self.occupied() ^ spheres]
     }
@@ -142,19 +142,19 @@ impl<B: Boxes> Node<B> {
     /// Returns the number of the child in a lane, whose kind is `kind`. It is the index of a node or the number of an
     /// object.
     #[inline(always)]
-    pub const fn number(&self, kind: Kind, lane: usize) -> u32 {
+    pub(crate) const fn number(&self, kind: Kind, lane: usize) -> u32 {
         self.base[kind as usize].wrapping_add(lane as u32)
     }
 
     /// Returns a bit for each lane, which is 1 if the child is the object of this kind with the number `id`.
     #[inline(always)]
-    pub fn lane_of(&self, kind: Kind, id: ObjectId) -> u32 {
+    pub(crate) fn lane_of(&self, kind: Kind, id: ObjectId) -> u32 {
         let lane = id.wrapping_sub(self.base[kind as usize]);
         if lane < WIDTH as u32 { 1 << lane & self.lanes()[kind as usize] } else { 0 }
     }
 
     /// Returns the children with their boxes.
-    pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
+    pub(crate) fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
         let kind = |lane| {
             if lane < self.ends[0] {
                 Kind::Node
@@ -179,7 +179,7 @@ impl<B: Boxes> Node<B> {
 /// Returns the lanes whose bits are 1, from the lowest. Only the 16 lowest bits may be 1, so the remainder by [`WIDTH`]
 /// does not change a lane. It tells the compiler that each lane is below [`WIDTH`], and so a valid index.
 #[inline(always)]
-pub fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
+pub(crate) fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lane = (bits != 0).then(|| bits.trailing_zeros() as usize % WIDTH);
         bits &= bits.wrapping_sub(1);

@@ -48,7 +48,7 @@ pub const LONGEST_SQUARED: f64 = 1e60;
 /// Whether a direction is in scale for slab tests: the square of its length is at least 10^-14 and at most 10^60. The
 /// result is false for NaN.
 #[inline(always)]
-pub fn is_in_scale(length_squared: f64) -> bool {
+pub(crate) fn is_in_scale(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST_SQUARED
 }
 
@@ -62,13 +62,13 @@ pub const FARTHEST: f64 = 1e17;
 /// `o r` overflows along an axis, `|o|` exceeds all planes, and `|d|` along the axis is below `10^-20`. So the ray does
 /// not reach the planes before lambda 10^30, and there it is far from all planes across the largest component. It hits
 /// no box, and infinite distances exclude all boxes, or they are NaN and keep them.
-pub fn is_in_reach(origin: Vec3, length_squared: f64) -> bool {
+pub(crate) fn is_in_reach(origin: Vec3, length_squared: f64) -> bool {
     is_within(origin, FARTHEST * length_squared.sqrt().min(1.0))
 }
 
 /// Returns, for each axis, the part of a plane's move that does not depend on the ray: `MARGIN |p| + LEAST_MARGIN`,
 /// where `p` is the plane of `bounds` with the larger magnitude. It serves all boxes within `bounds`.
-pub fn margins(bounds: &Bounds) -> [f32; 3] {
+pub(crate) fn margins(bounds: &Bounds) -> [f32; 3] {
     let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
     [0, 1, 2].map(|axis| margin(farthest(axis), LEAST_MARGIN))
 }

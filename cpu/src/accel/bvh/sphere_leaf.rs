@@ -25,7 +25,7 @@ pub const LEAST_OBJECTS: usize = 20_000;
 /// of their boxes, and `half_area` that of the box around all of them. The quotient of the two is the average number of
 /// objects' boxes that a line through the scene crosses. If it is below 1, rays test few objects, and sphere leaves
 /// would cost up to 8 % of the time of a picture.
-pub fn save_time(objects: usize, half_areas: f64, half_area: f32) -> bool {
+pub(crate) fn save_time(objects: usize, half_areas: f64, half_area: f32) -> bool {
     objects >= LEAST_OBJECTS && half_areas >= f64::from(half_area)
 }
 
@@ -118,7 +118,7 @@ impl<P: Plane> SphereLeaf<'_, P> {
     }
 
     /// Returns the box around the bounding sphere in a lane.
-    pub fn bounds(&self, lane: usize) -> Bounds {
+    pub(crate) fn bounds(&self, lane: usize) -> Bounds {
         let Self { rows, frame } = self;
         let number = |row: usize| -> f64 { rows[row][lane].into() };
         let center = |axis: usize| f64::from(frame.origin[axis]) + f64::from(frame.steps[axis]) * number(axis);

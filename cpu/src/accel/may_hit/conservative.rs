@@ -25,7 +25,7 @@ pub const SHORTEST: f64 = 1e-14;
 /// Whether a direction with this squared length is too short for the tests: shorter than 10^-7. The caller must then
 /// intersect every object.
 #[inline(always)]
-pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
+pub(crate) fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
     length_squared.less(T::of(SHORTEST))
 }
 
@@ -62,7 +62,7 @@ pub struct Quadratic<T> {
 impl ConservativeRay<f64> {
     /// Whether the ray may hit the object with the number `id`, in a scene with this largest coordinate.
     #[inline(always)]
-    pub fn may_hit<O: Objects>(&self, objects: &O, id: ObjectId, max_coordinate: f64) -> bool {
+    pub(crate) fn may_hit<O: Objects>(&self, objects: &O, id: ObjectId, max_coordinate: f64) -> bool {
         match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => self.sphere(&Target::sphere(&objects.sphere(index).record)),
             ObjectRef::Cylinder(index) => {

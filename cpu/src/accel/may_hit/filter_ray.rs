@@ -179,7 +179,7 @@ impl<F: SimdF32> FilterRay<F> {
 /// Returns a bit for each lane, which is 1 if `miss` is positive, so that the ray certainly misses the object.
 /// [`SimdF32`] has only the comparison `<=`. So the smallest positive number is compared with `miss`.
 #[inline(always)]
-pub fn misses<F: SimdF32>(miss: F) -> u32 {
+pub(crate) fn misses<F: SimdF32>(miss: F) -> u32 {
     const LEAST_POSITIVE: f32 = f32::from_bits(1);
     F::splat(LEAST_POSITIVE).less_equal(miss)
 }

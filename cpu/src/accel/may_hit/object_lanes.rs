@@ -21,7 +21,7 @@ pub struct ObjectLanes {
 
 impl ObjectLanes {
     /// Returns the first [`CAPACITY`] objects of a scene with this largest coordinate.
-    pub fn new(objects: &impl Objects, max_coordinate: f64) -> Self {
+    pub(crate) fn new(objects: &impl Objects, max_coordinate: f64) -> Self {
         let (sphere_count, count) = (objects.sphere_count().min(CAPACITY), count(objects).min(CAPACITY));
         let mut targets = Columns::ZERO;
         for (place, id) in (0..count as ObjectId).cycle().take(CAPACITY).enumerate() {
@@ -32,7 +32,7 @@ impl ObjectLanes {
 
     /// Returns a bit for each object, which is 1 if the ray may hit the object.
     #[inline(always)]
-    pub fn objects_may_hit<V: SimdF64>(&self, ray: &Ray) -> u32 {
+    pub(crate) fn objects_may_hit<V: SimdF64>(&self, ray: &Ray) -> u32 {
         let conservative = ConservativeRay::new(ray.lanes::<V>());
         let all = (1 << self.count) - 1;
         if V::bits(is_too_short(conservative.length_squared)) != 0 {
@@ -53,7 +53,7 @@ impl ObjectLanes {
     /// Returns, for each lane, whether its ray may hit the object with the number `at`. The result has no meaning for
     /// directions that are [too short](is_too_short).
     #[inline(always)]
-    pub fn may_hit<V: SimdF64>(&self, at: usize, conservative: &ConservativeRay<V>) -> V::Mask {
+    pub(crate) fn may_hit<V: SimdF64>(&self, at: usize, conservative: &ConservativeRay<V>) -> V::Mask {
         // Only the numbers that a kind of object needs are broadcast.
         if at < self.sphere_count {
             conservative.sphere(&Target::of_numbers(self.targets.get(at)).lanes())
@@ -65,7 +65,7 @@ impl ObjectLanes {
     /// Returns the objects that each of several rays may hit. For a lane whose bit is set in `too_short`, these are all
     /// objects. The caller must set the bit of every lane whose direction is [too short](is_too_short).
     #[inline(always)]
-    pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
+    pub(crate) fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         let conservative = ConservativeRay::new(*ray);
         debug_assert!(V::bits(is_too_short(conservative.length_squared)) & !too_short == 0);
         let mut may_hit = MayHitLanes::NOTHING;
@@ -98,7 +98,7 @@ impl MayHitLanes {
 
     /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray in `lane` may hit the object.
     #[inline(always)]
-    pub const fn of_lane(&self, lane: usize) -> u32 {
+    pub(crate) const fn of_lane(&self, lane: usize) -> u32 {
         const FIRST_BIT_OF_EACH: u64 = 0x0101_0101_0101_0101;
         // The product moves bit 8 i to bit 56 + i. All other bits of the product stay below bit 56.
         const GATHER: u64 = 0x0102_0408_1020_4080;

@@ -32,14 +32,14 @@ broadcast!(Target: center, axis; radius_squared, bounding_radius_squared, half_h
 impl<T: Copy> Target<T> {
     /// Returns the target's numbers, in the order in which
     /// [`ObjectLanes`](crate::accel::may_hit::object_lanes::ObjectLanes) stores them.
-    pub fn numbers(&self) -> [T; Target::NUMBERS] {
+    pub(crate) fn numbers(&self) -> [T; Target::NUMBERS] {
         let Self { center: c, axis: a, radius_squared, bounding_radius_squared, half_height } = *self;
         [c.x, c.y, c.z, a.x, a.y, a.z, radius_squared, bounding_radius_squared, half_height]
     }
 
     /// Returns the target with these [numbers](Self::numbers).
     #[inline(always)]
-    pub fn of_numbers(numbers: [T; Target::NUMBERS]) -> Self {
+    pub(crate) fn of_numbers(numbers: [T; Target::NUMBERS]) -> Self {
         let [x, y, z, ax, ay, az, radius_squared, bounding_radius_squared, half_height] = numbers;
         let (center, axis) = (Vec3::new(x, y, z), Vec3::new(ax, ay, az));
         Self { center, axis, radius_squared, bounding_radius_squared, half_height }
@@ -53,7 +53,7 @@ impl Target {
     /// Returns the object with the number `id`, in a scene with this
     /// [largest coordinate](crate::accel::extent::Extent::max_coordinate).
     #[inline(always)]
-    pub fn of<O: Objects>(objects: &O, id: ObjectId, max_coordinate: f64) -> Self {
+    pub(crate) fn of<O: Objects>(objects: &O, id: ObjectId, max_coordinate: f64) -> Self {
         match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => Self::sphere(&objects.sphere(index).record),
             ObjectRef::Cylinder(index) => Self::cylinder(&objects.cylinder(index).record, max_coordinate),
@@ -62,14 +62,14 @@ impl Target {
 
     /// Returns the sphere. The tests of cylinders treat it as a cylinder without an axis and with infinite height.
     #[inline(always)]
-    pub fn sphere(&SphereRecord { center, radius_squared, .. }: &SphereRecord) -> Self {
+    pub(crate) fn sphere(&SphereRecord { center, radius_squared, .. }: &SphereRecord) -> Self {
         let (axis, half_height) = (Vec3::ZERO, f64::INFINITY);
         Self { center, axis, radius_squared, bounding_radius_squared: radius_squared, half_height }
     }
 
     /// Returns the cylinder, in a scene with this largest coordinate.
     #[inline(always)]
-    pub fn cylinder(record: &CylinderRecord, max_coordinate: f64) -> Self {
+    pub(crate) fn cylinder(record: &CylinderRecord, max_coordinate: f64) -> Self {
         let CylinderRecord { center, axis, radius_squared, half_height, .. } = *record;
         let bounding_radius_squared = radius_squared + half_height * half_height;
         let half_height = half_height + max_coordinate * SLACK;

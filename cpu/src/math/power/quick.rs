@@ -30,7 +30,7 @@ pub enum Quick {
 /// Computes `base^exponent` for positive finite numbers in double-double arithmetic. The result tells whether its
 /// rounding is certain.
 #[inline(always)]
-pub fn power(base: f64, exponent: f64) -> Quick {
+pub(crate) fn power(base: f64, exponent: f64) -> Quick {
     let logarithm = ln(base);
     let rough = exponent * logarithm.high;
     // The power is beyond the largest number, below half of the smallest, or nearer to 1 than half a unit in the last

@@ -20,7 +20,7 @@ impl PackedBounds {
     /// processor. So the comparison is written out, and the box has the same bits everywhere.
     #[inline(always)]
     #[must_use]
-    pub fn union(self, other: Self) -> Self {
+    pub(crate) fn union(self, other: Self) -> Self {
         let least = |left: [f32; 4], right: [f32; 4]| -> [f32; 4] {
             std::array::from_fn(|at| if left[at] < right[at] { left[at] } else { right[at] })
         };
@@ -28,7 +28,7 @@ impl PackedBounds {
     }
 
     /// Returns the box in its usual form.
-    pub fn unpacked(&self) -> Bounds {
+    pub(crate) fn unpacked(&self) -> Bounds {
         let ([low_x, low_y, low_z, _], [x, y, z, _]) = (self.low, self.minus_high);
         Bounds { low: [low_x, low_y, low_z], high: [-x, -y, -z] }
     }
@@ -42,31 +42,31 @@ pub struct Item(PackedBounds);
 
 impl Item {
     /// Returns the item for the object with the number `id`.
-    pub fn new(bounds: &Bounds, id: ObjectId) -> Self {
+    pub(crate) fn new(bounds: &Bounds, id: ObjectId) -> Self {
         let ([x, y, z], high) = (bounds.low, bounds.high);
         Self(PackedBounds { low: [x, y, z, f32::from_bits(id)], minus_high: [-high[0], -high[1], -high[2], 0.0] })
     }
 
     /// Returns the object's number.
-    pub const fn id(&self) -> ObjectId {
+    pub(crate) const fn id(&self) -> ObjectId {
         self.0.low[3].to_bits()
     }
 
     /// Returns the object's box.
     #[inline(always)]
-    pub const fn bounds(&self) -> PackedBounds {
+    pub(crate) const fn bounds(&self) -> PackedBounds {
         self.0
     }
 
     /// Returns twice the coordinate of the box's middle along an axis.
     #[inline(always)]
-    pub fn twice_middle(&self, axis: usize) -> f32 {
+    pub(crate) fn twice_middle(&self, axis: usize) -> f32 {
         self.0.low[axis] - self.0.minus_high[axis]
     }
 
     /// Returns a box that is only the middle of the object's box. All its coordinates are doubled.
     #[inline(always)]
-    pub fn middle(&self) -> PackedBounds {
+    pub(crate) fn middle(&self) -> PackedBounds {
         let Self(PackedBounds { low, minus_high }) = self;
         PackedBounds {
             low: std::array::from_fn(|at| low[at] - minus_high[at]),
@@ -90,7 +90,7 @@ pub struct Range {
 
 impl Range {
     /// Returns the range of the items from index `from` to before index `to`.
-    pub fn new(items: &[Item], from: usize, to: usize) -> Self {
+    pub(crate) fn new(items: &[Item], from: usize, to: usize) -> Self {
         let (mut bounds, mut middles) = (PackedBounds::EMPTY, PackedBounds::EMPTY);
         for item in &items[from..to] {
             bounds = bounds.union(item.bounds());
@@ -100,12 +100,12 @@ impl Range {
     }
 
     /// Returns the number of items.
-    pub const fn count(&self) -> usize {
+    pub(crate) const fn count(&self) -> usize {
         self.to - self.from
     }
 
     /// Returns the item if the range has only one.
-    pub fn only_item<'items>(&self, items: &'items [Item]) -> Option<&'items Item> {
+    pub(crate) fn only_item<'items>(&self, items: &'items [Item]) -> Option<&'items Item> {
         (self.count() == 1).then(|| &items[self.from])
     }
 }

@@ -46,7 +46,7 @@ impl Bin {
 /// Splits the range in `children[0]` into several ranges. It always splits the child whose surface area times its
 /// number of objects is the largest, until all of `children` are used or every child has at most [`WIDTH`] objects.
 /// Returns the number of children.
-pub fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
+pub(crate) fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
     let mut count = 1;
     while count < children.len() {
         let priority = |range: &Range| range.bounds.unpacked().half_area() * range.count() as f32;
@@ -64,7 +64,7 @@ pub fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u3
 
 /// Replaces the smallest of the first `count` children by their objects, as long as there are free lanes. This saves
 /// nodes, and visits of nodes. Returns the number of children.
-pub fn dissolve_small_children(items: &[Item], children: &mut [Range; WIDTH], mut count: usize) -> usize {
+pub(crate) fn dissolve_small_children(items: &[Item], children: &mut [Range; WIDTH], mut count: usize) -> usize {
     loop {
         let small = (0..count).filter(|&at| children[at].count() > 1);
         let Some(smallest) = small.min_by_key(|&at| children[at].count()) else { return count };
