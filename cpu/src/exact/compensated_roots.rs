@@ -77,7 +77,7 @@ impl<T: MulAdd> Roots<T> {
     /// Returns the magnitudes of the small and of the large root of `quadratic`, each with twice the bound of its
     /// error.
     #[inline(always)]
-    pub fn magnitudes(&self, &Quadratic { a, c, .. }: &Quadratic<T>) -> [(T, T); 2] {
+    pub(crate) fn magnitudes(&self, &Quadratic { a, c, .. }: &Quadratic<T>) -> [(T, T); 2] {
         let relative = self.condition * T::of(ERROR_OF_ROOT * T::UNIT_ROUNDOFF);
         let (small, large) = (c.abs() / self.w, self.w / a);
         let of_c = (self.error_of_c + self.error_of_c) / self.w;
@@ -126,7 +126,7 @@ impl<T: MulAdd> Quadratic<T> {
 /// Returns `|q|^2 - s`, as accurate as if it were computed with twice the digits and then rounded, and `|q|^2 + s` with
 /// the usual accuracy. `q` and `s` are given rounded, each with its error.
 #[inline(always)]
-pub fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>), (s, s_error): (T, T)) -> (T, T) {
+pub(crate) fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>), (s, s_error): (T, T)) -> (T, T) {
     let (xx, xx_error) = two_product(q.x, q.x);
     let (yy, yy_error) = two_product(q.y, q.y);
     let (zz, zz_error) = two_product(q.z, q.z);
@@ -141,6 +141,6 @@ pub fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>), (s, s_
 
 /// Whether an accurate lambda certainly is in range, and has not overflowed.
 #[inline(always)]
-pub fn is_in_range<T: MulAdd>(lambda: T) -> T::Mask {
+pub(crate) fn is_in_range<T: MulAdd>(lambda: T) -> T::Mask {
     LIMITS.in_range(lambda) & lambda.less(T::of(OVERFLOW))
 }

@@ -130,7 +130,7 @@ pub struct SideLanes<T: Real> {
 impl<V: SimdF64> CylinderHits<V> {
     /// Returns the number of the part of each hit.
     #[inline(always)]
-    pub fn part(&self) -> V {
+    pub(crate) fn part(&self) -> V {
         let over = V::select(self.top, CylinderPart::Top.number(), CylinderPart::Side.number());
         V::select(self.bottom, CylinderPart::Bottom.number(), over)
     }
@@ -140,7 +140,7 @@ impl<V: SimdF64> SideLanes<V> {
     /// Returns the hits of all lanes. The caps are tested only if a lane in `bits` is [open](Self::open), because for
     /// most groups of rays the side alone decides. So an open lane that is not in `bits` may stay uncertain.
     #[inline(always)]
-    pub fn with_needed_caps(
+    pub(crate) fn with_needed_caps(
         &self,
         record: &CylinderRecord<V>,
         ray: &Ray<V>,
@@ -189,7 +189,7 @@ impl<T: Rounding> SideLanes<T> {
 
     /// Returns the hits by the side alone. Lanes that are [open](Self::open) are not `certain`.
     #[inline(always)]
-    pub fn without_caps(&self) -> CylinderHits<T> {
+    pub(crate) fn without_caps(&self) -> CylinderHits<T> {
         let none = T::empty_mask();
         let lambda = T::select(self.through, self.exit.lambda, self.entry.lambda);
         CylinderHits {

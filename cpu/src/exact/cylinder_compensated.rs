@@ -87,7 +87,7 @@ impl<'a, T: MulAdd> CompensatedSide<'a, T> {
     /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file, and
     /// `inside` says whether the ray certainly starts inside the infinite cylinder.
     #[inline(always)]
-    pub fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>, inside: T::Mask) -> Self {
+    pub(crate) fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>, inside: T::Mask) -> Self {
         let terms = Terms::new(record, axis, ray);
         let (near, far) = (terms.quadratic.near(), &terms.far);
         let is_near = near.size.less(far.size);
@@ -116,13 +116,13 @@ impl<'a, T: MulAdd> CompensatedSide<'a, T> {
 
     /// Returns the point where the line enters the infinite cylinder.
     #[inline(always)]
-    pub fn entry(&self) -> Crossing<T> {
+    pub(crate) fn entry(&self) -> Crossing<T> {
         self.crossing(!self.backward)
     }
 
     /// Returns the point where the line leaves the infinite cylinder.
     #[inline(always)]
-    pub fn exit(&self) -> Crossing<T> {
+    pub(crate) fn exit(&self) -> Crossing<T> {
         self.crossing(self.backward)
     }
 }
@@ -219,7 +219,7 @@ impl<T: MulAdd> CapFormulas<T> for CompensatedCaps<T> {
 /// Returns the lambda of the ray's hit on a part of the cylinder, with twice the bound of its error, or `None` if that
 /// is uncertain. `axis` is the axis of the scene file.
 #[inline(always)]
-pub fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
+pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
     let (center, to_cap) = match part {
         CylinderPart::Side => {
             let side = CompensatedSide::new(record, axis, ray, false);

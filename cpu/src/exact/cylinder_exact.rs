@@ -39,7 +39,12 @@ struct Inputs {
 
 /// Returns the rounded lambda and the part of the ray's hit with the cylinder, or `None` if it misses. `axis` is the
 /// axis of the scene file, and its length is the cylinder's height. The error says that an input is not finite.
-pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Option<(f64, CylinderPart)>, NotFinite> {
+pub(crate) fn intersect(
+    center: Vec3,
+    radius: f64,
+    axis: Vec3,
+    ray: &Ray,
+) -> Result<Option<(f64, CylinderPart)>, NotFinite> {
     let inputs = Inputs::new(center, radius, axis, ray)?;
     let parts = [inputs.side(), inputs.cap(false)?, inputs.cap(true)?];
     Ok(closest_part(parts).map(|(lambda, part)| (lambda.rounded(), part)))
@@ -47,7 +52,7 @@ pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Opt
 
 /// Returns the exact lambda of the ray's hit with a part of the cylinder, which it must hit. The other parameters and
 /// the error are those of [`intersect`].
-pub fn lambda(
+pub(crate) fn lambda(
     center: Vec3,
     radius: f64,
     axis: Vec3,

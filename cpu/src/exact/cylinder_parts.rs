@@ -41,7 +41,7 @@ pub fn is_long<T: Real>(record: &CylinderRecord<T>) -> T::Mask {
 /// Whether the rays from `view` certainly start inside the infinite cylinder. The error of `c` is part of that of the
 /// discriminant.
 #[inline(always)]
-pub fn is_inside<T: Rounding>(view: &CylinderView<T>) -> T::Mask {
+pub(crate) fn is_inside<T: Rounding>(view: &CylinderView<T>) -> T::Mask {
     ErrorBound::of_size(LIMITS, view.squares * T::of(HEADROOM)).misses(view.c)
 }
 
@@ -119,14 +119,14 @@ impl<T: Rounding> Crossing<T> {
 
     /// Whether the ray certainly does not hit the side at this point.
     #[inline(always)]
-    pub fn fails(&self) -> T::Mask {
+    pub(crate) fn fails(&self) -> T::Mask {
         self.behind | self.above | self.below
     }
 
     /// Whether a ray that enters the infinite cylinder at this point and leaves it at `exit` certainly hits no part of
     /// the cylinder. Then it has left before the smallest lambda, or both points are beyond the same cap.
     #[inline(always)]
-    pub fn passes_by(&self, exit: &Self) -> T::Mask {
+    pub(crate) fn passes_by(&self, exit: &Self) -> T::Mask {
         exit.behind | (self.above & exit.above) | (self.below & exit.below)
     }
 }
@@ -163,13 +163,13 @@ impl<T: Rounding> Side<T> {
     /// Whether the lambda `numerator / a` certainly is below the smallest lambda in range. `root` is the square root of
     /// the discriminant.
     #[inline(always)]
-    pub fn is_behind(&self, numerator: T, root: T) -> T::Mask {
+    pub(crate) fn is_behind(&self, numerator: T, root: T) -> T::Mask {
         self.a_is_accurate & self.bound.is_too_small(self.a, numerator, root)
     }
 
     /// Returns the crossing at the lambda `numerator / a`. `root` is the square root of the discriminant.
     #[inline(always)]
-    pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
+    pub(crate) fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
         let Outcome { lambda, hits, fails } = self.bound.root(self.a, numerator, root);
         let error = lambda * T::of(2.0 * LIMITS.lambda_error());
         let [accurate, behind] = [hits, fails].map(|mask| self.a_is_accurate & mask);

@@ -55,7 +55,7 @@ impl Limits {
 
     /// Whether `lambda`, which must be accurate, certainly is at least [`LAMBDA_MIN`].
     #[inline(always)]
-    pub fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
+    pub(crate) fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
         (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.lambda_error())).less_equal(lambda)
     }
 }
@@ -107,26 +107,26 @@ impl<T: Rounding> ErrorBound<T> {
     /// Returns the error bound. `length_squared` is the square of the direction's length, and `squares` is
     /// `|O - C|^2 + r^2`.
     #[inline(always)]
-    pub fn new(limits: Limits, length_squared: T, squares: T) -> Self {
+    pub(crate) fn new(limits: Limits, length_squared: T, squares: T) -> Self {
         Self::of_size(limits, length_squared * (squares * T::of(HEADROOM)))
     }
 
     /// Returns the error bound of a discriminant, for the size of its terms times [`HEADROOM`].
     #[inline(always)]
-    pub fn of_size(limits: Limits, size: T) -> Self {
+    pub(crate) fn of_size(limits: Limits, size: T) -> Self {
         Self { limits, size, error: size * T::of(limits.error_of_size()) + T::of(UNDERFLOW) }
     }
 
     /// Whether the ray's line certainly misses the surface, for this computed discriminant.
     #[inline(always)]
-    pub fn misses(&self, discriminant: T) -> T::Mask {
+    pub(crate) fn misses(&self, discriminant: T) -> T::Mask {
         self.error.less(-discriminant)
     }
 
     /// Returns the lambda `numerator / a`, and whether it certainly is in range or certainly is not. `root` is the
     /// square root of the discriminant.
     #[inline(always)]
-    pub fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
+    pub(crate) fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
         let lambda = numerator / a;
         let share = 1.0 / self.limits.condition_limit;
         // The compiler computes the first sum once for both roots. If both sides are infinite, the root is not
@@ -141,16 +141,16 @@ impl<T: Rounding> ErrorBound<T> {
     /// Returns a lower bound of the exact lambda of the root `numerator / a`, with a relative error below 2^-50. It is
     /// negative infinity if no bound is known.
     #[inline(always)]
-    pub fn least_lambda(&self, a: T, numerator: T, root: T) -> T {
+    pub(crate) fn least_lambda(&self, a: T, numerator: T, root: T) -> T {
         let least = (numerator - self.error / root) / a;
-        let is_known = T::of(f64::NEG_INFINITY).less(least) & self.size.less(T::of(OVERFLOW));
-        T::select(is_known, least, T::of(f64::NEG_INFINITY))
+        // A number that overflows makes this -inf or NaN.
+        T::select(T::of(f64::NEG_INFINITY).less(least), least, T::of(f64::NEG_INFINITY))
     }
 
     /// Whether the lambda `numerator / a` certainly is below [`LAMBDA_MIN`]. This is cheaper than
     /// [`ErrorBound::root`], because there is no division.
     #[inline(always)]
-    pub fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
+    pub(crate) fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
         // The limit is lowered by more than the relative error of `a` and the rounding of the limit.
         let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error());
         self.error.less((a * least - numerator) * root)

@@ -20,14 +20,14 @@ pub struct Quadratic {
 impl Quadratic {
     /// Returns the equation with these coefficients. The result is `None` if it has no real root, so that the ray's
     /// line misses the surface. It is also `None` if `a` is 0: the direction is null, or parallel to the axis.
-    pub fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
+    pub(crate) fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
         let discriminant = &h.squared() - &(&a * &c);
         let real = a.sign() == Ordering::Greater && discriminant.sign() != Ordering::Less;
         real.then_some(Self { a, h, c, discriminant })
     }
 
     /// Returns the smallest root for which `counts` holds.
-    pub fn smallest_root(self, counts: impl Fn(&ExactLambda) -> bool) -> Option<ExactLambda> {
+    pub(crate) fn smallest_root(self, counts: impl Fn(&ExactLambda) -> bool) -> Option<ExactLambda> {
         let smaller = ExactLambda { quadratic: self, is_larger: false };
         if counts(&smaller) {
             return Some(smaller);
@@ -47,7 +47,7 @@ pub struct ExactLambda {
 impl ExactLambda {
     /// Returns the lambda `numerator / denominator` of a cap, as the double root of a quadratic. Both numbers must be
     /// positive.
-    pub fn fraction(numerator: Dyadic, denominator: Dyadic) -> Self {
+    pub(crate) fn fraction(numerator: Dyadic, denominator: Dyadic) -> Self {
         debug_assert!(numerator.sign() == Ordering::Greater && denominator.sign() == Ordering::Greater);
         // Nothing reads `c`, because the numerator of the larger root does not cancel.
         let quadratic = Quadratic { a: denominator, h: numerator, c: Dyadic::zero(), discriminant: Dyadic::zero() };
@@ -55,12 +55,12 @@ impl ExactLambda {
     }
 
     /// Whether the lambda is at least `least`.
-    pub fn is_at_least(&self, least: &Dyadic) -> bool {
+    pub(crate) fn is_at_least(&self, least: &Dyadic) -> bool {
         self.is_linear_form_nonnegative(&-least, &Dyadic::one())
     }
 
     /// Whether `x + y lambda >= 0`.
-    pub fn is_linear_form_nonnegative(&self, x: &Dyadic, y: &Dyadic) -> bool {
+    pub(crate) fn is_linear_form_nonnegative(&self, x: &Dyadic, y: &Dyadic) -> bool {
         let Quadratic { a, h, discriminant, .. } = &self.quadratic;
         // The form is multiplied by `a`, which is positive. The result is `a x + y h + s y sqrt(D)`, where
         // `s` is -1 for the smaller root and 1 for the larger one.
@@ -68,7 +68,7 @@ impl ExactLambda {
     }
 
     /// Compares two lambdas.
-    pub fn compare(&self, other: &Self) -> Ordering {
+    pub(crate) fn compare(&self, other: &Self) -> Ordering {
         let (left, right) = (&self.quadratic, &other.quadratic);
         // The difference is multiplied by `a a'`. The result is `a' h - a h' + s a' sqrt(D) - s' a sqrt(D')`, where `s`
         // is -1 for the smaller root and 1 for the larger one.
@@ -83,7 +83,7 @@ impl ExactLambda {
     }
 
     /// Returns the `f64` nearest to the lambda, or a neighbour of it, but at least [`LAMBDA_MIN`].
-    pub fn rounded(&self) -> f64 {
+    pub(crate) fn rounded(&self) -> f64 {
         let Quadratic { a, h, c, discriminant } = &self.quadratic;
         // f64 must not overflow. So h and sqrt(D) are scaled by a common power of two, and a and c by powers of their
         // own. A zero has no order, so it does not change the common power. If h and D are both zero, the root is zero

@@ -43,7 +43,7 @@ pub fn is_certainly_closer<T: Rounding>(lambda: T, other: T) -> T::Mask {
 
 /// Compares the exact lambdas of a ray's hits on two surfaces, which it must hit. The result is `None` if the exact
 /// lambdas are needed, and a number is not finite.
-pub fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
+pub(crate) fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     add(Counter::NearHits, 1);
     if surfaces[0] == surfaces[1] {
         return Some(Ordering::Equal);
@@ -67,7 +67,7 @@ pub fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
 }
 
 /// Compares in dyadic arithmetic only, with the result of [`compare`].
-pub fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
+pub(crate) fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     let [left, right] = surfaces.map(|surface| surface.exact_lambda(ray).ok().flatten());
     Some(left?.compare(&right?))
 }

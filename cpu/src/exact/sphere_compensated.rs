@@ -42,7 +42,7 @@ impl<T: MulAdd> Terms<T> {
 
     /// Returns the discriminant of [`Quadratic::near`].
     #[inline(always)]
-    pub fn near(&self) -> Discriminant<T> {
+    pub(crate) fn near(&self) -> Discriminant<T> {
         self.quadratic.near()
     }
 
@@ -58,7 +58,7 @@ impl<T: MulAdd> Terms<T> {
 
     /// Returns the hits with this discriminant.
     #[inline(always)]
-    pub fn hits(&self, discriminant: Discriminant<T>) -> SphereHits<T> {
+    pub(crate) fn hits(&self, discriminant: Discriminant<T>) -> SphereHits<T> {
         let Quadratic { a, h, c, .. } = self.quadratic;
         let roots = self.quadratic.roots(discriminant);
         let (small, large) = (c.abs() / roots.w, roots.w / a);
@@ -116,7 +116,7 @@ pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
 
 /// Returns the lambda of the ray's hit, with twice the bound of its error, or `None` if that is uncertain.
 #[inline(always)]
-pub fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
+pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
     let terms = Terms::new(record, ray);
     let (near, far) = (terms.near(), terms.far());
     let roots = terms.quadratic.roots(if near.size < far.size { near } else { far });

@@ -15,42 +15,42 @@ pub struct NotFinite;
 pub struct Exact3([Dyadic; 3]);
 
 impl Exact3 {
-    pub fn new(vector: Vec3) -> Result<Self, NotFinite> {
+    pub(crate) fn new(vector: Vec3) -> Result<Self, NotFinite> {
         let [x, y, z] = vector.to_array().map(exact);
         Ok(Self([x?, y?, z?]))
     }
 
-    pub fn dot(&self, other: &Self) -> Dyadic {
+    pub(crate) fn dot(&self, other: &Self) -> Dyadic {
         let [x, y, z] = [0, 1, 2].map(|index| &self.0[index] * &other.0[index]);
         &(&x + &y) + &z
     }
 
-    pub fn minus(&self, other: &Self) -> Self {
+    pub(crate) fn minus(&self, other: &Self) -> Self {
         Self([0, 1, 2].map(|index| &self.0[index] - &other.0[index]))
     }
 
-    pub fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         Self([0, 1, 2].map(|index| &self.0[index] + &other.0[index]))
     }
 
-    pub fn times(&self, factor: &Dyadic) -> Self {
+    pub(crate) fn times(&self, factor: &Dyadic) -> Self {
         Self([0, 1, 2].map(|index| &self.0[index] * factor))
     }
 }
 
 /// Returns `value` as a dyadic number, without rounding.
-pub fn exact(value: f64) -> Result<Dyadic, NotFinite> {
+pub(crate) fn exact(value: f64) -> Result<Dyadic, NotFinite> {
     Dyadic::new(value).ok_or(NotFinite)
 }
 
 /// Returns the smallest lambda of a hit that counts, without rounding. See [`HALF_STEP`].
-pub fn least_lambda() -> Result<Dyadic, NotFinite> {
+pub(crate) fn least_lambda() -> Result<Dyadic, NotFinite> {
     Ok(&exact(LAMBDA_MIN)? - &exact(HALF_STEP)?)
 }
 
 /// Returns the exact lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
 /// not finite.
-pub fn lambda(record: &SphereRecord, ray: &Ray) -> Result<Option<ExactLambda>, NotFinite> {
+pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Result<Option<ExactLambda>, NotFinite> {
     let direction = Exact3::new(ray.direction)?;
     let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
     let c = &r_c.dot(&r_c) - &exact(record.radius)?.squared();
@@ -61,6 +61,6 @@ pub fn lambda(record: &SphereRecord, ray: &Ray) -> Result<Option<ExactLambda>, N
 
 /// Returns the rounded lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
 /// not finite.
-pub fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFinite> {
+pub(crate) fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFinite> {
     Ok(lambda(record, ray)?.map(|lambda| lambda.rounded()))
 }
