@@ -1,10 +1,13 @@
-//! Tests what the whole workspace promises: every program and script explains its use, and every dependency is allowed.
+//! Tests what the whole workspace promises: every program and script explains its use, every dependency is allowed, and
+//! every public function of `cpu` and `cli` is named by a test.
 //!
 //! Cargo lists the programs and packages, and the scripts are found in the folders. So a new one is tested from its
 //! start.
 
 #[path = "workspace/programs.rs"]
 mod programs;
+#[path = "workspace/public_functions.rs"]
+mod public_functions;
 #[cfg(unix)]
 #[path = "workspace/scripts.rs"]
 mod scripts;

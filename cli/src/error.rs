@@ -42,7 +42,7 @@ impl Error {
 
     /// Returns the message for a terminal: control characters in names and in text of files are escaped.
     #[must_use]
-    pub fn message_for_terminal(&self) -> Vec<u8> {
+    pub(crate) fn message_for_terminal(&self) -> Vec<u8> {
         match self {
             Self::ArgumentCount(_) | Self::Stack { .. } => self.message(),
             Self::Renderer(error) => error.message_for_terminal(),

@@ -27,7 +27,7 @@ pub fn run<L: Renderable>(arguments: impl IntoIterator<Item = OsString>) -> Resu
 ///
 /// # Errors
 /// The errors of [`run`], except [`Error::ArgumentCount`] and [`Error::Stack`].
-pub fn render_files<L: Renderable>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
+fn render_files<L: Renderable>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
     output::refuse_inputs(out, &[config, scene])?;
     let config_path = config;
     let config = Config::read(config_path)?;
@@ -37,4 +37,20 @@ pub fn render_files<L: Renderable>(config: &Path, scene: &Path, out: &Path, scat
     let output = Output::open(out, Options::default())?;
     let image = cpu::render::<L>(&config, scene, scatter).map_err(|error| error.in_file(config_path))?;
     Ok(output.fill(|file| cpu::write_ppm(&image, file))?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_error_is_returned_with_its_message() {
+        let message = |arguments: &[&str]| {
+            let error = run::<cpu::Aos>(arguments.iter().map(OsString::from)).expect_err("there are no such files");
+            String::from_utf8(error.message()).expect("the message is text")
+        };
+        assert_eq!(message(&["config.txt", "scene.txt"]), "Invalid number of arguments: 2");
+        let missing = message(&["no/config.txt", "no/scene.txt", "no/out.ppm"]);
+        assert!(missing.starts_with("Cannot read file [no/config.txt]: "), "{missing}");
+    }
 }

@@ -21,7 +21,7 @@ const NEEDED: usize = BYTES + (16 << 10);
 ///
 /// # Errors
 /// [`Error::Stack`] if the stack cannot grow so far.
-pub fn reserve() -> Result<(), Error> {
+pub(crate) fn reserve() -> Result<(), Error> {
     #[cfg(unix)]
     if let Some(room) = output::stack::room().filter(|&room| room < NEEDED) {
         return Err(Error::Stack { room, needed: NEEDED });

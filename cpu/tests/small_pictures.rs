@@ -4,11 +4,14 @@
 //! The properties in the package `tests` check the same for thousands of random scenes. These pictures are so small
 //! that miri, which interprets every instruction, renders them in minutes (`tests/memory.sh miri`).
 
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 
-use cpu::internals::Prepared;
 use cpu::internals::accel::choice::Accel;
-use cpu::{Aos, Config, Scatter, Scene};
+use cpu::internals::{
+    Ended, InstructionSet, Limits, Prepared, render_from, render_into, render_linear, render_linear_within,
+};
+use cpu::reference::{self, Counts, Exact, render_counted, render_recorded};
+use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 use test_support::agreement::{equals_reference, reference};
 
 const MATERIALS: &str = "matte: m .8 .7 .6\nmetal: s .9 .8 .7 .4\nrefractive: g 1.5\n";
@@ -58,6 +61,60 @@ fn check(objects: &str, seen: RangeInclusive<usize>, is_expected: fn(&Accel) -> 
     assert!(seen.contains(&differing), "the objects are in {differing} pixels");
     let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("the camera is sound");
     assert!(is_expected(&prepared.accel), "{:?}", prepared.accel);
+}
+
+/// Tests that every function that renders gives the same picture, from the first row to the last, and stops on request.
+#[test]
+fn all_functions_that_render_give_one_picture() {
+    let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\ncamera_position: .3 .2 -6\n";
+    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+    let scene = format!("{MATERIALS}sphere: 0 0 0 2 m\nsphere: 2 0 -2 1 s\n");
+    let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
+    let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("the camera is sound");
+    let (set, limits) = (InstructionSet::chosen(), Limits::default());
+    let black = || <Aos as Layout>::Image::black(prepared.size).expect("it is small");
+    let pixels = |image: &<Aos as Layout>::Image| (0..15).map(|at| image.pixel(at)).collect::<Vec<_>>();
+    let whole = pixels(&cpu::render::<Aos>(&config, &scene, Scatter::Statement).expect("memory is enough"));
+
+    // The first run stops after two rows. The second one goes on with its words, and renders the last row alone.
+    let (mut image, mut words, mut rows) = (black(), Vec::new(), Vec::new());
+    let first = render_from(&prepared, set, &limits, (0, &[]), &mut image, |row, _, streams| {
+        words.clear();
+        streams.visit(|word| words.push(*word));
+        rows.push(row);
+        if row == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    assert_eq!((first.expect("memory is enough"), rows), (Some(Ended::Stopped), vec![1, 2]));
+    assert_eq!(pixels(&image)[..10], whole[..10]);
+    let mut rest = black();
+    let second = render_from(&prepared, set, &limits, (2, &words), &mut rest, |_, _, _| ControlFlow::Continue(()));
+    assert_eq!((second.expect("memory is enough"), &pixels(&rest)[10..]), (None, &whole[10..]));
+    let mut image = black();
+    let ended = render_into(&prepared, set, &mut image, |_, _| ControlFlow::Continue(()));
+    assert_eq!((ended.expect("memory is enough"), pixels(&image)), (ControlFlow::Continue(()), whole));
+
+    let mut means = [const { Vec::new() }; 4];
+    let [linear, within, counted, recorded] = &mut means;
+    render_linear(&prepared, set, |at, mean| linear.push((at, mean))).expect("memory is enough");
+    let ended = render_linear_within(&prepared, set, &limits, |at, mean| within.push((at, mean)));
+    assert_eq!(ended.expect("memory is enough"), None);
+    let scatter = Scatter::Statement;
+    let counts = render_counted::<Exact>(&config, &scene, scatter, |at, mean| counted.push((at, mean)));
+    let counts = counts.expect("memory is enough");
+    assert!(counts.hits > 0 && counts.rays >= 45 + counts.hits, "{counts:?}");
+    let mut samples = Vec::new();
+    let pixel = |at, mean| recorded.push((at, mean));
+    let again = render_recorded::<Exact>(&config, &scene, scatter, |words| samples.push(words), pixel);
+    assert_eq!(again.expect("memory is enough"), counts);
+    // Each of the 45 samples takes three words for each matte and metal surface that it hits.
+    assert!(samples.len() == 45 && samples.iter().all(|words| words % 3 == 0) && samples.iter().sum::<u64>() > 0);
+    assert!(means.iter().all(|of| *of == means[0]), "{means:?}");
+
+    // No ray hits an object, so each sample has one ray, and plain and exact intersections agree.
+    let (mut plain, mut real, nothing) = (Vec::new(), Vec::new(), Scene::default());
+    reference::render_linear(&config, &nothing, scatter, |at, mean| plain.push((at, mean))).expect("memory is enough");
+    let counts = render_counted::<Exact>(&config, &nothing, scatter, |at, mean| real.push((at, mean)));
+    assert_eq!((counts.expect("memory is enough"), plain), (Counts { rays: 45, hits: 0 }, real));
 }
 
 /// Tests means below -1/16. The squares of the rays' components underflow, so the rays' lengths are too small by a

@@ -33,7 +33,9 @@ fn stops(config: &str, scene: &str) {
             });
             let early = receiver.recv_timeout(Duration::from_millis(50));
             assert_eq!(early, Err(RecvTimeoutError::Timeout), "it is being rendered");
+            assert!(!limits.is_stopped());
             limits.stop.store(true, Ordering::Relaxed);
+            assert!(limits.is_stopped());
             let start = Instant::now();
             let Ok(ended) = receiver.recv_timeout(20 * soon()) else {
                 // The picture would go on, so the process must end.

@@ -176,4 +176,11 @@ mod tests {
         assert_eq!(unit.distance(Vec3::new(4.0, -4.0, 0.5)), 5.0);
         assert_eq!(unit.distance(Vec3::new(3.0, 3.0, 2.0)), 3.0);
     }
+
+    #[test]
+    fn a_disc_reaches_by_the_sine_of_its_tilt() {
+        for (along, extent) in [(0.0, 1.0), (0.6, 0.8), (-0.6, 0.8), (1.0, 0.0), (1.0_f64.next_up(), 0.0)] {
+            assert!((extent..extent + 2e-7).contains(&extent_of_disc(along)), "{along}");
+        }
+    }
 }

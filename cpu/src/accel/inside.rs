@@ -105,4 +105,19 @@ mod tests {
         assert!(!from_middle([1.0, 1e-9, 0.0]) && from_middle([1.0, 1e-4, 0.0]));
         assert!(!from_middle([1e-9, 1e-9, 0.0]) && !from_middle([100.0, 3e-8, 0.0]), "short, and rounded by too much");
     }
+
+    #[test]
+    fn a_steep_ray_exceeds_both_thresholds() {
+        // The thresholds are 2e-8 and `2^-20 |d|`, which is about 9.5e-7 for a direction of length one.
+        for (slope, length_squared, is_expected) in [
+            (1e-6, 1.0, true),
+            (-1e-6, 1.0, true),
+            (9e-7, 1.0, false),
+            (3e-8, 1e-16, true),
+            (1e-8, 1e-16, false),
+            (f64::NAN, 1.0, false),
+        ] {
+            assert_eq!(is_steep(slope, length_squared), is_expected, "{slope:e}");
+        }
+    }
 }

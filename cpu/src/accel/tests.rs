@@ -6,7 +6,7 @@ use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
-use crate::accel::object::{NO_OBJECT, ObjectId};
+use crate::accel::object::{NO_OBJECT, ObjectId, order_of};
 use crate::accel::stack::Stack;
 use crate::geometry::ray::Ray;
 use crate::input::scene::Scene;
@@ -140,6 +140,12 @@ fn each_number_of_objects_gets_its_structure() {
         let mut objects = objects(count, size, seed);
         let accel = accel(&mut objects);
         assert!(is_expected(&accel), "{count} objects");
+        let mut visited = Vec::new();
+        let has_boxes = accel.visit_boxes(|_| true, |id| visited.push(order_of(&objects, id)));
+        visited.sort_unstable();
+        // The sphere below the objects is the first one of the scene, and it is visited too.
+        assert_eq!(visited, if has_boxes { (0..=count as u32).collect() } else { Vec::new() });
+        assert_eq!(has_boxes, matches!(accel, Accel::Bvh(_) | Accel::LargeBvh(_)));
         agrees_with_plain(&accel, &objects, rays);
     }
 }

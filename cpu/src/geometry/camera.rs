@@ -108,7 +108,9 @@ mod tests {
     fn camera(change: impl FnOnce(&mut Config)) -> Result<Camera, Picture> {
         let mut config = Config { image_width: 4, aspect_ratio: [2, 1], ..Config::default() };
         change(&mut config);
-        Camera::new(&config, config.image_size()?)
+        let camera = Camera::new(&config, config.image_size()?);
+        assert_eq!(config.check_picture().is_ok(), camera.is_ok());
+        camera
     }
 
     fn assert_near(actual: Vec3, expected: [f64; 3]) {

@@ -136,6 +136,13 @@ mod tests {
     }
 
     #[test]
+    fn the_quadratic_has_the_two_roots_of_the_sphere() {
+        // `(2 lambda - 3)^2 = 1`, so `4 lambda^2 - 12 lambda + 8 = 0`: the roots are 1 and 2, or `(6 -+ 2) / 4`.
+        let view = UNIT.seen_from(Vec3::new(0.0, 0.0, -3.0));
+        assert_eq!(view.quadratic(Vec3::new(0.0, 0.0, 2.0), 4.0), (6.0, 4.0));
+    }
+
+    #[test]
     fn the_normal_by_a_reciprocal_has_the_same_bits_for_every_exponent() {
         let mut draws = crate::sampling::uniform::Uniform::new(17);
         for exponent in -1074..=1023 {

@@ -245,6 +245,7 @@ mod tests {
         assert_eq!(Tokens::new(b" \t").next(), None);
         assert_eq!(Tokens::new(b"1 2 3").reals(), Some([1.0, 2.0, 3.0]));
         assert_eq!(Tokens::new(b" ").rest(), b"");
+        assert_eq!([trim(b"\t a  b \t"), trim(b"a"), trim(b" \t")], [&b"a  b"[..], b"a", b""]);
     }
 
     #[test]

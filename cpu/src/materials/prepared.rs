@@ -127,5 +127,11 @@ mod tests {
         let refractive = Material::Refractive { index: 1.5 };
         assert_eq!(direction(refractive, up), refract(down, up, 1.0 / 1.5));
         assert_eq!(direction(refractive, -up), refract(down, up, 1.5));
+        let metal = Material::Metal { reflectance: Vec3::ONE, diffusion: 0.0 };
+        for (material, takes) in
+            [(Material::Matte { reflectance: Vec3::ONE }, true), (metal, true), (refractive, false)]
+        {
+            assert_eq!(PreparedMaterial::new(&material, Scatter::Statement).takes_scatter_sample(), takes);
+        }
     }
 }

@@ -73,5 +73,11 @@ mod tests {
         assert_eq!(two_sum(1.0, 1e16), (1e16, 1.0));
         let x = 1.0 + f64::EPSILON;
         assert_eq!(two_product(x, x), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
+        // With `e` for the epsilon, `(1 + e)^2 - 1` is `2 e + e^2`. The error `(0, 0, e)` of the first vector adds
+        // `e` times `(-(1 + e), 1, 0)`.
+        let (a, a_error) = (Vec3::new(x, 1.0, 0.0), Vec3::new(0.0, 0.0, f64::EPSILON));
+        let rest = Vec3::new(-x, 1.0, f64::EPSILON) * f64::EPSILON;
+        let product = cross_with_error((a, a_error), Vec3::new(1.0, x, 0.0));
+        assert_eq!(product, (Vec3::new(0.0, 0.0, 2.0 * f64::EPSILON), rest));
     }
 }

@@ -98,3 +98,22 @@ pub fn quarters<N: Units>(angle: &N, bits: usize) -> [N; 4] {
     }
     sums
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{E, LN_2};
+
+    #[test]
+    fn the_series_have_the_known_sums() {
+        const BITS: usize = 40;
+        let number = |units: Vec<u64>| units[0] as f64 / (1_u64 << BITS) as f64;
+        let is_near = |sum: f64, expected: f64| (sum - expected).abs() < UNITS_PER_BIT * 1e-10;
+        assert!(is_near(number(two_atanh(1, 3, BITS)), LN_2));
+        let one: Vec<u64> = Units::of(1, BITS);
+        let [cosine, sine, minus_cosine, minus_sine] = quarters(&one, BITS).map(number);
+        assert!(is_near(cosine + sine + minus_cosine + minus_sine, E));
+        assert!(is_near(cosine - minus_cosine, 0.540_302_305_868_139_8), "the cosine of 1");
+        assert!(is_near(sine - minus_sine, 0.841_470_984_807_896_5), "the sine of 1");
+    }
+}

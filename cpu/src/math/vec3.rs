@@ -231,6 +231,11 @@ mod tests {
         assert_eq!(Vec3::new(0.0, 3.0, 4.0).length(), 5.0);
         assert_eq!(Vec3::new(0.0, 3.0, 4.0).unit(), Vec3::new(0.0, 0.6, 0.8));
         assert!(Vec3::ZERO.unit().x.is_nan());
+        // The squares of the shorter vectors underflow.
+        for scale in [1.0, 2.0_f64.powi(-600), 2.0_f64.powi(-1000)] {
+            let (unit, length) = (Vec3::new(0.0, 3.0, 4.0) * scale).unit_and_length();
+            assert_eq!((unit, length), (Vec3::new(0.0, 0.6, 0.8), 5.0 * scale));
+        }
     }
 
     #[test]

@@ -292,4 +292,34 @@ mod tests {
         assert!(cylinder(along, 3.0, 0.1) && !cylinder(along, 2.9, 9.0));
         assert!(cylinder(across, 0.1, 3.0) && !cylinder(across, 9.0, 2.9));
     }
+
+    #[test]
+    fn planes_and_extents_are_those_of_geometry() {
+        let config = Config { image_width: 4, aspect_ratio: [2, 1], ..Config::default() };
+        let camera = Camera::new(&config, config.image_size().expect("it has a size")).expect("there is a window");
+        // The window is in the plane z = 0, and the camera at z = -10.
+        assert!((to_window(&camera, 1.0) - Vec3::new(15.0, -5.0, 10.0)).length() < 1e-12);
+        assert!(is_beyond(LEFT, Vec3::new(-3.0, 9.0, 9.0), 2.0, 0.5));
+        assert!(!is_beyond(LEFT, Vec3::new(-3.0, 9.0, 9.0), 2.5, 0.5), "the margin reaches the plane");
+        let extent = extent_of_cylinder(LEFT, Vec3::new(0.6, 0.8, 0.0), 2.0, 1.0);
+        assert!((2.0..2.000_001).contains(&extent), "0.6 of 2, and 0.8 of 1: {extent}");
+    }
+
+    #[test]
+    fn rows_and_spans_have_the_objects_in_front_of_them() {
+        // The window is 40 wide and 20 high, for 4 columns and 2 rows. The first column is at x = 15.
+        let config = Config { image_width: 4, aspect_ratio: [2, 1], ..Config::default() };
+        let scene = "matte: m 1 1 1\nsphere: 15 5 0 1 m\nsphere: -15 5 0 1 m\nsphere: 15 -5 0 1 m\n";
+        let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
+        let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("memory is enough");
+        let mut candidates = Candidates::new(&prepared).expect("memory is enough");
+        for (row, first, last, expected) in
+            [(0, 0, 3, &[0, 1][..]), (0, 0, 1, &[0]), (0, 3, 3, &[1]), (0, 1, 2, &[]), (1, 0, 3, &[2])]
+        {
+            candidates.begin_row(&prepared, row);
+            candidates.begin_span(&prepared, row, &Span { first, first_sample: 0, count: 1, last });
+            let found: Vec<_> = candidates.span.iter().map(|(id, _)| *id).collect();
+            assert_eq!(found, expected, "row {row}, columns {first} to {last}");
+        }
+    }
 }

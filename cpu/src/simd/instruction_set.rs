@@ -156,6 +156,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_variable_of_these_tests_names_their_set() {
+        let variable = std::env::var(InstructionSet::VARIABLE).unwrap_or_default();
+        let expected = if variable.is_empty() { InstructionSet::best().name() } else { &variable };
+        assert_eq!(InstructionSet::named().map(InstructionSet::name), Ok(expected));
+    }
+
+    #[test]
     fn every_set_of_the_machine_has_its_name_and_other_names_are_errors() {
         for set in InstructionSet::available() {
             assert_eq!(InstructionSet::of_name(set.name()), Ok(set));

@@ -44,7 +44,7 @@ macro_rules! operators {
 macro_rules! features {
     ($detected:ident: $($feature:tt),+) => {
         /// Whether this machine has all features that `compiled` enables.
-        pub fn is_detected() -> bool {
+        pub(super) fn is_detected() -> bool {
             true $(&& std::arch::$detected!($feature))+
         }
 

@@ -162,8 +162,7 @@ impl<F: SimdF32> SlabRay<F> {
 mod tests {
     use super::*;
     use crate::accel::bvh::{boxes::Boxes, boxes::WideBoxes, byte_boxes::ByteBoxes};
-    use crate::simd::instruction_set::InstructionSet;
-    use crate::simd::{Kernel, Simd};
+    use crate::simd::{Kernel, Simd, instruction_set::InstructionSet, portable::Array};
 
     /// A kernel that tests boxes up to a largest lambda, in both forms. Returns the bits of the first box.
     struct Intersect<'a>(&'a Ray, &'a [Bounds], Bounds, f32);
@@ -191,5 +190,22 @@ mod tests {
         }
         let [x, ..] = margins(&Bounds { low: [-1e3; 3], high: [1.0; 3] });
         assert!(x >= 1e3 * MARGIN, "the farther plane counts");
+    }
+
+    #[test]
+    fn a_plane_is_moved_by_its_margin_and_a_frame_by_its_origin_and_steps() {
+        // The plane 0 has the lambda -1. Its margin is `2 * 2^-20 + 1/4`, times the reciprocal 1/2.
+        let margin = 0.125 + 2.0_f64.powi(-20);
+        assert_eq!(moved(-2.0, 0.5, 0.5, 0.25), [-1.0 - margin, -1.0 + margin]);
+        // In the frame, the planes 0 and 1 are at 3 and 5.
+        let ray = Ray { origin: Vec3::ZERO, direction: Vec3::splat(0.5) };
+        let ray = SlabRay::<Array<f32>>::new(&ray, &[0.0; 3]).in_frame(&[3.0; 3], &[2.0; 3]);
+        let first = |lanes: Array<f32>| {
+            let mut numbers = [0.0; 4];
+            lanes.store(&mut numbers);
+            numbers[0]
+        };
+        let numbers = [ray.reciprocal, ray.near_origin, ray.far_origin].map(|lanes| lanes.map(first));
+        assert_eq!(numbers, [[4.0; 3], [6.0; 3], [6.0; 3]]);
     }
 }

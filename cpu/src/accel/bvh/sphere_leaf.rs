@@ -188,4 +188,11 @@ mod tests {
         }
         assert!(overlaps > 2000 && more < overlaps / 10, "{overlaps}, and {more} that are only near");
     }
+
+    #[test]
+    fn a_sphere_around_a_bounding_sphere_reaches_its_far_side() {
+        let inner = BoundingSphere::of(&Bounds { low: [-1.0; 3], high: [1.0; 3] });
+        let enlargement = 2.0_f64.powi(-20);
+        assert_eq!(inner.radius_around([0.0, 3.0, -4.0]), 5.0 + (1.0 + enlargement));
+    }
 }

@@ -98,3 +98,15 @@ pub fn enlargement<T: Real>(origin: [T; 3], margins: [T; 3]) -> T {
 pub fn cross<F: SimdF32>([x, y, z]: [F; 3], [e_x, e_y, e_z]: [F; 3]) -> [F; 3] {
     [z.negative_mul_add(e_y, y * e_z), x.negative_mul_add(e_z, z * e_x), y.negative_mul_add(e_x, x * e_y)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn radii_get_twice_the_margins_of_the_slabs() {
+        // The sum of the coordinates' magnitudes is 3, and that of the margins 3/2.
+        let expected = 2.0 * (3.0 * 2.0_f64.powi(-20) + 1.5);
+        assert_eq!(enlargement([1.0, -2.0, 0.0], [0.5; 3]), expected);
+    }
+}

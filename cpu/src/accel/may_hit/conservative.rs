@@ -200,4 +200,13 @@ mod tests {
         assert!(!leaves([0.5, -2.0, 0.0], [0.1, 1.0, 0.0]));
         assert!(!leaves([0.5, -1.0, 0.0], [0.0, 1.0, 0.0]) && !leaves([1.0 - LAMBDA_MIN, 0.0, 0.0], [1.0, 0.0, 0.0]));
     }
+
+    #[test]
+    fn the_quadratic_of_a_cylinder_is_that_of_the_plane_across_its_axis() {
+        let target = Target::cylinder(&CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0)), 10.0);
+        let ray = Ray { origin: Vec3::new(3.0, 5.0, 0.0), direction: Vec3::new(1.0, 2.0, 0.0) };
+        let (Quadratic { a, h, c, size }, slope, along) = ConservativeRay::new(ray).cylinder_quadratic(&target);
+        // `(3 + lambda)^2 = 1`. The origin is at the squared distance 34, and the farthest point at 5, from the centre.
+        assert_eq!([a, h, c, size, slope, along], [1.0, -3.0, 8.0, 39.0, 2.0, -5.0]);
+    }
 }

@@ -16,6 +16,18 @@ fn the_record_holds_the_derived_values() {
     assert_eq!(record.axis, Vec3::new(0.0, 0.0, -1.0));
     assert_eq!((record.half_height, record.radius_squared), (2.0, 9.0));
     assert_eq!((record.top, record.bottom), (Vec3::new(1.0, 1.0, -1.0), Vec3::new(1.0, 1.0, 3.0)));
+    assert_eq!(CylinderRecord::with_unit_axis(Vec3::ONE, 3.0, Vec3::new(0.0, 0.0, -1.0), 2.0), record);
+}
+
+#[test]
+fn the_quadratic_has_the_two_roots_of_the_infinite_cylinder_and_points_beyond_the_caps_are_known() {
+    let upright = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
+    // `(3 + lambda)^2 = 1`: the roots are -4 and -2, or `-h -+ 1`.
+    let view = upright.seen_from(Vec3::new(3.0, 5.0, 0.0));
+    assert_eq!(upright.quadratic(&view, Vec3::new(1.0, 2.0, 0.0)), (1.0, 3.0, 1.0));
+    let down = Ray { origin: Vec3::new(0.0, 5.0, 0.0), direction: Vec3::new(0.0, -1.0, 0.0) };
+    let within = [2.9, 3.0, 5.0, 7.0, 7.1].map(|lambda| upright.within_height(&down, lambda));
+    assert_eq!(within, [false, true, true, true, false]);
 }
 
 #[test]

@@ -7,6 +7,7 @@ fn lines_are_shown_byte_for_byte() {
     let error = Error::InvalidParameters { entity: "sphere", line: b"sphere: \xff \0 ".to_vec() };
     assert_eq!(error.message(), b"Invalid sphere parameters\nLine: \"sphere: \xff \0 \"");
     assert!(error.to_string().contains('\u{fffd}'), "as text, what is not UTF-8 is replaced");
+    assert_eq!(error.message_for_terminal(), b"Invalid sphere parameters\nLine: \"sphere: \\xff \\u{0} \"");
 }
 
 #[test]

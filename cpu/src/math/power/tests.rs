@@ -1,4 +1,5 @@
 use super::*;
+use crate::math::{double_double::DoubleDouble, real::Real};
 use crate::sampling::uniform::Uniform;
 
 /// Numbers of all magnitudes, and near 1.
@@ -60,4 +61,23 @@ fn the_quick_power_is_that_of_integers() {
         }
     }
     assert!(certain > 2_900, "{certain} certain");
+}
+
+#[test]
+fn tables_and_series_keep_the_laws_of_logarithms_and_powers() {
+    let of = DoubleDouble::of;
+    let is_near = |a: DoubleDouble, b: DoubleDouble, bits: i32| (a - b).high.abs() < 0.5_f64.powi(bits);
+    assert!(is_near(of(3.0) * tables::reciprocal(3), of(1.0), 104));
+    // The logarithm of 8/9 is twice that of 4/3, less that of 2.
+    let of_4_3 = tables::logarithm(96);
+    assert!(is_near(tables::logarithm(144), of_4_3 + of_4_3 - tables::LN_2, 103));
+    assert_eq!(tables::logarithm(128), of(0.0));
+    let quarter = tables::exponential(16);
+    assert_eq!((quarter * quarter * quarter * quarter).high, std::f64::consts::E);
+    assert!(is_near(tables::exponential(-16) * quarter, of(1.0), 100));
+    assert!(is_near(quick::ln_of_parts(-1, 96, of(0.0)), of_4_3 - tables::LN_2, 103));
+    // 4/3 times 1 + 1/256 is 257/192.
+    assert!((quick::ln_of_parts(0, 96, of(1.0 / 256.0)).high - (257.0_f64 / 192.0).ln()).abs() < 1e-15);
+    assert!(is_near(quick::exp_of_rest(of(0.0), 16), quarter, 100));
+    assert!(is_near(quick::exp_of_rest(of(1.0 / 128.0), -1) * quick::exp_of_rest(of(1.0 / 128.0), 0), of(1.0), 80));
 }
