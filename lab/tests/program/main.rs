@@ -60,3 +60,12 @@ fn bash(folder: &test_support::folder::Folder, line: &str) -> Output {
     bash.env("root", test_support::project_root());
     bash.output().expect("bash starts")
 }
+
+/// Runs a line of bash as [`bash`] does, and checks that it fails with status 2. Returns what it printed on standard
+/// error.
+#[cfg(unix)]
+fn bash_complaint(folder: &test_support::folder::Folder, line: &str) -> String {
+    let output = bash(folder, line);
+    assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
+    String::from_utf8(output.stderr).expect("it complains in text")
+}

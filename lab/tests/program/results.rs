@@ -5,7 +5,7 @@ use std::fs;
 use lab::bench::results::check::{MAX_BYTES, MAX_ENTRIES, MAX_VALUES};
 use test_support::folder::Folder;
 
-use crate::{bash, complaint, run};
+use crate::{bash, bash_complaint, complaint};
 
 #[test]
 fn endless_results_are_refused() {
@@ -40,6 +40,20 @@ fn repeated(values: usize) -> String {
     text.replace("[1.5]", &format!("[1.5{}]", ",1".repeat(missing)))
 }
 
+/// Checks that `render-lab` accepts this command line in 200 MB.
+fn accepted(folder: &Folder, line: &str) {
+    let output = bash(folder, &format!("ulimit -v 200000; $lab {line}"));
+    assert!(output.status.success(), "{line}: {output:?}");
+}
+
+/// Checks that `render-lab` refuses this command line in 100 MB with a message that contains `reason`, and does not
+/// write the output `o`.
+fn refused_in_little_memory(folder: &Folder, line: &str, reason: &str) {
+    let message = bash_complaint(folder, &format!("ulimit -v 100000; $lab {line}"));
+    assert!(message.contains(reason), "{line}: {message}");
+    assert!(!folder.file("o").exists(), "{line}");
+}
+
 #[test]
 fn as_many_repeats_as_the_limit_are_taken_and_one_more_is_refused_in_little_memory() {
     let folder = Folder::new();
@@ -50,8 +64,7 @@ fn as_many_repeats_as_the_limit_are_taken_and_one_more_is_refused_in_little_memo
     fs::write(folder.file("huge"), repeated(8_000_000)).expect("the folder is writable");
     for line in ["bench merge --out all.json full", "bench merge --out all.json half half", "report full --out report"]
     {
-        let output = bash(&folder, &format!("ulimit -v 200000; $lab {line}"));
-        assert!(output.status.success(), "{line}: {output:?}");
+        accepted(&folder, line);
     }
     let refused = [
         ("bench merge --out o over", "over: it has 1048577 values, more than 1048576"),
@@ -61,10 +74,7 @@ fn as_many_repeats_as_the_limit_are_taken_and_one_more_is_refused_in_little_memo
         ("report huge --out o", "huge: it has 8000000 values, more than 1048576"),
     ];
     for (line, message) in refused {
-        let output = bash(&folder, &format!("ulimit -v 100000; $lab {line}"));
-        assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
-        assert!(String::from_utf8_lossy(&output.stderr).contains(message), "{line}: {output:?}");
-        assert!(!folder.file("o").exists(), "{line}");
+        refused_in_little_memory(&folder, line, message);
     }
 }
 
@@ -90,16 +100,12 @@ fn all_files_together_have_a_limit_on_bytes() {
     for (name, length) in [("half", half), ("more", half + 1), ("nine", 9_000_000)] {
         fs::write(folder.file(name), bytes(length)).expect("the folder is writable");
     }
-    let output = bash(&folder, "ulimit -v 200000; $lab bench merge --out all.json half half");
-    assert!(output.status.success(), "{output:?}");
+    accepted(&folder, "bench merge --out all.json half half");
     for (parts, message) in [
         ("half more", "more: with the files before it, it has 16777217 bytes, more than 16777216"),
         ("nine nine", "nine: with the files before it, it has 18000000 bytes, more than 16777216"),
     ] {
-        let output = bash(&folder, &format!("ulimit -v 100000; $lab bench merge --out o {parts}"));
-        assert_eq!(output.status.code(), Some(2), "{parts}: {output:?}");
-        assert!(String::from_utf8_lossy(&output.stderr).contains(message), "{parts}: {output:?}");
-        assert!(!folder.file("o").exists());
+        refused_in_little_memory(&folder, &format!("bench merge --out o {parts}"), message);
     }
 }
 
@@ -111,15 +117,10 @@ fn a_file_of_exactly_the_limit_on_bytes_is_taken_and_one_byte_more_is_refused() 
         fs::write(folder.file(name), text.clone() + &" ".repeat(length - text.len())).expect("the folder is writable");
     }
     for line in ["bench merge --out all.json full", "report full --out report"] {
-        let output = bash(&folder, &format!("ulimit -v 200000; $lab {line}"));
-        assert!(output.status.success(), "{line}: {output:?}");
+        accepted(&folder, line);
     }
     for line in ["bench merge --out o over", "report over --out o"] {
-        let output = bash(&folder, &format!("ulimit -v 200000; $lab {line}"));
-        assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert!(message.contains("over: it is larger than 16777216 bytes"), "{line}: {message}");
-        assert!(!folder.file("o").exists(), "{line}");
+        refused_in_little_memory(&folder, line, "over: it is larger than 16777216 bytes");
     }
 }
 
@@ -130,12 +131,8 @@ fn the_limit_on_entries_holds_for_two_files_together() {
     for (name, entries) in [("half", half), ("more", half + 1)] {
         fs::write(folder.file(name), omitted(entries, 0)).expect("the folder is writable");
     }
-    let output =
-        run(&["bench", "merge", "--out", &folder.name("all.json"), &folder.name("half"), &folder.name("half")]);
-    assert!(output.status.success(), "{output:?}");
-    let message =
-        complaint(&["bench", "merge", "--out", &folder.name("o"), &folder.name("half"), &folder.name("more")]);
+    accepted(&folder, "bench merge --out all.json half half");
     let expected = "the parts together: the list \"omitted\" has 4097 entries, more than 4096";
-    assert!(message.contains(expected), "{message}");
-    assert!(!folder.file("o").exists());
+    let message = bash_complaint(&folder, "$lab bench merge --out o half more");
+    assert!(message.contains(expected) && !folder.file("o").exists(), "{message}");
 }
