@@ -1,5 +1,5 @@
 // A camera that turns around its target, moves with it, and comes closer. It is printed as lines of a configuration.
-import type { Vector } from './preparer';
+import type { ShapeOf, Vector } from './preparer';
 
 const add = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const scale = (a: Vector, factor: number): Vector => [a[0] * factor, a[1] * factor, a[2] * factor];
@@ -54,6 +54,14 @@ export function pan({ position, target, north }: Camera, right: number, up: numb
 /** Multiplies the distance of the camera from its target. */
 export function zoom({ position, target, north }: Camera, factor: number): Camera {
     return { position: add(target, scale(subtract(position, target), factor)), target, north };
+}
+
+/** Whether a point is inside an object. */
+export function isInside(point: Vector, [kind, center, radius, axis]: ShapeOf): boolean {
+    const arm = subtract(point, center);
+    const along = dot(arm, unit(axis));
+    return kind === 'sphere' ? length(arm) < radius
+        : Math.abs(along) < length(axis) && length(subtract(arm, scale(unit(axis), along))) < radius;
 }
 
 /** Returns the lines of a configuration that describe the camera with all digits. */

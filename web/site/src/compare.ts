@@ -7,7 +7,7 @@ import type { Shaders } from './gpu/shaders';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { shown, type Rgb } from './ppm';
-import { developed, paint, shownConfig, shownWidth } from './shown';
+import { developed, erase, paint, shownConfig, shownWidth } from './shown';
 import type { Texts } from './store';
 import { Viewer } from './viewer';
 import { messageOf, say, write } from './words';
@@ -44,6 +44,9 @@ export class Comparison {
     /** The colours by Rust in f64 and in f32, when they are known. */
     #truths: (Float64Array | null)[] = [null, null];
     #difference: Difference | null = null;
+    #scene = '';
+    /** A file that is compared with the exact picture. */
+    #alone: File | null = null;
     /** The files that are compared instead of the shaders. */
     #names: [left: string, right: string] | null = null;
     #newest = 0;
@@ -75,7 +78,8 @@ export class Comparison {
 
     /** The scene as it is compared, for the path of a pixel. */
     get source(): Source | null {
-        return this.#facts && { preparer: this.preparer, shaders: this.#shaders, facts: this.#facts };
+        const [facts, shaders] = [this.#facts, this.#shaders];
+        return facts && { preparer: this.preparer, shaders, facts, scene: this.#scene };
     }
 
     /** Compares these shaders from now on. Needs {@link show} afterwards. */
@@ -92,8 +96,10 @@ export class Comparison {
         this.#newest += 1;
         this.#facts = null;
         this.#difference = null;
-        [this.#exact, this.#shader, this.#map].forEach((canvas) => canvas.getContext('2d')?.reset());
+        [this.#exact, this.#shader, this.#map].forEach(erase);
+        this.#viewer.fit();
         write(this.#figures, () => '');
+        element('compare-most-at').hidden = true;
     }
 
     /** Takes valid texts. */
@@ -111,6 +117,7 @@ export class Comparison {
                 return;
             }
             this.#facts = aimed.facts;
+            this.#scene = scene;
             this.#truths = [null, null];
             shaders.load({ facts: aimed.facts, buffers: [...aimed.buffers, ...whole.buffers.slice(1)] });
             await this.refresh();
@@ -169,6 +176,7 @@ export class Comparison {
                 throw new Error(say('sizesDiffer', ...size(first), ...size(other)));
             }
             this.#name([first.name, other.name]);
+            this.#alone = second ? null : files[0] ?? null;
             this.#facts = null;
             this.#difference = compareBytes(first.picture.data, other.picture.data);
             paint(this.#exact, shown(first.picture, 1));
@@ -179,6 +187,13 @@ export class Comparison {
         } catch (error) {
             this.#close();
             write(element('compare-names'), () => messageOf(error));
+        }
+    }
+
+    /** Compares a file that is compared with the exact picture again, because there is another one. */
+    async renew(exact: Rgb | null): Promise<void> {
+        if (this.#names && this.#alone && exact) {
+            await this.showFiles([this.#alone], exact);
         }
     }
 
@@ -197,6 +212,8 @@ export class Comparison {
         if (names && this.#view.value === 'ulps') {
             this.#view.value = 'linear';
         }
+        // Differences of bytes have no units in the last place. Some browsers show options that are hidden.
+        element<HTMLOptionElement>('compare-ulps').disabled = names !== null;
     }
 
     #draw(): void {
@@ -221,7 +238,15 @@ export class Comparison {
         const [root, most] = [rmse, largest].map((one) => (this.#names ? one.toFixed(3) : one.toExponential(2)));
         const key = !this.#names ? 'compareFigures' : isAccepted ? 'filesAccepted' : 'filesRefused';
         write(element('compare-most'), () => (isUlps ? say('ulps', largestUlps) : most ?? ''));
-        write(this.#figures, () => say(key, differing, pixels, root ?? '', most ?? '', largestUlps));
+        // The place of the largest difference, by the numbers that the page shows.
+        const [column, row] = [difference.place % this.#exact.width, Math.floor(difference.place / this.#exact.width)];
+        const isBlind = !this.#names && Object.keys(this.#shaders?.edits ?? {}).length > 0;
+        write(this.#figures, () => say(key, differing, pixels, root ?? '', most ?? '', largestUlps)
+            + (isBlind ? ` ${say('compareBlind')}` : ''));
+        const button = element('compare-most-at');
+        button.hidden = differing === 0;
+        write(button, () => say('compareMostAt', column, row));
+        button.onclick = () => (this.#names ? this.#viewer.goTo(column, row) : this.listener.clicked(column, row));
         this.#figures.dataset.differing = String(differing);
     }
 

@@ -11,13 +11,15 @@ export interface Difference {
     rmse: number;
     largest: number;
     largestUlps: number;
+    /** The number of the pixel with the largest difference. */
+    place: number;
 }
 
 const float = new Float32Array(1);
 const bits = new Int32Array(float.buffer);
 
 /** Returns the place of a number in the order of all f32. Neighbours have a distance of 1, and both zeros are 0. */
-function place(value: number): number {
+function orderOf(value: number): number {
     float[0] = value;
     const whole = bits[0] ?? 0;
     return whole >= 0 ? whole : -(whole & 0x7fffffff);
@@ -28,7 +30,7 @@ function ulpsOf(one: number, other: number): number {
     if (Number.isNaN(one) || Number.isNaN(other)) {
         return Number.isNaN(one) && Number.isNaN(other) ? 0 : Infinity;
     }
-    return Math.abs(place(one) - place(other));
+    return Math.abs(orderOf(one) - orderOf(other));
 }
 
 /** Compares the colours `exact`, rounded to f32, with those of the shaders. */
@@ -52,7 +54,8 @@ export function compare(exact: Float64Array, shader: Float32Array): Difference {
         differing += mostUlps > 0 ? 1 : 0;
         largestUlps = Math.max(largestUlps, mostUlps);
     }
-    return { linear, ulps, pixels, differing, rmse: Math.sqrt(squares / Math.max(shader.length, 1)), largest, largestUlps };
+    const [rmse, place] = [Math.sqrt(squares / Math.max(shader.length, 1)), ulps.indexOf(largestUlps)];
+    return { linear, ulps, pixels, differing, rmse, largest, largestUlps, place };
 }
 
 /** The limits of the course: it accepts a largest difference and an RMSE below them. */
@@ -65,7 +68,8 @@ export function compareBytes(one: Uint8Array, other: Uint8Array): Difference {
     const [squares, largest] = linear.reduce(([sum, most], value) => [sum + value ** 2, Math.max(most, value)], [0, 0]);
     const pixels = linear.length;
     const differing = linear.filter((value) => value > 0).length;
-    return { linear, ulps: linear, pixels, differing, rmse: Math.sqrt(squares / pixels), largest, largestUlps: 0 };
+    const [rmse, place] = [Math.sqrt(squares / pixels), linear.indexOf(largest)];
+    return { linear, ulps: linear, pixels, differing, rmse, largest, largestUlps: 0, place };
 }
 
 /** The colours of the map from no difference to the largest one. */

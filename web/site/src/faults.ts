@@ -38,7 +38,9 @@ export class Checker {
     #row(text: TextNumber, fault: Fault): HTMLElement {
         const row = document.createElement('div');
         const message = document.createElement('pre');
-        message.textContent = [fault.message, ofLanguage(fault.hints ?? ['', ''])].filter(Boolean).join('\n');
+        // The specification prescribes the messages of the programs in English.
+        const words = ofLanguage(['', 'Los programas dicen: ']) + fault.message;
+        message.textContent = [words, ofLanguage(fault.hints ?? ['', ''])].filter(Boolean).join('\n');
         if (fault.line > 0) {
             const button = document.createElement('button');
             button.type = 'button';

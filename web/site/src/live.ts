@@ -4,10 +4,11 @@ import type { Camera } from './camera';
 import { Refused } from './gpu/device';
 import { hasProbe as hasProbes } from './gpu/compose';
 import type { Mode, Shaders } from './gpu/shaders';
+import { definitions, nameOf, type Definition } from './definitions';
 import { Gestures } from './gestures';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
-import { developed, paint, shownConfig, shownWidth, TESTS } from './shown';
+import { developed, erase, paint, shownConfig, shownWidth, TESTS } from './shown';
 import { messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
@@ -146,13 +147,14 @@ export class Live {
     clear(): void {
         this.#hasPicture = false;
         this.#facts = null;
-        this.#canvas.getContext('2d')?.reset();
+        erase(this.#canvas);
         write(this.#status, () => say('busy'));
     }
 
     /** The scene as the view shows it, for the path of a pixel. */
     get source(): Source | null {
-        return this.#facts && { preparer: this.preparer, shaders: this.#shaders, facts: this.#facts };
+        const [facts, shaders] = [this.#facts, this.#shaders];
+        return facts && { preparer: this.preparer, shaders, facts, scene: this.#scene };
     }
 
     /** Waits until the moved camera counts, without a frame. Throws {@link Faulty} if it has no picture. */
@@ -306,14 +308,27 @@ export class Live {
         this.#canvas.dataset.samples = String(this.#samples);
         const samples = this.#adds ? this.#samples : null;
         const name = this.#shaders?.device.name ?? 'WebAssembly';
+        const inside = this.#inside();
         const range = this.#isProbe ? this.#range.map((value) => value.toPrecision(4)) : null;
-        write(this.#status, () => [
+        write(this.#status, () => (inside ? `${say('liveInside', nameOf(inside.tag, inside.line))} ` : '') + [
             `${width} × ${height}`,
             range ? say('probeRange', ...range) : samples === null ? say('lightFixed') : say('liveSamples', samples),
             rate !== null ? say('liveRate', rate.toFixed(1)) : '',
             rate === null && duration >= WINDOW ? say('liveDuration', (duration / 1000).toFixed(1)) : '',
             name,
         ].filter(Boolean).join(', '));
+    }
+
+    /** The first object around the camera. Its surface may hide all light, and then the picture is black. */
+    #inside(): Definition | undefined {
+        const { position, shapes = [] } = this.#facts ?? {};
+        const index = position ? shapes.findIndex((shape) => camera.isInside(position, shape)) : -1;
+        if (index < 0) {
+            return undefined;
+        }
+        // The shapes are all spheres and then all cylinders.
+        const { objects } = definitions(this.#scene);
+        return ['sphere', 'cylinder'].flatMap((kind) => objects.filter(({ tag }) => tag === kind))[index];
     }
 
     #failed(error: unknown): void {

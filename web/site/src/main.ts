@@ -10,7 +10,7 @@ import { Studio } from './studio';
 import { compile, instructionSet, isFault, Renderer, type Fault, type Row } from './module';
 import { Picture } from './picture';
 import * as store from './store';
-import type { Texts } from './store';
+import { isSame, type Texts } from './store';
 import * as view from './view';
 import { messageOf, say, speak, write, type Language } from './words';
 
@@ -35,6 +35,8 @@ const live = element<HTMLInputElement>('live');
 class Page {
     #isTyped = false;
     #isLoading = false;
+    /** The texts that the views show: the last ones without an error. */
+    #shown: Texts = { config: '', scene: '' };
     #timer = 0;
     readonly #editors: [Editor, Editor];
     readonly #checker: Checker;
@@ -44,31 +46,31 @@ class Page {
             this.#checker.show(fault.text as 0 | 1, [fault]);
         }
         this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message)));
-    });
+    }, () => void this.#studio.rendered());
 
     constructor(private readonly module: WebAssembly.Module, private readonly renderer: Renderer) {
         const tables = [renderer.table(0), renderer.table(1)] as const;
-        const listener = { changed: () => this.#changed(), render: () => void this.render() };
+        const listener = { changed: () => this.#changed(), render: () => this.#ask() };
         const editor = (name: string, rows: Row[]) =>
             new Editor(element(`${name}-editor`), linesOf(rows), element(`${name}-label`), listener);
         this.#editors = [editor('config', tables[0]), editor('scene', tables[1])];
         this.#checker = new Checker(module, this.#editors, [element('config-faults'), element('scene-faults')]);
         this.#studio = new Studio(module, renderer, {
-            texts: () => this.#texts,
-            replaceConfig: (config) => (this.#editors[0].text = config),
+            texts: () => this.#shown,
+            changeConfig: (change) => (this.#editors[0].text = change(this.#texts.config)),
             say: (text) => this.say(text),
-            render: () => void this.render(),
+            unsay: () => this.#unsay(),
             picture: () => this.#picture.pixels,
         });
         addEventListener('pagehide', () => this.#keep());
         document.addEventListener('keydown', (event) => {
             if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) {
                 event.preventDefault();
-                void this.render();
+                this.#ask();
             }
         });
         document.querySelectorAll<HTMLElement>('.bar').forEach(movable);
-        element('render').addEventListener('click', () => void this.render());
+        element('render').addEventListener('click', () => this.#ask());
         element('share').addEventListener('click', () => void this.#share());
     }
 
@@ -78,8 +80,40 @@ class Page {
 
     /** Shows a message below the picture, and below the view that is shown instead of the picture. */
     say(text: () => string): void {
-        this.#picture.say(text);
+        this.#picture.note(text);
         write(element('said'), text);
+    }
+
+    /** Removes the last message and link, which were about texts or shaders that have changed since. */
+    #unsay(): void {
+        this.#picture.note(null);
+        write(element('said'), () => '');
+        element('link-line').hidden = true;
+    }
+
+    /**
+     * Checks both texts. If they have no error, the views show them. Otherwise a sentence says that the views show
+     * earlier texts. Another one says so for the exact picture, which waits for the user.
+     */
+    async #check(): Promise<Fault | null> {
+        const texts = this.#texts;
+        const fault = await this.#checker.check();
+        if (isSame(texts, this.#texts)) {
+            if (!fault && !isSame(texts, this.#shown)) {
+                this.#shown = texts;
+                this.#studio.changed();
+            }
+            this.#mark(fault);
+        }
+        return fault;
+    }
+
+    /** Marks the picture if it does not belong to the texts, and all views if the texts have an error. */
+    #mark(fault: Fault | null): void {
+        const isOld = !this.#picture.isOf(this.#texts);
+        element('result').dataset.old = fault ? 'all' : isOld ? 'exact' : 'none';
+        const words = () => (isOld ? say('oldPicture') : '');
+        write(element('old'), () => (fault ? `${this.#faultIn(fault.text)} ${say('oldViews')}` : words()));
     }
 
     /** Whether the user or a button of the page has changed the texts since they were loaded. */
@@ -101,6 +135,8 @@ class Page {
         this.#isTyped = isTyped;
         this.#keep();
         this.showEarlier();
+        this.#unsay();
+        this.#shown = this.#texts;
         this.#studio.changed();
         if (texts.modules) {
             this.#studio.modules = texts.modules;
@@ -128,13 +164,20 @@ class Page {
 
     /** Checks both texts, and renders them if they are valid. */
     async render(): Promise<void> {
-        const fault = await this.#checker.check();
+        const fault = await this.#check();
         this.#keep();
         if (fault) {
             this.say(() => this.#faultIn(fault.text));
         } else {
             this.#picture.render(engines.value === 'native' ? native : inWorker(this.module), this.#texts);
+            this.#mark(null);
         }
+    }
+
+    /** Renders because the user asks for it, and brings the picture into sight. */
+    #ask(): void {
+        this.#studio.reveal('exact');
+        void this.render();
     }
 
     /**
@@ -145,7 +188,7 @@ class Page {
         if (engines.value !== 'native') {
             return this.render();
         }
-        const fault = await this.#checker.check();
+        const fault = await this.#check();
         this.renderer.write(0, this.#texts.config);
         const cost = this.renderer.cost();
         if (fault || isFault(cost)) {
@@ -157,14 +200,15 @@ class Page {
             + (rays < MANY_RAYS ? '' : ` ${say('linkCosts', ...cost, rays.toPrecision(2))}`));
     }
 
-    /** Lists the earlier texts. */
     showFaults(): void {
-        void this.#checker.check();
+        void this.#check();
     }
 
+    /** Lists the earlier texts. */
     showEarlier(): void {
         const all = store.earlier();
-        const options = all.map((one, index) => new Option(new Date(one.time).toLocaleString(), String(index)));
+        const options = all.map((one, index) => new Option(
+            `${new Date(one.time).toLocaleString()}: ${say('objects', ...store.sizes(one))}`, String(index)));
         earlierTexts.replaceChildren(new Option(say('choose'), ''), ...options);
         earlierTexts.disabled = all.length === 0;
     }
@@ -178,16 +222,14 @@ class Page {
             return;
         }
         this.#isTyped = true;
+        this.#unsay();
         clearTimeout(this.#timer);
         this.#timer = window.setTimeout(() => void this.#settle(), PAUSE);
     }
 
     async #settle(): Promise<void> {
         this.#keep();
-        const fault = await this.#checker.check();
-        if (!fault) {
-            this.#studio.changed();
-        }
+        const fault = await this.#check();
         if (live.checked && !fault) {
             void this.render();
         }

@@ -2,8 +2,8 @@
 import type { Engine, Watcher } from './engines';
 import type { Fault } from './module';
 import { png, read, type Rgb } from './ppm';
-import { resize } from './shown';
-import type { Texts } from './store';
+import { erase, put, resize } from './shown';
+import { isSame, type Texts } from './store';
 import { Viewer } from './viewer';
 import { say, write } from './words';
 
@@ -19,9 +19,14 @@ export class Picture {
     readonly #saves = [element<HTMLButtonElement>('save-ppm'), element<HTMLButtonElement>('save-png')];
     readonly #viewer = new Viewer(element('exact-stage'), {});
     #stop: (() => void) | null = null;
+    #state = () => '';
+    /** Whether the canvas has the picture of the last texts, or a part of it. */
+    #isBegun = true;
     #ppm: Uint8Array<ArrayBuffer> | null = null;
+    /** The texts of the picture, also if it is not finished. */
+    #texts: Texts | null = null;
 
-    constructor(private readonly onFault: (fault: Fault) => void) {
+    constructor(private readonly onFault: (fault: Fault) => void, private readonly onDone: () => void) {
         this.#cancel.addEventListener('click', () => this.cancel());
         const ppm = () => new Blob([this.#ppm ?? ''], { type: 'image/x-portable-pixmap' });
         this.#saves[0]?.addEventListener('click', () => save('picture.ppm', ppm()));
@@ -32,9 +37,15 @@ export class Picture {
         });
     }
 
-    /** Shows a message below the picture. */
+    /** Shows the state of the picture below it. */
     say(text: () => string): void {
+        this.#state = text;
         write(this.#status, text);
+    }
+
+    /** Shows a message of the page instead of the state, until the state changes; null shows the state again. */
+    note(text: (() => string) | null): void {
+        write(this.#status, text ?? this.#state);
     }
 
     /** The pixels of the picture, if it is finished. */
@@ -42,20 +53,32 @@ export class Picture {
         return this.#ppm && read(this.#ppm);
     }
 
+    /** Whether the picture belongs to these texts. Without a picture this holds. */
+    isOf(texts: Texts): boolean {
+        return this.#texts === null || isSame(this.#texts, texts);
+    }
+
     /** Removes the picture, because another scene is loaded. */
     clear(): void {
         this.cancel();
+        this.#forget(null);
         this.#viewer.fit();
-        this.#canvas.getContext('2d')?.reset();
+        erase(this.#canvas);
+    }
+
+    /** Forgets the finished picture, because one of other texts follows. */
+    #forget(texts: Texts | null): void {
+        this.#texts = texts;
+        this.#ppm = null;
+        this.#digest.replaceChildren();
+        this.#saves.forEach((button) => (button.disabled = true));
     }
 
     /** Renders the texts. A picture that is not finished is cancelled. */
     render(engine: Engine, texts: Texts): void {
         this.#stop?.();
-        this.#end();
-        this.#ppm = null;
-        this.#digest.replaceChildren();
-        this.#saves.forEach((button) => (button.disabled = true));
+        this.#isBegun = false;
+        this.#forget(texts);
         this.#cancel.disabled = false;
         this.#bar.hidden = false;
         this.#canvas.ariaBusy = 'true';
@@ -74,6 +97,7 @@ export class Picture {
         const watcher: Watcher = {
             begin: current((width, height, step) => {
                 this.#canvas.ariaBusy = 'false';
+                this.#isBegun = true;
                 resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
                 this.#canvas.dataset.step = String(step);
                 size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
@@ -87,7 +111,7 @@ export class Picture {
                 this.#bar.value = done / height;
                 this.#bar.title = `${done} / ${height} ${say('rows')}`;
             }),
-            show: current((pixels, first) => this.#canvas.getContext('2d')?.putImageData(pixels, 0, first)),
+            show: current((pixels, first) => put(this.#canvas, pixels, first)),
             done: current((ppm, digest) => {
                 this.#end();
                 this.#ppm = ppm;
@@ -99,6 +123,7 @@ export class Picture {
                 const same = document.createElement('span');
                 write(same, () => say('same'));
                 this.#digest.replaceChildren('SHA-256 ', code, ' — ', same);
+                this.onDone();
             }),
             fault: current((fault) => {
                 this.#end();
@@ -125,7 +150,11 @@ export class Picture {
         }
     }
 
+    /** Ends a picture. If nothing of it is shown, the one before is removed, which belongs to other texts. */
     #end(): void {
+        if (!this.#isBegun) {
+            erase(this.#canvas);
+        }
         this.#stop = null;
         this.#canvas.ariaBusy = 'false';
         this.#cancel.disabled = true;

@@ -1,9 +1,10 @@
 // The path of a pixel: the steps by Rust and by the shaders side by side, and the ray's way in a plan of the scene.
 import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
+import { definitions, nameOf, type Definitions } from './definitions';
 import { plan } from './plan';
 import { Faulty, type Facts, type Preparer } from './preparer';
-import { messageOf, say, write } from './words';
+import { messageOf, say, write, type Key } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -12,6 +13,8 @@ export interface Source {
     preparer: Preparer;
     shaders: Shaders | null;
     facts: Facts;
+    /** The text of the scene. */
+    scene: string;
 }
 
 /** The numbers of a step that are shown: all but the background's colour for a hit, and other ones for an escape. */
@@ -48,6 +51,18 @@ function text(number: number, name: string): string {
         }
     }
     return Object.is(number, -0) ? '-0' : String(Number(number.toPrecision(9)));
+}
+
+/** Returns what a whole number of a step means, or nothing. `kind` is the first word of the object's line. */
+function meaning(number: number, name: string, kind: string, { objects, materials }: Definitions): string {
+    const [object, material] = [objects[number], materials[number]];
+    switch (name) {
+        case 'object': return object ? nameOf(object.tag, object.line) : '';
+        case 'material': return material ? nameOf(material.name, material.line) : '';
+        case 'part': return kind === 'cylinder' ? say((['side', 'top', 'bottom'] as const)[number] ?? 'side') : '';
+        case 'front': return say(number === 1 ? 'outside' : 'inside');
+        default: return '';
+    }
 }
 
 /** The view of a pixel's path. */
@@ -114,23 +129,25 @@ export class PixelView {
         }
         this.#source = source;
         const { width, height } = source.facts;
-        const limited = (id: string, size: number): number => {
+        const limited = (id: string, key: Key, size: number): number => {
             const input = element<HTMLInputElement>(id);
+            write(input.previousElementSibling as HTMLElement, () => say('range', say(key), size - 1));
             input.max = String(size - 1);
             const value = Math.min(Math.max(Math.floor(Number(input.value) || 0), 0), size - 1);
             input.value = String(value);
             return value;
         };
-        const pixel = limited('pixel-row', height) * width + limited('pixel-column', width);
+        const pixel = limited('pixel-row', 'row', height) * width + limited('pixel-column', 'column', width);
         try {
             const rust = await source.preparer.steps(pixel);
             const wgsl = source.shaders ? await source.shaders.steps(pixel, this.names.length) : null;
             const probed = source.shaders ? await source.shaders.probed(pixel) : null;
             if (own === this.#newest) {
                 this.#wasShown = true;
-                this.#fill(rust, wgsl);
+                this.#fill(rust, wgsl, definitions(source.scene));
                 element('pixel-probe').textContent = probed ? `probe: ${probed.map((value) => text(value, '')).join(', ')}` : '';
-                element('pixel-plan').replaceChildren(plan(source.facts, this.#points(wgsl ?? rust)));
+                const paths = [this.#points(rust), wgsl && this.#points(wgsl)] as const;
+                element('pixel-plan').replaceChildren(plan(source.facts, ...paths));
             }
         } catch (error) {
             if (own !== this.#newest) {
@@ -152,7 +169,7 @@ export class PixelView {
         ['pixel-steps', 'pixel-plan', 'pixel-probe', 'pixel-first'].forEach((id) => element(id).replaceChildren());
     }
 
-    #fill(rust: Float32Array, wgsl: Float32Array | null): void {
+    #fill(rust: Float32Array, wgsl: Float32Array | null, known: Definitions): void {
         const numbers = this.names.length;
         const bodies: HTMLTableSectionElement[] = [];
         let first: { step: number; name: string; bits: string } | null = null;
@@ -163,6 +180,7 @@ export class PixelView {
                 break;
             }
             const rows: HTMLTableRowElement[] = [];
+            const kindOf = (step: Float32Array) => known.objects[step[this.names.indexOf('object')] ?? -1]?.tag ?? '';
             let [differing, group] = [0, ''];
             for (const place of [...places].sort((one, next) => one - next)) {
                 const name = this.names[place] ?? '';
@@ -170,6 +188,13 @@ export class PixelView {
                 const isSame = same(a, b);
                 const mark = isSame ? '' : first ? 'differs' : 'first';
                 const row = line([name, text(a, name), wgsl ? text(b, name) : '—'], mark);
+                const cells = [[1, a, own], [2, b, wgsl && other]] as const;
+                for (const [cell, number, step] of WHOLE.has(name) ? cells : []) {
+                    const said = () => (step ? meaning(number, name, kindOf(step), known) : '');
+                    if (said()) {
+                        write(row.cells[cell] as HTMLElement, () => `${number} (${said()})`);
+                    }
+                }
                 if (!isSame) {
                     differing += 1;
                     first ??= { step, name, bits: `\nRust  ${binary(a)}\nWGSL  ${binary(b)}` };

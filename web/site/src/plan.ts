@@ -1,7 +1,7 @@
 // Two plans of the scene with the way of a ray: from above (x to the right, z downwards), and against z (x to the right,
 // y upwards).
 import type { Facts, ShapeOf } from './preparer';
-import { say, type Key } from './words';
+import { say, write, type Key } from './words';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -36,10 +36,11 @@ function outline([kind, center, radius, axis]: ShapeOf, [right, vertical, sign]:
 /** Largest number of objects in a plan. */
 const MAX_OBJECTS = 2000;
 
-function view(facts: Facts, points: readonly number[][], axes: Axes, key: Key): SVGElement {
+function view(facts: Facts, paths: readonly Path[], axes: Axes, key: Key): SVGElement {
     const [right, vertical, sign] = axes;
     // Objects that are much larger than the distance to the target, such as the ground, do not count for the frame.
     const reach = 3 * Math.hypot(...facts.position.map((value, axis) => value - (facts.target[axis] ?? 0)));
+    const points = paths.flat();
     const near = facts.shapes.filter(([, , radius]) => radius < reach).slice(0, MAX_OBJECTS);
     const [xs, ys] = [right, vertical].map((axis) => [
         ...points.map((point) => point[axis] ?? 0),
@@ -54,24 +55,31 @@ function view(facts: Facts, points: readonly number[][], axes: Axes, key: Key): 
     const box = [middleX - size / 2, sign * middleY - size / 2, size, size];
     const svg = draw('svg', { viewBox: box.join(' '), role: 'img', 'aria-label': say(key), 'data-label': key });
     facts.shapes.slice(0, MAX_OBJECTS).forEach((shape) => svg.append(outline(shape, axes)));
-    const way = points.map((point) => `${point[right] ?? 0},${sign * (point[vertical] ?? 0)}`).join(' ');
-    svg.append(draw('polyline', { points: way }));
-    points.forEach((point, index) => index % 2 === 1
-        && svg.append(draw('circle', { class: 'hit', cx: point[right] ?? 0, cy: sign * (point[vertical] ?? 0), r: size / 90 })));
+    paths.forEach((path, number) => {
+        const way = path.map((point) => `${point[right] ?? 0},${sign * (point[vertical] ?? 0)}`).join(' ');
+        svg.append(draw('polyline', { points: way, class: number === 0 ? 'rust' : 'wgsl' }));
+        path.filter((_, index) => index % 2 === 1).forEach((point) => {
+            const [cx, cy] = [point[right] ?? 0, sign * (point[vertical] ?? 0)];
+            svg.append(draw('circle', { class: 'hit', cx, cy, r: size / 90 }));
+        });
+    });
     const [cameraX, cameraY] = [facts.position[right] ?? 0, sign * (facts.position[vertical] ?? 0)];
     svg.append(draw('circle', { class: 'camera', cx: cameraX, cy: cameraY, r: size / 60 }));
     return svg;
 }
 
-/** Returns both views of the scene. `points` are the starts and ends of the rays. */
-export function plan(facts: Facts, points: readonly number[][]): DocumentFragment {
+/** The starts and ends of the rays of a path. */
+type Path = readonly number[][];
+
+/** Returns both views of the scene with the path by Rust and, if there is one, that by WGSL. */
+export function plan(facts: Facts, rust: Path, wgsl: Path | null): DocumentFragment {
     const both = document.createDocumentFragment();
+    const isSame = JSON.stringify(rust) === JSON.stringify(wgsl);
     for (const [axes, key] of [[[0, 2, 1], 'planAbove'], [[0, 1, -1], 'planFront']] as const) {
         const figure = document.createElement('figure');
         const caption = document.createElement('figcaption');
-        caption.textContent = say(key);
-        caption.dataset.words = key;
-        figure.append(view(facts, points, axes, key), caption);
+        write(caption, () => `${say(key)}; ${say(!wgsl ? 'planRust' : isSame ? 'planSame' : 'planPaths')}`);
+        figure.append(view(facts, !wgsl || isSame ? [rust] : [rust, wgsl], axes, key), caption);
         both.append(figure);
     }
     return both;

@@ -20,7 +20,6 @@ const ROOTS = ['kernels/image', 'kernels/steps'];
 /** What the editor tells the page. */
 export interface Listener {
     changed(edits: Edits): void;
-    render(): void;
     say(text: () => string): void;
 }
 
@@ -42,7 +41,8 @@ export class ShaderEditor {
         this.#edits = store.modules();
         this.#editor = new Editor(element('shader-editor'), wgsl, element('shader-label'), {
             changed: () => this.#typed(),
-            render: () => listener.render(),
+            // The modules are compiled after each pause, and the exact picture does not use them.
+            render: () => undefined,
         });
         this.#knobs = new Knobs(element('knobs'), this.#editor);
         this.#fill();
@@ -107,6 +107,8 @@ export class ShaderEditor {
         const name = (module: Module) => `${module.name in this.#edits ? '* ' : ''}${module.name}`;
         this.#select.replaceChildren(...this.#modules.map((module) => new Option(name(module), module.name)));
         this.#select.value = chosen;
+        const changed = Object.keys(this.#edits).join(', ');
+        write(element('shader-changed'), () => (changed ? say('shadersChanged', changed) : ''));
     }
 
     /** Shows the first module that the user has changed, or else the one to begin with. */

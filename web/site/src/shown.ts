@@ -33,14 +33,27 @@ export function developed(colors: ArrayLike<number>, { width, height, gamma }: F
     return image;
 }
 
+/** The event of a canvas whose pixels or size have changed. What the viewer around it says belongs to them. */
+export const PAINTED = 'painted';
+
+/** Shows rows of a picture in a canvas. */
+export function put(canvas: HTMLCanvasElement, rows: ImageData, first: number): void {
+    canvas.getContext('2d')?.putImageData(rows, 0, first);
+    canvas.dispatchEvent(new Event(PAINTED, { bubbles: true }));
+}
+
 /** Gives a canvas the size of a picture, which clears it. The layout needs the ratio of the picture. */
 export function resize(canvas: HTMLCanvasElement, width: number, height: number): void {
     [canvas.width, canvas.height] = [width, height];
     (canvas.closest<HTMLElement>('.viewer') ?? canvas).style.setProperty('--ratio', String(width / height));
+    canvas.dispatchEvent(new Event(PAINTED, { bubbles: true }));
 }
+
+/** Removes the picture of a canvas, which keeps its size. */
+export const erase = (canvas: HTMLCanvasElement): void => resize(canvas, canvas.width, canvas.height);
 
 /** Shows a picture in a canvas of its size. */
 export function paint(canvas: HTMLCanvasElement, image: ImageData): void {
     resize(canvas, image.width, image.height);
-    canvas.getContext('2d')?.putImageData(image, 0, 0);
+    put(canvas, image, 0);
 }

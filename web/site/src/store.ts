@@ -1,5 +1,6 @@
 // Keeps what the user types in the browser's local storage. Texts that are replaced stay in a list of earlier texts.
 
+import { definitions } from './definitions';
 import type { Edits } from './gpu/compose';
 
 /** A configuration and a scene. */
@@ -9,6 +10,9 @@ export interface Texts {
     /** The user's texts of WGSL modules; without them, those of the page stay. */
     modules?: Edits;
 }
+
+/** Whether both texts of two pairs are the same. */
+export const isSame = (one: Texts, other: Texts): boolean => one.config === other.config && one.scene === other.scene;
 
 /** Texts that the user had before others were loaded. */
 export interface Earlier extends Texts {
@@ -100,6 +104,12 @@ function write(key: string, value: unknown): void {
             }
         }
     }
+}
+
+/** Returns the number of objects of texts, and the last width of the picture. */
+export function sizes({ config, scene }: Texts): [objects: number, width: string] {
+    const width = Array.from(config.matchAll(/^\s*image_width:\s*(\S+)/gm)).at(-1)?.[1];
+    return [definitions(scene).objects.length, width ? `, ${width} px` : ''];
 }
 
 /** Keeps the texts of the editors. Throws if the browser does not allow it. */

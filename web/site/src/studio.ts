@@ -21,10 +21,13 @@ import { messageOf, say, write } from './words';
 
 /** What the views need of the page. */
 export interface Owner {
+    /** The texts that the views show: the last ones without an error. */
     texts(): Texts;
-    replaceConfig(config: string): void;
+    /** Changes the configuration in the editor. */
+    changeConfig(change: (config: string) => string): void;
     say(text: () => string): void;
-    render(): void;
+    /** Removes the last message, because the shaders have changed. */
+    unsay(): void;
     /** The exact picture, if it is finished. */
     picture(): Rgb | null;
 }
@@ -148,13 +151,24 @@ export class Studio {
         this.#parts ??= this.#make();
         const { comparison } = await this.#parts;
         await comparison.showFiles(files, this.owner.picture());
+        this.reveal('compare-pane');
+    }
+
+    /** Takes a new exact picture, with which a file may be compared. */
+    async rendered(): Promise<void> {
+        await (await this.#parts)?.comparison.renew(this.owner.picture());
+    }
+
+    /** Shows a view, and scrolls to its start: on a phone the page may be scrolled below it. */
+    reveal(name: string): void {
+        this.#tabs.show(name);
+        document.querySelector('.tabs')!.scrollIntoView({ block: 'nearest' });
     }
 
     /** Opens the editor of the shaders. */
     #edit(): ShaderEditor {
         this.#editor ??= new ShaderEditor(this.renderer.wgsl(), {
             changed: (edits) => void this.#edited(edits),
-            render: () => this.owner.render(),
             say: (text) => this.owner.say(text),
         });
         return this.#editor;
@@ -162,6 +176,7 @@ export class Studio {
 
     /** Compiles the user's modules. The exact picture does not use them, so the live view is shown. */
     async #edited(edits: Edits): Promise<void> {
+        this.owner.unsay();
         if (this.#tabs.current === 'exact') {
             this.#tabs.show('live-pane');
         }
@@ -187,9 +202,7 @@ export class Studio {
         const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
         const follow = (source: Source | null | undefined, column: number, row: number) => {
             if (source) {
-                this.#tabs.show('pixel-pane');
-                // On a phone the page may be scrolled below the start of this view.
-                document.querySelector('.tabs')!.scrollIntoView({ block: 'nearest' });
+                this.reveal('pixel-pane');
                 void pixel.show(source, column, row);
             }
         };
@@ -270,7 +283,7 @@ export class Studio {
             if (isSaved) {
                 await view.save(lines(camera).map((row) => row.join(' ')));
             }
-            this.owner.replaceConfig(taken(this.owner.texts().config, camera));
+            this.owner.changeConfig((config) => taken(config, camera));
             this.owner.say(() => say(isSaved ? 'liveSaved' : 'liveTaken'));
         } catch (error) {
             this.owner.say(() => say('liveNotSaved', messageOf(error)));

@@ -1,10 +1,14 @@
 // A picture that is zoomed and moved, with the numbers of the pixel under the pointer. A stage holds one picture, or
 // two of the same size on top of each other.
 import { Gestures, type Place } from './gestures';
+import { PAINTED } from './shown';
 import { say, write } from './words';
 
 /** The largest size of a pixel of the picture, in pixels of the screen. */
 const LARGEST = 64;
+
+/** The size of a pixel of the picture that {@link Viewer.goTo} shows, in pixels of the screen. */
+const NEAR = 8;
 
 /** What a viewer tells its owner. */
 export interface Owner {
@@ -20,6 +24,8 @@ export class Viewer {
     /** The picture's width in widths of the stage, and its left upper corner in parts of the stage. */
     #zoom = 1;
     #corner: Place = { x: 0, y: 0 };
+    /** The place in the stage whose pixel is told. */
+    #told: Place | null = null;
     readonly #canvases: HTMLCanvasElement[];
     readonly #scale = document.createElement('span');
     readonly #pixel = document.createElement('span');
@@ -32,12 +38,17 @@ export class Viewer {
             zoom: (factor, at) => this.#zoomTo(this.#zoom / factor, at),
             reset: () => this.fit(),
             click: (at) => {
-                this.#tell(at);
+                this.#told = at;
+                this.#tell();
                 const pixel = this.#pixelAt(at);
                 pixel && owner.clicked?.(...pixel);
             },
         });
-        stage.addEventListener('pointermove', (event) => this.#tell(gestures.placeOf(event)));
+        stage.addEventListener('pointermove', (event) => {
+            this.#told = gestures.placeOf(event);
+            this.#tell();
+        });
+        stage.addEventListener(PAINTED, () => this.#show());
         const button = (name: string, text: () => string, act: () => void) => {
             const made = document.createElement('button');
             made.type = 'button';
@@ -61,6 +72,18 @@ export class Viewer {
     /** Shows the whole picture. */
     fit(): void {
         this.#zoomTo(1, null);
+    }
+
+    /** Shows a pixel of the picture in the middle, enlarged, with its numbers. */
+    goTo(column: number, row: number): void {
+        const { width, height } = this.#canvases[0] ?? { width: 1, height: 1 };
+        this.fit();
+        this.#zoomTo(NEAR * this.#actual, null);
+        this.#corner = { x: 0.5 - ((column + 0.5) * this.#zoom) / width, y: 0.5 - ((row + 0.5) * this.#zoom) / height };
+        this.#show();
+        this.#told = { x: this.#corner.x + ((column + 0.5) * this.#zoom) / width,
+            y: this.#corner.y + ((row + 0.5) * this.#zoom) / height };
+        this.#tell();
     }
 
     /** Returns the part of the picture's width at `x`, a part of the stage's width. */
@@ -100,6 +123,7 @@ export class Viewer {
         // A finger scrolls the page over a whole picture, and moves a zoomed one.
         style.touchAction = this.#zoom > 1 ? 'none' : 'pan-y';
         this.#scale.textContent = `${Math.round((100 * this.#zoom) / this.#actual)} %`;
+        this.#tell();
         this.owner.moved?.();
     }
 
@@ -110,14 +134,15 @@ export class Viewer {
         return isInside ? [Math.floor(column * width), Math.floor(row * height)] : null;
     }
 
-    /** Writes the place and the bytes of the pixel at `at`. */
-    #tell(at: Place): void {
-        const pixel = this.#pixelAt(at);
-        const bytes = (canvas: HTMLCanvasElement) => pixel
-            && canvas.getContext('2d')?.getImageData(...pixel, 1, 1).data.slice(0, 3).join(' ');
+    /** Writes the place and the bytes of the pixel that is told. A transparent pixel has no colour yet. */
+    #tell(): void {
+        const pixel = this.#told && this.#pixelAt(this.#told);
+        const data = pixel ? this.#canvases.map((canvas) =>
+            canvas.getContext('2d')?.getImageData(...pixel, 1, 1).data ?? new Uint8ClampedArray(4)) : [];
         // A large picture is shown in part, and its canvas has every `step`th pixel.
         const step = Number(this.#canvases[0]?.dataset.step ?? 1);
-        const colors = this.#canvases.map(bytes).join(' | ');
-        write(this.#pixel, () => (pixel ? say('pixelAt', pixel[0] * step, pixel[1] * step, colors) : ''));
+        const colors = data.map((bytes) => bytes.slice(0, 3).join(' ')).join(' | ');
+        const isKnown = data.every((bytes) => bytes[3] !== 0);
+        write(this.#pixel, () => (pixel && isKnown ? say('pixelAt', pixel[0] * step, pixel[1] * step, colors) : ''));
     }
 }

@@ -30,6 +30,9 @@ export const tests = {
     async 'the shaders have the bits of Rust in f32, and nearly the exact picture'({ open, url }) {
         const page = await openLive(open, url);
         await page.click('#tab-compare');
+        equal(await figures(page), 0, 'the pixels that differ at first');
+        await page.selectOption('#compare-with', 'f64');
+        await page.waitForFunction(() => /^[1-9].*RMSE/.test(document.getElementById('compare-figures').textContent));
         const wide = await figures(page);
         const text = await page.textContent('#compare-figures');
         console.log(text);
@@ -54,6 +57,7 @@ export const tests = {
         await frame(page, shown);
         const differing = await compareSingle(page);
         check(differing > 0, 'the fault makes a difference');
+        check((await page.textContent('#compare-figures')).includes('has no random vectors'), 'what is not compared');
         await page.selectOption('#compare-view', 'ulps');
         check(await page.isVisible('#compare-map'), 'the map is shown');
         const colors = await pixels(page, 'compare-map');
@@ -103,7 +107,16 @@ export const tests = {
         await page.press('#pixel-row', 'Enter');
         await page.waitForSelector('#pixel-steps .head');
         equal(await page.textContent('#pixel-first'), 'No bit differs.', 'the two paths');
-        equal(await page.locator('#pixel-plan figcaption').count(), 2, 'the plans say their axes');
+        const caption = 'from above: x to the right, z downwards; path by Rust and by WGSL';
+        equal(await page.locator('#pixel-plan figcaption').first().textContent(), caption, 'what the plan shows');
+        await page.fill('#pixel-row', '9999');
+        await page.press('#pixel-row', 'Enter');
+        await page.waitForFunction(() => /\((sphere|ground), line/.test(document.getElementById('pixel-steps').textContent));
+        equal(await page.innerText('label:has(#pixel-row)'), 'Row (0 to 269)', 'the rows that there are');
+        const rows = (await page.innerText('#pixel-steps')).split('\n').map((row) => row.split('\t'));
+        for (const [name, words] of [['object', '0 (sphere, line 11)'], ['material', '0 (ground, line 1)'], ['front', '1 (from outside)']]) {
+            equal(rows.find((row) => row[0] === name).slice(1).join(), `${words},${words}`, name);
+        }
     },
 
     async 'the slider, the linear map and blinking show both pictures'({ open, url }) {
@@ -171,7 +184,17 @@ export const tests = {
         }
         check(!accepted && differing > width, said.stdout);
         await shoot(page, 'phone-files');
+        check(await page.isDisabled('#compare-ulps'), 'bytes have no units in the last place');
+        check((await page.locator('.tabs').boundingBox()).y >= 0, 'the result is in sight');
+        await page.tap('#compare-most-at');
+        const told = await page.innerText('#compare-pane .viewing');
+        const [column, row] = told.match(/column (\d+), row (\d+)/).slice(1).map(Number);
+        equal(await page.textContent('#compare-most-at'), `Largest difference: column ${column}, row ${row}`, 'the place');
+        const at = 3 * (row * width + column);
+        const colors = [bytes, grey].map((all) => Array.from(all.slice(at, at + 3)).join(' '));
+        check(told.endsWith(`: ${colors[1]} | ${colors[0]}`), `${told} instead of ${colors}`);
         check((await shown(one)).startsWith('The course accepts this difference: RMSE 0.000'), 'the picture itself');
+        check(/: (\d+ \d+ \d+) \| \1$/.test(await page.innerText('#compare-pane .viewing')), 'the numbers of the picture itself');
         equal(await page.textContent('#compare-names'), 'Left: one.ppm. Right: Picture.', 'the names');
         await page.setInputFiles('#files', [file('bad.png', 'x')]);
         const says = (words) => page.waitForFunction((start) =>

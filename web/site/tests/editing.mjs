@@ -13,6 +13,7 @@ export const tests = {
         equal((await page.locator('#config-faults button').allTextContents()).join(), 'Line 3,Line 5', 'the lines');
         await page.selectOption('#language', 'es');
         await page.waitForFunction(() => document.querySelector('#config-faults pre').textContent.endsWith('¿quería decir [image_width:]?'));
+        check((await page.textContent('#config-faults pre')).startsWith('Los programas dicen: Unknown'), 'whose words they are');
         await page.selectOption('#language', 'en');
         equal(await page.locator('#config-editor .cm-lintRange-error').count(), 2, 'the marks');
         await type(page, 'scene', 'matte: grey .5 .5 .5\nsphere: 0 0 0 -4 grey\n');

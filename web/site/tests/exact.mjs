@@ -1,7 +1,7 @@
 // Tests of the exact picture: rows, bar, cancel, digest, saved files, and digests of many scenes.
 import { readFileSync } from 'node:fs';
 import { decode } from 'fast-png';
-import { check, digest, equal, render, serve, sha256, shoot, SLOW, SMALL, type } from './tools.mjs';
+import { check, digest, equal, pixels, render, serve, sha256, shoot, SLOW, SMALL, type } from './tools.mjs';
 
 const lastRow = (page) => page.evaluate(() => {
     const canvas = document.getElementById('canvas');
@@ -53,6 +53,27 @@ export const tests = {
         const rest = await lastRow(page);
         await page.waitForTimeout(1000);
         equal(await lastRow(page), rest, 'the rows a second after cancelling');
+    },
+
+    async 'numbers follow the picture, and a picture of other texts is marked'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await render(page, SMALL);
+        await page.hover('#exact-stage');
+        const told = () => page.innerText('#exact .viewing');
+        check(/column 3[12], row 1[78]: /.test(await told()), await told());
+        const opacity = (id) => page.evaluate((name) => Number(getComputedStyle(document.getElementById(name)).opacity), id);
+        await type(page, 'config', 'image_width: 32\nsamples_per_pixel: 1\nfield_of_view: 150\n');
+        await page.waitForFunction(() => document.getElementById('old').innerText.startsWith('The texts have changed'));
+        check(await opacity('digest') < 1 && await opacity('save-png') < 1, 'the digest and the buttons are marked');
+        await page.keyboard.press('Control+Enter');
+        await page.waitForFunction(() => /^32 × 18, .* s$/.test(document.getElementById('status').textContent));
+        const [, scale, column, row, colors] = (await told()).match(/(\d+) %\s*column (1[56]), row ([89]): (.*)$/) ?? [];
+        const [width, own] = await page.evaluate(([x, y]) => [document.getElementById('exact-stage').clientWidth,
+            document.getElementById('canvas').getContext('2d').getImageData(x, y, 1, 1).data.slice(0, 3).join(' ')],
+        [Number(column), Number(row)]);
+        equal(`${scale} % ${colors}`, `${Math.round((100 * width) / 32)} % ${own}`, 'the zoom and the numbers');
+        equal(`${await opacity('digest')} ${await page.isVisible('#old')}`, '1 false', 'the mark of the new picture');
     },
 
     async 'the saved files have the bytes of the picture'({ open, url }) {
@@ -122,6 +143,7 @@ export const tests = {
         await page.click('#render');
         await page.waitForFunction(() => document.getElementById('status').textContent.includes('Not enough memory'));
         check((await digest(page, 1000).catch(() => 'none')) === 'none', 'there is no picture');
+        check((await pixels(page, 'canvas')).bytes.every((byte) => byte === 0), 'the one of the earlier texts is removed');
         check((await render(page, SMALL)).length === 64, 'the next picture is rendered');
     },
 };

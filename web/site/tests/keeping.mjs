@@ -29,6 +29,8 @@ export const tests = {
         await page.selectOption('#examples', 'cylinders');
         await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.includes('cylinder:'));
         equal(await page.locator('#earlier option').count(), 2, 'an example is no typed text');
+        const earlier = await page.locator('#earlier option').last().textContent();
+        check(/: 0 objects, 480 px$/.test(earlier), earlier);
         await page.selectOption('#earlier', '0');
         await page.waitForSelector('#scene-faults pre');
         equal(await textOf(page, 'scene'), BROKEN, 'the earlier scene');
@@ -111,6 +113,7 @@ export const tests = {
         equal(await other.getAttribute('#tab-live', 'aria-selected'), 'true', 'the live view is shown');
         equal(rmse((await pixels(other, 'live-canvas')).bytes, seen.bytes), 0, 'the view of the link');
         check((await moduleText(other)).includes('background.dark * (real(1.0) - m)'), 'the module of the link');
+        equal(await other.textContent('#shader-changed'), 'changed: background', 'the page says that it is changed');
 
         const third = await openLive(open, url, SCENE);
         await third.click('#shader-part summary');

@@ -127,6 +127,26 @@ export const tests = {
         await page.keyboard.press('Control+z');
     },
 
+    async 'after an error all views show the earlier texts and say so'({ open, url }) {
+        const page = await openLive(open, url);
+        await page.click('#live-take');
+        await page.waitForFunction(() => document.getElementById('said').innerText.endsWith('"Render" makes its exact picture.'));
+        await type(page, 'config', `${SCENE.config}camera_position: 1 -4 0\n`);
+        await page.waitForFunction(() => /^The camera is inside an object \(sphere, line \d+\)\. \d/
+            .test(document.getElementById('live-status').textContent));
+        equal(await page.textContent('#said'), '', 'the message about the earlier camera');
+        await type(page, 'config', 'gamma: -1\n');
+        for (const [tab, part] of [['live', '#live-canvas'], ['compare', '#compare-stage'], ['pixel', '#pixel-plan svg'], ['exact', '#canvas']]) {
+            await page.click(`#tab-${tab}`);
+            await page.waitForSelector(part);
+            await page.waitForFunction(() => document.getElementById('old').innerText.startsWith('There is an error in: Configuration. What'));
+            if (tab === 'compare') {
+                await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
+                await page.click('#compare-stage');
+            }
+        }
+    },
+
     async 'the key Home goes back to the camera of the text'({ open, url }) {
         const page = await openLive(open, url);
         const first = await pixels(page, 'live-canvas');
