@@ -68,6 +68,8 @@ export class Live {
     /** The smallest and the largest value that is probed. */
     #range: [number, number] = [0, 1];
     #times: number[] = [];
+    /** The result of {@link #inside} for the last facts, as frames of one camera share it. */
+    #around: { facts: Facts | null; object: Definition | undefined } = { facts: null, object: undefined };
 
     constructor(private readonly preparer: Preparer, private readonly listener: Listener) {
         this.#fixed.addEventListener('change', () => this.#restart());
@@ -321,14 +323,15 @@ export class Live {
 
     /** The first object around the camera. Its surface may hide all light, and then the picture is black. */
     #inside(): Definition | undefined {
-        const { position, shapes = [] } = this.#facts ?? {};
-        const index = position ? shapes.findIndex((shape) => camera.isInside(position, shape)) : -1;
-        if (index < 0) {
-            return undefined;
+        const facts = this.#facts;
+        if (facts && this.#around.facts !== facts) {
+            const index = facts.shapes.findIndex((shape) => camera.isInside(facts.position, shape));
+            const { objects } = index < 0 ? { objects: [] } : definitions(this.#scene);
+            // The shapes are all spheres and then all cylinders.
+            const sorted = ['sphere', 'cylinder'].flatMap((kind) => objects.filter(({ tag }) => tag === kind));
+            this.#around = { facts, object: sorted[index] };
         }
-        // The shapes are all spheres and then all cylinders.
-        const { objects } = definitions(this.#scene);
-        return ['sphere', 'cylinder'].flatMap((kind) => objects.filter(({ tag }) => tag === kind))[index];
+        return this.#around.object;
     }
 
     #failed(error: unknown): void {

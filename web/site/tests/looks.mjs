@@ -43,7 +43,9 @@ export const tests = {
         const fine = await page.evaluate(() => Array.from(document.querySelectorAll('input, select, .cm-content'))
             .filter((one) => parseFloat(getComputedStyle(one).fontSize) < 16).map((one) => one.id || one.className));
         equal(fine.join(), '', 'inputs whose letters are smaller than 16 px, into which phones zoom');
+        await page.evaluate(() => document.getElementById('render').scrollIntoView());
         await page.tap('#render');
+        check((await page.locator('.tabs').boundingBox()).y >= 0, 'the picture comes into sight');
         await digest(page);
         await shoot(page, 'phone');
     },

@@ -52,6 +52,8 @@ export const tests = {
         await page.waitForSelector('#shader-editor .cm-lintRange-error');
         equal(await page.textContent('#shader-editor .cm-lintRange-error'), 'direktion', 'the marked word');
         equal(await page.textContent('#shader-faults button'), 'background Line 11', 'the place');
+        const { y, height } = await page.locator('#shader-faults button').first().boundingBox();
+        check(y > 0 && y + height <= 800, `the fault is at ${y}`);
         check((await page.textContent('#shader-faults pre')).includes('direktion'), 'the message');
         equal(rmse((await pixels(page, 'live-canvas')).bytes, second.bytes), 0, 'the last good picture');
         await shoot(page, 'shader-fault');
