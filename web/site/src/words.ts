@@ -252,7 +252,7 @@ const SPANISH: Record<Key, string> = {
     compareWith: 'Comparar los sombreadores con',
     compareView: 'Mostrar',
     exactF64: 'el renderizador exacto (f64; casi todo píxel se redondea de otra forma)',
-    rustF32: 'los mismos pasos en Rust (f32)',
+    rustF32: 'Rust, mismos pasos (f32)',
     viewBoth: 'las dos imágenes',
     viewLinear: 'diferencia, lineal',
     viewUlps: 'diferencia, unidades en el último lugar',
