@@ -149,9 +149,9 @@ fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64
     exact::sphere::compensated_or_precise(&objects.sphere(index).record, &ray)
 }
 
-/// Returns what [`ClosestHit::intersect_spheres`] does for spheres about which the plain formula may be uncertain. For a
-/// ray between thin shells it is uncertain about most of them. So these are put off, and the one with the smallest
-/// lower bound of lambda is intersected first. It mostly hides the others.
+/// Does what [`ClosestHit::intersect_spheres`] does, and returns the closest hit. The plain formula may be uncertain
+/// about these spheres, as it is about most of the thin shells between which a ray starts. Such spheres are put off, and
+/// the one with the smallest lower bound of lambda is intersected first. It mostly hides the others.
 #[cold]
 #[inline(never)]
 fn with_uncertain_spheres<O: Objects>(objects: &O, spheres: u64, ray: Ray, mut closest: ClosestHit) -> ClosestHit {
