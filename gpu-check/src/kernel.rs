@@ -9,6 +9,7 @@ use cpu::internals::sampling::uniform::Uniform;
 
 use crate::Float;
 use crate::running::Running;
+use crate::special::Row;
 
 /// A formula of `cpu`, and the kernel of `shaders` that should give its bits.
 pub trait Formula {
@@ -21,10 +22,10 @@ pub trait Formula {
 
     /// Computes the formula with the code of `cpu`. Reads the inputs from `case` and writes the outputs to `result`.
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]);
-    /// Returns the edge cases, row after row. At these a decision changes, or a number overflows or underflows.
-    fn edges() -> Vec<f64>;
-    /// Fills `case` with random inputs from the generator `draws`.
-    fn random(draws: &mut Uniform, case: &mut [f64]);
+    /// Appends the edge cases to `rows`. At these a decision changes, or a number overflows or underflows.
+    fn edges(rows: &mut Row);
+    /// Appends random inputs of one case, from the generator `draws`, to `row`.
+    fn random(draws: &mut Uniform, row: &mut Row);
 }
 
 /// A [`Formula`] as a value, so that an array can list kernels.
@@ -39,8 +40,8 @@ pub struct Kernel {
     pub(crate) wide: fn(&[f64], &mut [f64]),
     pub(crate) single: fn(&[f32], &mut [f32]),
     pub(crate) running: fn(&[Running], &mut [Running]),
-    edges: fn() -> Vec<f64>,
-    random: fn(&mut Uniform, &mut [f64]),
+    edges: fn(&mut Row),
+    random: fn(&mut Uniform, &mut Row),
 }
 
 impl Kernel {
@@ -62,20 +63,20 @@ impl Kernel {
     /// Returns the inputs of all edge cases: a row of [`Self::inputs`] numbers for each case.
     #[must_use]
     pub fn edge_cases<T: Float>(&self) -> Vec<T> {
-        (self.edges)().into_iter().map(T::of).collect()
+        let mut rows = Row::default();
+        (self.edges)(&mut rows);
+        rows.0.into_iter().map(T::of).collect()
     }
 
     /// Returns `count` random cases, row after row. Equal seeds give equal cases.
     #[must_use]
     pub fn random_cases<T: Float>(&self, count: usize, seed: u64) -> Vec<T> {
-        let mut draws = Uniform::new(seed);
-        let mut case = vec![0.0; self.inputs];
-        let mut cases = Vec::with_capacity(count * self.inputs);
+        let (mut draws, mut rows) = (Uniform::new(seed), Row::default());
         for _ in 0..count {
-            (self.random)(&mut draws, &mut case);
-            cases.extend(case.iter().map(|value| T::of(*value)));
+            (self.random)(&mut draws, &mut rows);
         }
-        cases
+        assert_eq!(rows.0.len(), count * self.inputs, "{}", self.module);
+        rows.0.into_iter().map(T::of).collect()
     }
 }
 

@@ -87,7 +87,7 @@ pub fn once_in(draws: &mut Uniform, times: f64) -> bool {
     draws.canonical() * times < 1.0
 }
 
-/// A row of numbers, to which vectors and numbers are appended.
+/// One or more rows of numbers, to which vectors and numbers are appended.
 #[derive(Debug, Default)]
 pub struct Row(pub Vec<f64>);
 

@@ -21,9 +21,8 @@ impl Formula for Gradient {
         store(background.color(case.vector()), result);
     }
 
-    fn edges() -> Vec<f64> {
+    fn edges(rows: &mut Row) {
         let colors = [[0.0; 3], [1.0; 3], [0.25, 0.5, 1.0], [5e-324, 1e-40, 0.1]];
-        let mut rows = Row::default();
         for dark in colors {
             for light in colors {
                 for direction in DIRECTIONS {
@@ -36,16 +35,13 @@ impl Formula for Gradient {
                 }
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
-        let mut row = Row::default();
+    fn random(draws: &mut Uniform, row: &mut Row) {
         for _ in 0..6 {
             row.number(draws.canonical());
         }
         let size = if special::once_in(draws, 4.0) { special::of_any_size(draws, -18.0, 18.0) } else { 1.0 };
         row.vector(special::direction(draws) * size);
-        case.copy_from_slice(&row.0);
     }
 }

@@ -27,8 +27,7 @@ impl Formula for CameraRay {
         store(ray.direction, &mut result[3..]);
     }
 
-    fn edges() -> Vec<f64> {
-        let mut rows = Row::default();
+    fn edges(rows: &mut Row) {
         for number in NUMBERS {
             for other in NUMBERS {
                 for place in [[0.0, 0.0, -0.5, -0.5], [0.0, 1e9, 0.0, 0.5], [16_777_217.0, 3.0, 0.25, -0.0]] {
@@ -38,10 +37,9 @@ impl Formula for CameraRay {
                 }
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
+    fn random(draws: &mut Uniform, row: &mut Row) {
         let width = draws.draw(1.0, 4096.0).floor();
         let config = Config {
             image_width: width as u64,
@@ -60,13 +58,11 @@ impl Formula for CameraRay {
             delta_x: Vec3::ONE,
             delta_y: Vec3::ONE,
         });
-        let mut row = Row::default();
         row.vector(camera.position).vector(camera.origin).vector(camera.delta_x).vector(camera.delta_y);
         row.number(draws.draw(0.0, size.height() as f64).floor()).number(draws.draw(0.0, width).floor());
         let middle = special::once_in(draws, 4.0);
         for _ in 0..2 {
             row.number(if middle { 0.0 } else { draws.draw(-0.5, 0.5) });
         }
-        case.copy_from_slice(&row.0);
     }
 }

@@ -76,8 +76,7 @@ impl<const PROJECTED: bool> Formula for Cylinder<PROJECTED> {
         report(hit, result);
     }
 
-    fn edges() -> Vec<f64> {
-        let mut rows = Row::default();
+    fn edges(rows: &mut Row) {
         for center in CENTERS.map(Vec3::from) {
             for radius in RADII {
                 for axis in AXES {
@@ -100,10 +99,9 @@ impl<const PROJECTED: bool> Formula for Cylinder<PROJECTED> {
                 rows.number(number.abs()).vector(axis);
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
+    fn random(draws: &mut Uniform, row: &mut Row) {
         let ordinary = draws.canonical() < 0.7;
         let size = if ordinary { 1.0 } else { special::of_any_size(draws, -6.0, 6.0).abs() };
         let (radius, height) = (size * draws.draw(0.1, 3.0), size * draws.draw(0.1, 6.0));
@@ -133,8 +131,6 @@ impl<const PROJECTED: bool> Formula for Cylinder<PROJECTED> {
             }
         };
         let direction = if ordinary { direction } else { direction * special::of_any_size(draws, -6.0, 6.0).abs() };
-        let mut row = Row::default();
         row.vector(origin).vector(direction).vector(center).number(radius).vector(axis * height);
-        case.copy_from_slice(&row.0);
     }
 }

@@ -47,8 +47,7 @@ impl Formula for Matte {
         store(scatter::scatter_around(case.vector(), case.vector(), T::of(NEGLIGIBLE)), result);
     }
 
-    fn edges() -> Vec<f64> {
-        let mut rows = Row::default();
+    fn edges(rows: &mut Row) {
         for normal in NORMALS.map(Vec3::from) {
             for vector in DIRECTIONS.into_iter().chain(NORMALS) {
                 rows.vector(normal).vector(vector);
@@ -66,19 +65,16 @@ impl Formula for Matte {
                 }
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
+    fn random(draws: &mut Uniform, row: &mut Row) {
         let normal = normal(draws);
         let mut vector = special::in_cube(draws, 1.0);
         if special::once_in(draws, 4.0) {
             let size = special::of_any_size(draws, -10.0, -6.0);
             vector = special::in_cube(draws, size) - normal;
         }
-        let mut row = Row::default();
         row.vector(normal).vector(vector);
-        case.copy_from_slice(&row.0);
     }
 }
 
@@ -92,8 +88,7 @@ impl Formula for Reflection {
         store(reflection::reflect(case.vector(), case.vector()), result);
     }
 
-    fn edges() -> Vec<f64> {
-        let mut rows = Row::default();
+    fn edges(rows: &mut Row) {
         for normal in NORMALS {
             for direction in DIRECTIONS {
                 rows.vector(direction).vector(normal);
@@ -104,14 +99,11 @@ impl Formula for Reflection {
                 rows.vector([number, -1.0, 0.0]).vector([0.0, other, 0.0]);
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
+    fn random(draws: &mut Uniform, row: &mut Row) {
         let size = special::of_any_size(draws, -6.0, 6.0);
-        let mut row = Row::default();
         row.vector(special::direction(draws) * size).vector(normal(draws));
-        case.copy_from_slice(&row.0);
     }
 }
 
@@ -125,8 +117,7 @@ impl Formula for Metal {
         store(reflection::mirror(case.vector(), case.vector()) + case.vector(), result);
     }
 
-    fn edges() -> Vec<f64> {
-        let mut rows = Row::default();
+    fn edges(rows: &mut Row) {
         for normal in NORMALS {
             for direction in DIRECTIONS {
                 for vector in [[0.0; 3], [-0.0; 3], [0.1, -0.2, 0.3], [1e-8, 0.0, 1e9]] {
@@ -134,16 +125,13 @@ impl Formula for Metal {
                 }
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
+    fn random(draws: &mut Uniform, row: &mut Row) {
         let size = special::of_any_size(draws, -6.0, 6.0);
         let diffusion = if special::once_in(draws, 4.0) { 0.0 } else { draws.canonical() };
-        let mut row = Row::default();
         row.vector(special::direction(draws) * size).vector(normal(draws));
         row.vector(special::in_cube(draws, 1.0) * diffusion);
-        case.copy_from_slice(&row.0);
     }
 }
 
@@ -157,9 +145,8 @@ impl Formula for Refraction {
         store(refraction::refract(case.vector(), case.vector(), case.number()), result);
     }
 
-    fn edges() -> Vec<f64> {
+    fn edges(rows: &mut Row) {
         let ratios = [1.0, 1.5, 1.0 / 1.5, 0.5, 2.0, 1e-9, 1e9, 5e-324, 1e-40];
-        let mut rows = Row::default();
         for normal in NORMALS {
             for direction in DIRECTIONS {
                 for ratio in ratios {
@@ -182,10 +169,9 @@ impl Formula for Refraction {
                 ratio = ratio.next_up();
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
+    fn random(draws: &mut Uniform, row: &mut Row) {
         let normal = normal(draws);
         let direction = special::direction(draws);
         let mut ratio = if special::once_in(draws, 2.0) { draws.draw(1.0, 3.0) } else { draws.draw(0.3, 1.0) };
@@ -195,9 +181,7 @@ impl Formula for Refraction {
             let sine = (1.0 - cosine * cosine).max(1e-6).sqrt();
             ratio = (1.0 / sine) * (1.0 + special::of_any_size(draws, -17.0, -3.0));
         }
-        let mut row = Row::default();
         let size = special::of_any_size(draws, -3.0, 3.0).abs();
         row.vector(direction * size).vector(normal).number(ratio);
-        case.copy_from_slice(&row.0);
     }
 }

@@ -58,8 +58,7 @@ impl<const PROJECTED: bool> Formula for Sphere<PROJECTED> {
         report(hit, result);
     }
 
-    fn edges() -> Vec<f64> {
-        let mut rows = Row::default();
+    fn edges(rows: &mut Row) {
         for center in CENTERS.map(Vec3::from) {
             for radius in RADII {
                 for origin in ORIGINS {
@@ -77,10 +76,9 @@ impl<const PROJECTED: bool> Formula for Sphere<PROJECTED> {
                 rows.vector([0.0, 0.0, -3.0]).vector([0.0, 0.0, 1.0]).vector([number, 0.0, 0.0]).number(other.abs());
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
+    fn random(draws: &mut Uniform, row: &mut Row) {
         let ordinary = draws.canonical() < 0.7;
         let radius = if ordinary { draws.draw(0.1, 5.0) } else { special::of_any_size(draws, -6.0, 9.0).abs() };
         let center = special::in_cube(draws, if ordinary { 10.0 } else { radius * 3.0 });
@@ -100,8 +98,6 @@ impl<const PROJECTED: bool> Formula for Sphere<PROJECTED> {
         let towards = center + special::direction(draws) * (radius * spread) - origin;
         let direction = if aim > 0.9 { special::direction(draws) } else { towards };
         let direction = if ordinary { direction } else { direction * special::of_any_size(draws, -6.0, 6.0).abs() };
-        let mut row = Row::default();
         row.vector(origin).vector(direction).vector(center).number(radius);
-        case.copy_from_slice(&row.0);
     }
 }

@@ -28,19 +28,18 @@ impl Formula for TwoSum {
         result.copy_from_slice(&[sum, error]);
     }
 
-    fn edges() -> Vec<f64> {
-        let mut rows = Row::default();
+    fn edges(rows: &mut Row) {
         for a in NUMBERS {
             for b in NUMBERS {
                 rows.number(a).number(b);
             }
         }
-        rows.0
     }
 
-    fn random(draws: &mut Uniform, case: &mut [f64]) {
-        case[0] = special::of_any_size(draws, -12.0, 12.0);
-        case[1] = special::of_any_size(draws, -12.0, 12.0);
+    fn random(draws: &mut Uniform, row: &mut Row) {
+        for _ in 0..2 {
+            row.number(special::of_any_size(draws, -12.0, 12.0));
+        }
     }
 }
 

@@ -10,9 +10,7 @@ use crate::conformance::value::Number;
 const NAN: &str = "IEEE 754: NaN is unordered, and not equal to itself. WGSL 15.7.2: NaN may be assumed absent";
 
 pub fn probes() -> Vec<Probe> {
-    let mut probes = generic::<f32>();
-    probes.extend(generic::<f64>());
-    probes
+    generic::<f32>().into_iter().chain(generic::<f64>()).collect()
 }
 
 /// Statements that put the six comparisons into six bits.

@@ -19,9 +19,7 @@ const PRODUCT: &str = "IEEE 754: NaN for infinities and NaN, and a sign. WGSL 15
 const ZERO: &str = "IEEE 754: the sign of zero is fixed. WGSL 15.7.2: the sign of zero may be ignored";
 
 pub fn probes() -> Vec<Probe> {
-    let mut probes = generic::<f32>();
-    probes.extend(generic::<f64>());
-    probes
+    generic::<f32>().into_iter().chain(generic::<f64>()).collect()
 }
 
 fn generic<T: Number>() -> Vec<Probe> {

@@ -18,9 +18,7 @@ const MUST_KEEP: &str =
 const SELECT: &str = "WGSL 15.7.2: the comparison may flush its inputs; the chosen number must be preserved";
 
 pub fn probes() -> Vec<Probe> {
-    let mut probes = generic::<f32>();
-    probes.extend(generic::<f64>());
-    probes
+    generic::<f32>().into_iter().chain(generic::<f64>()).collect()
 }
 
 /// Returns the number, or a zero of its sign if it is subnormal and `flush` is set.
