@@ -150,8 +150,8 @@ fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64
 }
 
 /// Does what [`ClosestHit::intersect_spheres`] does, and returns the closest hit. The plain formula may be uncertain
-/// about these spheres, as it is about most of the thin shells between which a ray starts. Such spheres are put off, and
-/// the one with the smallest lower bound of lambda is intersected first. It mostly hides the others.
+/// about these spheres, as it is about most of the thin shells between which a ray starts. Such spheres are put off,
+/// and the one with the smallest lower bound of lambda is intersected first. It mostly hides the others.
 #[cold]
 #[inline(never)]
 fn with_uncertain_spheres<O: Objects>(objects: &O, spheres: u64, ray: Ray, mut closest: ClosestHit) -> ClosestHit {

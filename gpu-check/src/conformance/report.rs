@@ -65,8 +65,8 @@ pub fn list(probes: &[Probe]) -> String {
     probes.iter().map(line).collect()
 }
 
-/// Returns the text about one probe that can be sent to the authors of a driver: the rule, the program, its readings, and
-/// the verdict with inputs and results.
+/// Returns the text about one probe that can be sent to the authors of a driver: the rule, the program, its readings,
+/// and the verdict with inputs and results.
 #[must_use]
 pub fn details(probe: &Probe, run: &Run, index: usize) -> String {
     let names = std::iter::once(&probe.as_written).chain(&probe.others).map(|reading| reading.name);
