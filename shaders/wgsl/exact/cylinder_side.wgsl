@@ -36,7 +36,7 @@ fn exact_is_long(cylinder: CylinderRecord) -> bool {
 
 // is_inside: returns whether the ray certainly starts inside the infinite cylinder.
 fn exact_is_inside(c: real, squares: real) -> bool {
-    return error_bound_misses(error_bound_of_size(exact_cylinder_limits(), squares), c);
+    return error_bound_misses(error_bound_of_size(exact_cylinder_limits(), squares, squares, squares), c);
 }
 
 // Returns `|O - C|^2 + r^2`.
@@ -81,7 +81,7 @@ fn exact_side_new(cylinder: CylinderRecord, ray: Ray) -> ExactSide {
     let squares = exact_squares(cylinder, ray.origin);
     let inside = exact_is_inside(view.c, squares);
     let size = exact_side_size(cylinder, view.c, squares, quadratic.a, length_squared);
-    let bound = error_bound_of_size(exact_cylinder_limits(), size);
+    let bound = error_bound_of_size(exact_cylinder_limits(), size, length_squared * squares, squares);
     let along = vec3_dot(from_center, cylinder.axis);
     let slope = vec3_dot(ray.direction, cylinder.axis);
     // The limit of `a` is 4 * 65,536^2.

@@ -43,21 +43,25 @@ struct ErrorBound {
     limits: Limits,
     size: real,
     error: real,
+    // No product of the formulas overflows. Otherwise nothing is certain.
+    finite: bool,
 }
 
-// ErrorBound::of_size: returns the bound of a discriminant whose terms have this size.
-fn error_bound_of_size(limits: Limits, size: real) -> ErrorBound {
-    return ErrorBound(limits, size, size * limits.error + ERROR_UNDERFLOW);
+// ErrorBound::of_size: returns the bound of a discriminant whose terms have this size. `whole` is `M`, and `squares` is
+// `|O - C|^2 + r^2`.
+fn error_bound_of_size(limits: Limits, size: real, whole: real, squares: real) -> ErrorBound {
+    let finite = whole < ERROR_OVERFLOW && squares < ERROR_OVERFLOW;
+    return ErrorBound(limits, size, size * limits.error + ERROR_UNDERFLOW, finite);
 }
 
 // ErrorBound::misses: returns whether the line certainly misses the surface.
 fn error_bound_misses(bound: ErrorBound, discriminant: real) -> bool {
-    return bound.error < -discriminant;
+    return bound.finite && bound.error < -discriminant;
 }
 
 // ErrorBound::is_too_small: returns whether `numerator / a` certainly is below LAMBDA_MIN.
 fn error_bound_is_too_small(bound: ErrorBound, a: real, numerator: real, root: real) -> bool {
-    return bound.error < (a * bound.limits.least - numerator) * root;
+    return bound.finite && bound.error < (a * bound.limits.least - numerator) * root;
 }
 
 // Outcome: what is certain about one root or one disc.
@@ -74,7 +78,6 @@ fn error_bound_root(bound: ErrorBound, a: real, numerator: real, root: real) -> 
     let share = bound.limits.share;
     let least = (bound.size * share + ERROR_UNDERFLOW) + numerator * numerator * (share * real(4.0));
     let accurate = least < root * numerator;
-    let finite = bound.size < ERROR_OVERFLOW;
-    let hits = accurate && finite && bound.limits.most <= lambda;
+    let hits = accurate && bound.finite && bound.limits.most <= lambda;
     return Outcome(lambda, hits, error_bound_is_too_small(bound, a, numerator, root));
 }

@@ -18,7 +18,8 @@ fn exact_sphere_filtered(sphere: SphereRecord, ray: Ray) -> Decision {
     let a = vec3_dot(ray.direction, ray.direction);
     let view = sphere_seen_from(sphere, ray.origin);
     let quadratic = sphere_quadratic(view, ray.direction, a);
-    let bound = error_bound_of_size(exact_sphere_limits(), a * exact_sphere_squares(sphere, view.r_c));
+    let squares = exact_sphere_squares(sphere, view.r_c);
+    let bound = error_bound_of_size(exact_sphere_limits(), a * squares, a * squares, squares);
     if !exact_in_scale(a) {
         return decision_uncertain();
     }

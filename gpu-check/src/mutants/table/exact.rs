@@ -20,6 +20,7 @@ mutants! {
         "+ more);" => ");",
     ;
     "exact/error_bound":
+        "whole < ERROR_OVERFLOW" => "true",
         "SHORTEST_SQUARED <= length_squared" => "true",
         "size * limits.error" => "size * limits.share",
         "bound.error < -discriminant" => "bound.error < discriminant",
@@ -69,7 +70,7 @@ mutants! {
         "accurate && beyond < -along" => "accurate && beyond < along",
         "crossing.behind || crossing.above" => "crossing.above",
         "cylinder.radius * real(8.0) < cylinder.half_height" => "false",
-        "error_bound_misses(error_bound_of_size(exact_cylinder_limits(), squares), c)" => "c < real(0.0)",
+        "error_bound_misses(error_bound_of_size(exact_cylinder_limits(), squares, squares, squares), c)" => "c < real(0.0)",
         "c + cylinder.radius_squared + cylinder.radius_squared" => "c + cylinder.radius_squared",
         "(length_squared * across + a * squares)" => "(length_squared * across)",
         "whole * real(5.684341886080802e-14)" => "whole",
