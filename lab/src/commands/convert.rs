@@ -2,11 +2,14 @@
 //! theirs.
 
 use std::ffi::OsStr;
+use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use cpu::internals::input::reader::read;
 use cpu::internals::input::text::MAX_FILE_BYTES;
+use cpu::{Config, Scene};
 use output::{Options, Output};
 
 use crate::convert::complete::complete;
@@ -32,7 +35,8 @@ Examples:
 
 Scenes:
   .pbrt is pbrt-v4, and .xml is Mitsuba 3. Spheres, cylinders, materials, camera and sky are
-  converted. The lines that have no match are listed on standard error, with what is done instead";
+  converted. The lines that have no match are listed on standard error, with what is done instead.
+  A sky of two colours becomes a picture in the file OUT.pbrt.exr or OUT.xml.exr";
 
 /// Options of `convert`.
 #[derive(Debug, Args)]
@@ -70,7 +74,10 @@ impl Arguments {
                 let found = read(input, &mut world).and_then(|()| complete(&mut world));
                 found.map_err(|fault| world.notes.failure(fault))?;
                 let texts = [generator::write::config(&world.config), generator::write::scene(&world.scene)];
-                write_all(&[input], outs.iter().zip(texts.map(String::into_bytes)), options)?;
+                let parsed = Config::parse(texts[0].as_bytes()).and_then(|_| Scene::parse(texts[1].as_bytes()));
+                let refused = |error| format!("the result would be no valid scene, so it is not written: {error}");
+                parsed.map_err(|error| world.notes.failure(((0, 1), refused(error))))?;
+                write_all(&world.inputs, outs.iter().zip(texts.map(String::into_bytes)), options)?;
                 world.notes.print();
                 Ok(())
             }
@@ -111,25 +118,48 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
         outs.push((&sky, bytes));
     }
     outs.push((out, text.into_bytes()));
-    write_all(&inputs, outs.into_iter(), options)?;
+    write_all(&inputs.map(PathBuf::clone), outs.into_iter(), options)?;
     notes.print();
+    if has_picture {
+        terminal::note(&format!("{}: holds the picture of the sky", terminal::name(&sky)));
+    }
     Ok(())
 }
 
-/// Writes several files. All are opened before one is written, so none is changed if one of them cannot be opened.
+/// Writes several files. All are written completely before the first of them gets its name, so none is changed if one
+/// of them cannot be written.
 fn write_all<'a>(
-    inputs: &[&PathBuf],
+    inputs: &[PathBuf],
     files: impl Iterator<Item = (&'a PathBuf, Vec<u8>)>,
     options: Options,
 ) -> Result<(), Failure> {
-    let inputs: Vec<_> = inputs.iter().map(|path| path.as_path()).collect();
-    let mut outs: Vec<(&PathBuf, Output, Vec<u8>)> = Vec::new();
+    let inputs: Vec<_> = inputs.iter().map(PathBuf::as_path).collect();
+    let mut outs: Vec<(PathBuf, &PathBuf, Output, Vec<u8>)> = Vec::new();
     for (path, bytes) in files {
-        if outs.iter().any(|(other, ..)| *other == path) {
-            return Err("the configuration and the scene need a file each; choose another name for one of them".into());
+        let target = target(path);
+        if let Some((_, other, ..)) = outs.iter().find(|(other, ..)| *other == target) {
+            let [one, other] = [other, path].map(|path| sources::output_name(path));
+            return Err(format!("[{one}] and [{other}] are one file; the outputs need a file each").into());
         }
         output::refuse_inputs(path, &inputs)?;
-        outs.push((path, Output::open(&sources::output(path), options)?, bytes));
+        outs.push((target, path, Output::open(&sources::output(path), options)?, bytes));
     }
-    outs.into_iter().try_for_each(|(_, output, bytes)| Ok(output.fill(|file| file.write_all(&bytes))?))
+    for (_, path, output, bytes) in &mut outs {
+        output.write_all(bytes).map_err(|cause| output::Error { path: path.clone(), cause })?;
+    }
+    outs.into_iter().try_for_each(|(_, _, output, _)| Ok(output.commit()?))
+}
+
+/// Returns the path to which `path` leads, for comparison. The file need not exist.
+fn target(path: &Path) -> PathBuf {
+    /// Largest number of links that are followed, as in Linux.
+    const MAX_LINKS: usize = 40;
+    let mut path = sources::output(path);
+    for _ in 0..MAX_LINKS {
+        let Ok(next) = fs::read_link(&path) else { break };
+        path = path.with_file_name(next);
+    }
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let parent = parent.canonicalize().unwrap_or_else(|_| parent.to_owned());
+    parent.join(path.file_name().unwrap_or_default())
 }

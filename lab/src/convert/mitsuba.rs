@@ -38,6 +38,7 @@ struct Reader<'a> {
 /// A fault of the file.
 pub fn read(path: &Path, world: &mut World) -> Result<(), Fault> {
     world.notes.files.push(crate::terminal::name(path));
+    world.inputs.push(path.to_owned());
     world.film = [768, 576];
     (world.config.samples_per_pixel, world.config.max_depth) = (4, UNLIMITED);
     let text = read_text(path, MAX_BYTES).map_err(|error| ((0, 1), format!("the file cannot be read: {error}")))?;

@@ -57,6 +57,7 @@ impl Reader<'_> {
     /// Reads a file that is named relative to the folder of the first one.
     fn include(&mut self, path: &Path, place: Place) -> Result<(), Fault> {
         self.world.notes.files.push(crate::terminal::name(path));
+        self.world.inputs.push(path.to_owned());
         self.tokens.include(path, place)
     }
 

@@ -73,9 +73,12 @@ impl Layout {
             [0, 1, 2].map(|channel| f64::from(channels[channel.min(channels.len() - 1)]))
         };
         let mean = |pole: f64| {
-            let is_there = |&at: &usize| self.cosine(size, [at % size[0], at / size[0]]) == pole;
-            let (sum, count) = (0..size[0] * size[1])
-                .filter(is_there)
+            let is_there = |at: usize| self.cosine(size, [at % size[0], at / size[0]]) == pole;
+            let all = 0..size[0] * size[1];
+            // A small picture may have no pixel at a pole. The mean of all pixels takes its place.
+            let has_pole = all.clone().any(is_there);
+            let (sum, count) = all
+                .filter(|&at| !has_pole || is_there(at))
                 .fold((Vec3::ZERO, 0.0), |(sum, count), at| (sum + pixel(at).into(), count + 1.0));
             // The shortest decimal of an `f32` is the number of the configuration, if that has up to seven digits.
             (sum / count).map(|channel| (channel as f32).to_string().parse().unwrap_or(f64::NAN))

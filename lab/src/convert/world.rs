@@ -59,6 +59,8 @@ pub(super) struct Disk {
 pub struct World {
     /// What has no match.
     pub notes: Notes,
+    /// The files that are read, which no output may replace.
+    pub inputs: Vec<PathBuf>,
     /// The camera, if there is one.
     pub view: Option<View>,
     /// Width and height of the picture.
@@ -178,6 +180,7 @@ impl World {
         let colors = match picture {
             None => [plugin.color(color, [1.0; 3], notes)?; 2],
             Some((path, layout)) => {
+                self.inputs.push(path.clone());
                 let picture = match Any::read(&path) {
                     Ok(Any::Floats(floats)) => Ok(floats),
                     Ok(Any::Bytes(picture)) => Floats::of(&picture, GAMMA),
