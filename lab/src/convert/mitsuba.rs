@@ -44,8 +44,11 @@ pub fn read(path: &Path, world: &mut World) -> Result<(), Fault> {
     let text = read_text(path, MAX_BYTES).map_err(|error| ((0, 1), format!("the file cannot be read: {error}")))?;
     // The crate refuses document types, so entities cannot expand.
     let document = Document::parse(&text).map_err(|error| {
-        let remedy = "mend it with an editor that checks XML";
-        ((0, error.pos().row as usize), format!("this is not correct XML ({error}); {remedy}"))
+        let text = match error {
+            roxmltree::Error::DtdDetected => "a document type is not supported; remove <!DOCTYPE ...>".to_owned(),
+            _ => format!("this is not correct XML ({error}); mend it with an editor that checks XML"),
+        };
+        ((0, error.pos().row as usize), text)
     })?;
     let line_ends = text.match_indices('\n').map(|(at, _)| at).collect();
     let mut reader = Reader { path, world, line_ends, defaults: HashMap::new(), materials: HashMap::new() };
@@ -69,19 +72,21 @@ impl Reader<'_> {
         (0, 1 + self.line_ends.partition_point(|&end| end < node.range().start))
     }
 
-    /// Returns an attribute, in which `$name` is replaced by the default of this name.
+    /// Returns an attribute, in which each `$name` is replaced by the default of this name.
     fn attribute(&self, node: Node<'_, '_>, name: &str) -> Result<Option<String>, Fault> {
         let Some(text) = node.attribute(name) else { return Ok(None) };
-        let Some((before, rest)) = text.split_once('$') else { return Ok(Some(text.to_owned())) };
-        let is_end = |letter: char| !letter.is_alphanumeric() && letter != '_';
-        let (name, after) = rest.split_at(rest.find(is_end).unwrap_or(rest.len()));
-        match self.defaults.get(name) {
-            Some(value) => Ok(Some(format!("{before}{value}{after}"))),
-            None => {
+        let mut parts = text.split('$');
+        let mut replaced = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let is_end = |letter: char| !letter.is_alphanumeric() && letter != '_';
+            let (name, after) = part.split_at(part.find(is_end).unwrap_or(part.len()));
+            let value = self.defaults.get(name).ok_or_else(|| {
                 let remedy = format!("add <default name=\"{name}\" value=\"...\"/> at the start of the scene");
-                Err((self.place(node), format!("${name} has no value; {remedy}")))
-            }
+                (self.place(node), format!("${name} has no value; {remedy}"))
+            })?;
+            replaced.extend([value, after]);
         }
+        Ok(Some(replaced))
     }
 
     fn required(&self, node: Node<'_, '_>, name: &str) -> Result<String, Fault> {
@@ -128,7 +133,8 @@ impl Reader<'_> {
     fn define(&mut self, node: Node<'_, '_>) -> Result<(), Fault> {
         if node.tag_name().name() == "default" {
             let (name, value) = (self.required(node, "name")?, self.required(node, "value")?);
-            self.defaults.insert(name, value);
+            // Of several defaults of one name, the first counts.
+            self.defaults.entry(name).or_insert(value);
             return Ok(());
         }
         let material = self.material(node)?;
@@ -199,8 +205,10 @@ impl Reader<'_> {
             ("shape", _) => {
                 let mut material = None;
                 for child in self.nested(node, &["bsdf", "ref"])? {
-                    material =
+                    let found =
                         if child.has_tag_name("bsdf") { Some(self.material(child)?) } else { self.reference(child)? };
+                    // A reference to a medium leaves the material as it is.
+                    material = found.or(material);
                 }
                 self.world.shape(&plugin, &to_world, material)?;
             }

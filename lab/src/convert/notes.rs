@@ -1,5 +1,7 @@
 //! Collects what a conversion leaves out or approximates, with the file and the lines, and reports faults in a file.
 
+use std::collections::HashMap;
+
 use crate::{Failure, terminal};
 
 /// A line of one of the files that are read: the position of the file in [`Notes::files`], and the line's number.
@@ -15,19 +17,22 @@ pub struct Notes {
     pub files: Vec<String>,
     /// Each text with the file, and the lines to which it applies.
     found: Vec<(usize, String, Vec<usize>)>,
+    /// The position in `found` of each file and text.
+    positions: HashMap<(usize, String), usize>,
 }
 
 impl Notes {
     /// Returns no notes, about these files.
     #[must_use]
-    pub const fn of(files: Vec<String>) -> Self {
-        Self { files, found: Vec::new() }
+    pub fn of(files: Vec<String>) -> Self {
+        Self { files, ..Self::default() }
     }
 
     /// Adds a note about the line `place`. Notes of one text about several lines are printed as one.
     pub fn add(&mut self, (file, line): Place, text: impl Into<String>) {
         let text = text.into();
-        match self.found.iter_mut().find(|(of, old, _)| *of == file && *old == text) {
+        let position = *self.positions.entry((file, text.clone())).or_insert(self.found.len());
+        match self.found.get_mut(position) {
             Some((_, _, lines)) => lines.push(line),
             None => self.found.push((file, text, vec![line])),
         }

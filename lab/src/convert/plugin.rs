@@ -57,6 +57,12 @@ impl Plugin {
         self.params.iter().find(|param| param.name == name)
     }
 
+    /// Returns the line of the parameter of this name, or that of the plugin if it is missing.
+    #[must_use]
+    pub fn place_of(&self, name: &str) -> Place {
+        self.param(name).map_or(self.place, |param| param.place)
+    }
+
     /// Returns the text of a parameter.
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
@@ -88,8 +94,10 @@ impl Plugin {
     /// Those of [`Plugin::numbers`], and a fault if the number is not whole or not from `least` to 2^31.
     pub fn whole(&self, name: &str, default: u64, least: u64) -> Result<u64, Fault> {
         let value = self.real(name, default as f64)?;
-        if value.fract() != 0.0 || value < least as f64 || value > f64::from(1_u32 << 31) {
-            return Err((self.place, format!("[{name}] must be a whole number of at least {least}, and is {value}")));
+        let most = f64::from(1_u32 << 31);
+        if value.fract() != 0.0 || value < least as f64 || value > most {
+            let text = format!("[{name}] must be a whole number from {least} to {most}, and is {value}");
+            return Err((self.place_of(name), text));
         }
         Ok(value as u64)
     }
@@ -109,8 +117,12 @@ impl Plugin {
     /// A fault if a number is wrong.
     pub fn color(&self, name: &str, default: [f64; 3], notes: &mut Notes) -> Result<Vec3, Fault> {
         let Some(param) = self.param(name) else { return Ok(default.into()) };
-        let hex = param.words.first().and_then(|word| u32::from_str_radix(word.strip_prefix('#')?, 16).ok());
+        let hex = param.words.first().and_then(|word| word.strip_prefix('#'));
         if let ("rgb", Some(hex)) = (&param.kind[..], hex) {
+            let is_valid = hex.len() == 6 && hex.bytes().all(|digit| digit.is_ascii_hexdigit());
+            let hex = u32::from_str_radix(hex, 16).ok().filter(|_| is_valid && param.words.len() == 1);
+            let fault = || (param.place, format!("[{name}] is no colour; write #rrggbb or three numbers"));
+            let hex = hex.ok_or_else(fault)?;
             let linear = |byte: u32| {
                 let value = f64::from(byte & 255) / 255.0;
                 if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }

@@ -109,7 +109,7 @@ fn a_scene_of_pbrt_is_read_with_notes_on_what_has_no_match() {
 }
 
 const MITSUBA: &str = r##"<scene version="3.0.0">
-<default name="fov" value="60"/>
+<default name="fov" value="60"/><default name="fov" value="70"/><default name="y" value="1"/>
 <integrator type="path"/>
 <sensor type="perspective">
   <float name="fov" value="$fov"/>
@@ -121,13 +121,13 @@ const MITSUBA: &str = r##"<scene version="3.0.0">
   <sampler type="multijitter"><integer name="sample_count" value="9"/></sampler>
 </sensor>
 <emitter type="constant"><rgb name="radiance" value="#ff0000"/></emitter>
-<shape type="sphere"><ref id="gold"/><point name="center" x="1"/><medium type="homogeneous" name="interior"/></shape>
+<shape type="sphere"><ref id="gold"/><ref name="interior" id="fog"/><point name="center" x="1"/><medium type="homogeneous" name="interior"/></shape>
 <shape type="cylinder">
-  <point name="p0" value="0, 1, 0"/><point name="p1" value="0 3 0"/>
+  <point name="p0" value="0, $y, 0$y"/><point name="p1" value="0 3 1"/>
   <bsdf type="twosided"><bsdf type="roughconductor"><float name="alpha" value=".25"/></bsdf></bsdf>
 </shape>
 <shape type="disk">
-  <transform name="to_world"><rotate x="1" angle="90"/><translate value="0 3 0"/></transform>
+  <transform name="to_world"><rotate x="1" angle="90"/><translate value="0 3 1"/></transform>
   <emitter type="area"/>
 </shape>
 <shape type="obj"><string name="filename" value="a b.obj"/></shape>
@@ -158,11 +158,12 @@ fn a_scene_of_mitsuba_is_read_with_notes_on_what_has_no_match() {
     assert_eq!(
         scene,
         "metal: m0 1 0.78 0.34 0\nmetal: m1 1 1 1 0.5\nmatte: m2 0.5 0.5 0.5\nsphere: 1 0 0 1 m0\n\
-         cylinder: 0 2 0 1 0 2 0 m1\n"
+         cylinder: 0 2 1 1 0 2 0 m1\n"
     );
     let expected = [
         "a.xml:3: an unlimited depth has no match; 100 is taken",
         "a.xml:14: <medium> in <shape> has no match; left out",
+        "a.xml:14: a <ref> to something else than a bsdf has no match; left out",
         "a.xml:17: diffusion and roughness blur by different rules; the diffusion is taken as 2 alpha",
         "a.xml:21: <emitter> in <shape> has no match; left out",
         "a.xml:23: shape obj has no match; left out",
@@ -200,7 +201,7 @@ fn a_wrong_file_is_refused_with_its_line_and_a_remedy() {
             "a.pbrt:2: the field of view is 180 degrees",
         ),
         ("a.xml", "<scene>\n<shape></scene>".to_owned(), "a.xml:2: this is not correct XML"),
-        ("a.xml", "<!DOCTYPE x [<!ENTITY a \"b\">]><scene/>".to_owned(), "a.xml:1: this is not correct XML"),
+        ("a.xml", "<!DOCTYPE x [<!ENTITY a \"b\">]><scene/>".to_owned(), "a.xml:1: a document type is not supported"),
         ("a.xml", "<a/>".to_owned(), "a.xml:1: the file is no scene of Mitsuba"),
         (
             "a.xml",
@@ -209,6 +210,16 @@ fn a_wrong_file_is_refused_with_its_line_and_a_remedy() {
         ),
         ("a.xml", in_scene("<shape type='$x'/>"), "a.xml:2: $x has no value; add <default name=\"x\""),
         ("a.xml", in_scene("<shape type='sphere'>\n<float name='radius' value='inf'/></shape>"), "a.xml:3: [inf] is"),
+        (
+            "a.xml",
+            in_scene("<bsdf type='diffuse'>\n<rgb name='reflectance' value='#fff'/></bsdf>"),
+            "a.xml:3: [reflectance] is no colour; write #rrggbb",
+        ),
+        (
+            "a.pbrt",
+            "Sampler \"sobol\"\n\"integer pixelsamples\" 3e9".to_owned(),
+            "a.pbrt:2: [pixelsamples] must be a whole number from 1 to 2147483648, and",
+        ),
         ("a.xml", in_scene("<shape/>"), "a.xml:2: <shape> needs the attribute type"),
     ];
     for (name, text, expected) in cases {
