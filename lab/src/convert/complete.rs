@@ -40,7 +40,13 @@ fn set_camera(world: &mut World, view: &View) {
     let [width, height] = world.film.map(|side| side as f64);
     // The half height of the picture, where the field of view reaches to 1.
     let top = match view.over {
-        Over::Height(top) => top,
+        Over::Window([right, top]) => {
+            if (right / top * height / width - 1.0).abs() > 1e-3 {
+                world.notes.add(view.place, "[screenwindow] is not as wide as the picture; its height is taken");
+            }
+            top
+        }
+        Over::Height => 1.0,
         Over::Shorter if width >= height => 1.0,
         Over::Longer if width <= height => 1.0,
         Over::Width | Over::Shorter | Over::Longer => height / width,

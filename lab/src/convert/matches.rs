@@ -60,20 +60,28 @@ const ROWS: [Row; 27] = [
     row("emitter envmap", "filename scale to_world", ""),
 ];
 
-/// Notes the parameters of `plugin` that have no match, and what differs in our picture. Returns whether the plugin is
-/// in the table; if not, nothing is noted.
-pub fn check(plugin: &Plugin, notes: &mut Notes) -> bool {
-    let word = plugin.name.split(' ').next();
+/// The parameters with the colour of a material that is not in the table, the first of them first.
+pub const COLORS: [&str; 3] = ["reflectance", "diffuse_reflectance", "base_color"];
+
+/// Notes the parameters of `plugin` that have no match and removes them, and notes what differs in our picture. Returns
+/// whether the plugin is in the table. A plugin that is not keeps the parameters of all types of its word.
+pub fn check(plugin: &mut Plugin, notes: &mut Notes) -> bool {
+    let Plugin { name, params, place } = plugin;
+    let word = |name: &'_ str| name.split(' ').next().unwrap_or_default().to_owned();
     // A row of one word is for all types.
-    let found = ROWS.iter().find(|row| row.name == plugin.name || Some(row.name) == word);
-    let Some(row) = found else { return false };
-    for param in &plugin.params {
-        if !row.params.split(' ').any(|name| name == param.name) {
-            notes.add(param.place, format!("[{}] of {} has no match; left out", param.name, plugin.name));
+    let found = ROWS.iter().find(|row| row.name == name || row.name == word(name));
+    let rows: Vec<_> =
+        ROWS.iter().filter(|row| found.map_or(word(row.name) == word(name), |found| found.name == row.name)).collect();
+    params.retain(|param| {
+        let is_read = |row: &&Row| row.params.split(' ').any(|name| name == param.name);
+        let is_read = rows.iter().any(is_read) || (found.is_none() && COLORS.contains(&&param.name[..]));
+        if !is_read {
+            notes.add(param.place, format!("[{}] of {name} has no match; left out", param.name));
         }
+        is_read
+    });
+    if let Some(row) = found.filter(|row| !row.differs.is_empty()) {
+        notes.add(*place, row.differs);
     }
-    if !row.differs.is_empty() {
-        notes.add(plugin.place, row.differs);
-    }
-    true
+    found.is_some()
 }

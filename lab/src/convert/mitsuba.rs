@@ -147,12 +147,17 @@ impl Reader<'_> {
     fn material(&mut self, mut node: Node<'_, '_>) -> Result<MaterialId, Fault> {
         // Our surfaces have two sides in any case.
         while self.required(node, "type")? == "twosided" {
-            let inner = node.children().find(|child| child.has_tag_name("bsdf"));
-            node = inner.ok_or_else(|| (self.place(node), "a twosided bsdf needs a bsdf inside".to_owned()))?;
+            let inner = self.nested(node, &["bsdf"])?;
+            if let Some(&second) = inner.get(1) {
+                let text = "a second bsdf in a twosided one has no match; the first is on both sides";
+                self.world.notes.add(self.place(second), text);
+            }
+            let first = inner.first().copied();
+            node = first.ok_or_else(|| (self.place(node), "a twosided bsdf needs a bsdf inside".to_owned()))?;
         }
-        let plugin = self.plugin(node)?;
+        let mut plugin = self.plugin(node)?;
         self.nested(node, &[])?;
-        self.world.material(&plugin)
+        self.world.material(&mut plugin)
     }
 
     fn element(&mut self, node: Node<'_, '_>) -> Result<(), Fault> {
@@ -161,10 +166,10 @@ impl Reader<'_> {
             self.world.notes.add(place, format!("<{word}> has no match; left out"));
             return Ok(());
         }
-        let (plugin, to_world) = (self.plugin(node)?, self.to_world(node)?);
+        let (mut plugin, to_world) = (self.plugin(node)?, self.to_world(node)?);
         match (word, plugin.kind()) {
             ("integrator", _) => {
-                self.world.known_by_parameters(&plugin);
+                self.world.known_by_parameters(&mut plugin);
                 self.world.config.max_depth = match plugin.real("max_depth", -1.0)? {
                     -1.0 => {
                         self.world.notes.add(place, format!("an unlimited depth has no match; {UNLIMITED} is taken"));
@@ -173,16 +178,19 @@ impl Reader<'_> {
                     _ => plugin.whole("max_depth", UNLIMITED, 1)?,
                 };
             }
+            ("sensor", _) if self.world.view.is_some() => {
+                self.world.notes.add(place, "a sensor that is not the first has no match; left out");
+            }
             ("sensor", _) => {
-                self.world.known_by_parameters(&plugin);
+                self.world.known_by_parameters(&mut plugin);
                 for child in self.nested(node, &["film", "sampler"])? {
-                    let plugin = self.plugin(child)?;
-                    self.world.known_by_parameters(&plugin);
+                    let mut plugin = self.plugin(child)?;
+                    self.world.known_by_parameters(&mut plugin);
                     if child.has_tag_name("film") {
                         self.world.film = [plugin.whole("width", 768, 1)?, plugin.whole("height", 576, 1)?];
                         for filter in self.nested(child, &["rfilter"])? {
-                            let filter = self.plugin(filter)?;
-                            self.world.known_by_parameters(&filter);
+                            let mut filter = self.plugin(filter)?;
+                            self.world.known_by_parameters(&mut filter);
                         }
                     } else {
                         self.world.config.samples_per_pixel = plugin.whole("sample_count", 4, 1)?;
@@ -190,7 +198,7 @@ impl Reader<'_> {
                 }
                 let over = match plugin.text("fov_axis").unwrap_or("x") {
                     "x" => Over::Width,
-                    "y" => Over::Height(1.0),
+                    "y" => Over::Height,
                     "diagonal" => Over::Diagonal,
                     "smaller" => Over::Shorter,
                     "larger" => Over::Longer,
@@ -210,9 +218,10 @@ impl Reader<'_> {
                     // A reference to a medium leaves the material as it is.
                     material = found.or(material);
                 }
-                self.world.shape(&plugin, &to_world, material)?;
+                self.world.shape(&mut plugin, &to_world, material)?;
             }
             (_, "constant" | "envmap") => {
+                self.world.known_by_parameters(&mut plugin);
                 let picture = plugin.text("filename").map(|name| (self.path.with_file_name(name), Layout::Rows));
                 let scale = plugin.real("scale", 1.0)?;
                 self.world.sky(&plugin, "radiance", picture, (to_world.columns[1], scale))?;

@@ -100,12 +100,12 @@ impl Reader<'_> {
                 let name = plugin.kind().to_owned();
                 plugin.name = format!("Material {}", plugin.text("type").unwrap_or("diffuse"));
                 plugin.params.retain(|param| param.name != "type");
-                let material = self.world.material(&plugin)?;
+                let material = self.world.material(&mut plugin)?;
                 self.materials.insert(name, material);
             }
             "Material" | "Shape" | "Camera" | "Film" | "Sampler" | "Integrator" | "PixelFilter" | "LightSource" => {
-                let plugin = self.plugin(word, place)?;
-                self.plugged(word, &plugin)?;
+                let mut plugin = self.plugin(word, place)?;
+                self.plugged(word, &mut plugin)?;
             }
             _ if !word.starts_with(char::is_alphabetic) => {
                 return Err((place, format!("[{}] stands here, and a directive is needed", shown(word))));
@@ -133,13 +133,14 @@ impl Reader<'_> {
     }
 
     /// Handles a directive with the name of a plugin.
-    fn plugged(&mut self, word: &str, plugin: &Plugin) -> Result<(), Fault> {
+    fn plugged(&mut self, word: &str, plugin: &mut Plugin) -> Result<(), Fault> {
         let (world, transform) = (&mut *self.world, self.state.transform);
         match (word, plugin.kind()) {
             ("Material", _) => self.state.material = Some(world.material(plugin)?),
             ("Shape", _) if self.saved.iter().any(|(_, begin)| begin == "ObjectBegin") => {}
             ("Shape", _) => world.shape(plugin, &transform, self.state.material)?,
             ("LightSource", "infinite") => {
+                world.known_by_parameters(plugin);
                 let scale = plugin.real("scale", 1.0)?;
                 let picture = plugin.text("filename").map(|name| (self.path.with_file_name(name), Layout::Square));
                 world.sky(plugin, "L", picture, (transform.columns[2], scale))?;
@@ -152,13 +153,25 @@ impl Reader<'_> {
                 let view = self.view.filter(|(after, _)| *after == transform).map(|(_, view)| view);
                 let to_world = Transform { view, ..transform.inverse() };
                 self.systems.insert("camera".to_owned(), to_world);
-                let [left, right, bottom, top] = plugin.numbers("screenwindow", [0.0; 4])?;
-                if left != -right || bottom != -top {
-                    world.notes.add(plugin.place, "[screenwindow] is not symmetrical; its top is taken");
-                }
-                let over = if top > 0.0 { Over::Height(top) } else { Over::Shorter };
+                let over = match plugin.param("screenwindow") {
+                    None => Over::Shorter,
+                    Some(param) => {
+                        let [left, right, bottom, top] = plugin.numbers("screenwindow", [0.0; 4])?;
+                        if left != -right || bottom != -top || left > right || bottom > top {
+                            let text = "[screenwindow] is not symmetrical, or it is flipped; its size is taken";
+                            world.notes.add(param.place, text);
+                        }
+                        if left == right || bottom == top {
+                            return Err((param.place, "[screenwindow] needs a width and a height".to_owned()));
+                        }
+                        Over::Window([right - left, top - bottom].map(|side| side.abs() / 2.0))
+                    }
+                };
                 let fov = plugin.real("fov", 90.0)?;
-                world.view = Some(View { place: plugin.place, to_world, x_is_right: true, fov, over });
+                let view = View { place: plugin.place, to_world, x_is_right: true, fov, over };
+                if let Some(before) = world.view.replace(view) {
+                    world.notes.add(before.place, "another camera follows this one, which is left out");
+                }
             }
             "Film" => world.film = [plugin.whole("xresolution", 1280, 1)?, plugin.whole("yresolution", 720, 1)?],
             "Sampler" => {

@@ -175,6 +175,67 @@ fn a_scene_of_mitsuba_is_read_with_notes_on_what_has_no_match() {
 }
 
 #[test]
+fn nothing_is_lost_without_a_note() {
+    let film = r#"Film "rgb" "integer xresolution" 200 "integer yresolution" 100 "#;
+    let camera = |params: &str| format!("{film}\nCamera \"perspective\" {params}");
+    let in_scene = |text: &str| format!("<scene>\n{text}\n</scene>");
+    let metal = "<bsdf type='conductor'><string name='material' value='Cr'/></bsdf>";
+    let alpha = "<texture type='bitmap' name='alpha'/>";
+    let cases = [
+        ("a.pbrt", camera("Camera \"perspective\""), "a.pbrt:2: another camera follows this one, which is left out"),
+        (
+            "a.pbrt",
+            camera("\"float screenwindow\" [2 -2 1 -1]"),
+            "a.pbrt:2: [screenwindow] is not symmetrical, or it is",
+        ),
+        (
+            "a.pbrt",
+            camera("\"float screenwindow\" [-1 3 -1 1]"),
+            "a.pbrt:2: [screenwindow] is not symmetrical, or it is",
+        ),
+        (
+            "a.pbrt",
+            camera("\"float screenwindow\" [-1 1 -1 1]"),
+            "a.pbrt:2: [screenwindow] is not as wide as the picture",
+        ),
+        (
+            "a.pbrt",
+            "Camera \"realistic\"\n\"string lensfile\" \"a\"".to_owned(),
+            "a.pbrt:2: [lensfile] of Camera realistic has no match; left out",
+        ),
+        (
+            "a.pbrt",
+            camera("\nMaterial \"conductor\" \"texture roughness\" \"t\""),
+            "a.pbrt:3: texture [roughness] has no match; 0 takes its place",
+        ),
+        ("a.xml", in_scene("<sensor type='perspective'/>\n<sensor type='thinlens'/>"), "a.xml:3: a sensor that is not"),
+        ("a.xml", in_scene(&format!("<sensor type='perspective'/>{metal}")), "a.xml:2: the metal [Cr] has no match"),
+        (
+            "a.xml",
+            in_scene(&format!("<sensor type='perspective'/><bsdf type='twosided'>{metal}\n{metal}</bsdf>")),
+            "a.xml:3: a second bsdf in a twosided one has no match",
+        ),
+        (
+            "a.xml",
+            in_scene(&format!("<sensor type='perspective'/><bsdf type='roughconductor'>\n{alpha}</bsdf>")),
+            "a.xml:3: texture [alpha] has no match; 0.1 takes its place",
+        ),
+    ];
+    for (name, text, expected) in cases {
+        let (_, _, notes) = read(name, text.as_bytes()).expect(&text);
+        assert!(notes.iter().any(|note| note.starts_with(expected)), "{notes:?}");
+    }
+    // What is left out is not used.
+    let scene = in_scene(
+        "<emitter type='constant'><float name='scale' value='2'/><rgb name='radiance' value='.25'/></emitter>
+         <shape type='cylinder'/><shape type='disk'><float name='radius' value='3'/></shape>
+         <shape type='disk'><transform name='to_world'><translate z='1'/></transform></shape>",
+    );
+    let (config, _, notes) = read("a.xml", scene.as_bytes()).expect("it is a scene");
+    assert!(config.ends_with("light_color: 0.25 0.25 0.25\n") && !notes.join("\n").contains("closes"), "{notes:?}");
+}
+
+#[test]
 fn a_wrong_file_is_refused_with_its_line_and_a_remedy() {
     let in_scene = |text: &str| format!("<scene>\n{text}\n</scene>");
     let cases = [
@@ -219,6 +280,11 @@ fn a_wrong_file_is_refused_with_its_line_and_a_remedy() {
             "a.pbrt",
             "Sampler \"sobol\"\n\"integer pixelsamples\" 3e9".to_owned(),
             "a.pbrt:2: [pixelsamples] must be a whole number from 1 to 2147483648, and",
+        ),
+        (
+            "a.pbrt",
+            "Material \"dielectric\"\n\"float eta\" 0".to_owned(),
+            "a.pbrt:2: the refractive index must be a number above 0",
         ),
         ("a.xml", in_scene("<shape/>"), "a.xml:2: <shape> needs the attribute type"),
     ];

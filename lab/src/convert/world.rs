@@ -19,8 +19,10 @@ use crate::picture::floats::{Floats, GAMMA};
 pub enum Over {
     /// From left to right.
     Width,
-    /// From bottom to top, if the picture's upper edge were at 1 and not at this height.
-    Height(f64),
+    /// From bottom to top.
+    Height,
+    /// From bottom to top, if the picture's right and upper edges were at 1 and not at these lengths from its middle.
+    Window([f64; 2]),
     /// The shorter side.
     Shorter,
     /// The longer side.
@@ -81,7 +83,7 @@ impl World {
     ///
     /// # Errors
     /// A fault if a number is wrong.
-    pub fn material(&mut self, plugin: &Plugin) -> Result<MaterialId, Fault> {
+    pub fn material(&mut self, plugin: &mut Plugin) -> Result<MaterialId, Fault> {
         self.scene.materials.push(matching(plugin, &mut self.notes)?);
         Ok((self.scene.materials.len() - 1) as MaterialId)
     }
@@ -90,8 +92,14 @@ impl World {
     ///
     /// # Errors
     /// A fault if a number is wrong.
-    pub fn shape(&mut self, plugin: &Plugin, to_world: &Transform, material: Option<MaterialId>) -> Result<(), Fault> {
-        if !matches::check(plugin, &mut self.notes) {
+    pub fn shape(
+        &mut self,
+        plugin: &mut Plugin,
+        to_world: &Transform,
+        material: Option<MaterialId>,
+    ) -> Result<(), Fault> {
+        // Only the type is noted for a shape that is left out.
+        if !["sphere", "cylinder", "disk"].contains(&plugin.kind()) || !matches::check(plugin, &mut self.notes) {
             self.notes.add(plugin.place, format!("{} has no match; left out", plugin.name));
             return Ok(());
         }
@@ -150,14 +158,14 @@ impl World {
         let is_positive = |length: f64| length > 0.0 && length.is_finite();
         if !(center.is_finite() && is_positive(radius) && is_positive(height)) {
             let fault = format!("{} needs a finite place, and a size above 0; its radius is {radius}", plugin.name);
-            return Err((plugin.place, fault));
+            return Err((plugin.place_of("radius"), fault));
         }
         self.scene.objects.push(Object { shape, material });
         Ok(())
     }
 
     /// Notes what has no match in a plugin whose type is not important: its parameters are used in any case.
-    pub fn known_by_parameters(&mut self, plugin: &Plugin) {
+    pub fn known_by_parameters(&mut self, plugin: &mut Plugin) {
         if !matches::check(plugin, &mut self.notes) {
             self.notes.add(plugin.place, format!("{} has no match; ours takes its place", plugin.name));
         }
@@ -175,7 +183,6 @@ impl World {
         picture: Option<(PathBuf, Layout)>,
         (up, scale): (Vec3, f64),
     ) -> Result<(), Fault> {
-        self.known_by_parameters(plugin);
         let (place, notes) = (plugin.place, &mut self.notes);
         let colors = match picture {
             None => [plugin.color(color, [1.0; 3], notes)?; 2],
