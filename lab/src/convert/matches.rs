@@ -67,11 +67,11 @@ pub const COLORS: [&str; 3] = ["reflectance", "diffuse_reflectance", "base_color
 /// whether the plugin is in the table. A plugin that is not keeps the parameters of all types of its word.
 pub fn check(plugin: &mut Plugin, notes: &mut Notes) -> bool {
     let Plugin { name, params, place } = plugin;
-    let word = |name: &'_ str| name.split(' ').next().unwrap_or_default().to_owned();
+    let word = name.split(' ').next();
     // A row of one word is for all types.
-    let found = ROWS.iter().find(|row| row.name == name || row.name == word(name));
-    let rows: Vec<_> =
-        ROWS.iter().filter(|row| found.map_or(word(row.name) == word(name), |found| found.name == row.name)).collect();
+    let found = ROWS.iter().find(|row| row.name == name || Some(row.name) == word);
+    let is_for = |row: &&Row| found.map_or(row.name.split(' ').next() == word, |found| found.name == row.name);
+    let rows: Vec<_> = ROWS.iter().filter(is_for).collect();
     params.retain(|param| {
         let is_read = |row: &&Row| row.params.split(' ').any(|name| name == param.name);
         let is_read = rows.iter().any(is_read) || (found.is_none() && COLORS.contains(&&param.name[..]));

@@ -129,7 +129,7 @@ impl Plugin {
             };
             return Ok(Vec3::new(linear(hex >> 16), linear(hex >> 8), linear(hex)));
         }
-        if !matches!((&param.kind[..], param.words.len()), ("rgb", 1 | 3) | ("float" | "spectrum", 1))
+        if !matches!((&param.kind[..], param.words.len()), ("rgb", 1 | 3) | ("float" | "integer" | "spectrum", 1))
             || param.words[0].parse::<f64>().is_err()
         {
             let [r, g, b] = default;

@@ -227,12 +227,13 @@ fn nothing_is_lost_without_a_note() {
     }
     // What is left out is not used.
     let scene = in_scene(
-        "<emitter type='constant'><float name='scale' value='2'/><rgb name='radiance' value='.25'/></emitter>
+        "<emitter type='constant'><float name='scale' value='.5'/><integer name='radiance' value='1'/></emitter>
          <shape type='cylinder'/><shape type='disk'><float name='radius' value='3'/></shape>
          <shape type='disk'><transform name='to_world'><translate z='1'/></transform></shape>",
     );
     let (config, _, notes) = read("a.xml", scene.as_bytes()).expect("it is a scene");
-    assert!(config.ends_with("light_color: 0.25 0.25 0.25\n") && !notes.join("\n").contains("closes"), "{notes:?}");
+    assert!(config.ends_with("light_color: 1 1 1\n"), "{config}");
+    assert!(["closes", "integer"].iter().all(|word| !notes.join("\n").contains(word)), "{notes:?}");
 }
 
 #[test]

@@ -65,9 +65,11 @@ fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
         format!("Error: {}:2: the file ends here, and a value is missing\n", folder.name("wrong.pbrt"))
     );
     assert!(fs::read_to_string(&config).is_ok_and(|text| text.starts_with("gamma: 1\n")));
-    std::os::unix::fs::symlink("new.txt", folder.file("link.txt")).expect("the folder is writable");
     let [dot, new, link, sky] = ["./c.txt", "new.txt", "link.txt", "o.xml.exr"].map(|name| folder.name(name));
-    for [one, two] in [[&config, &config], [&config, &dot], [&link, &new]] {
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("new.txt", &link).expect("the folder is writable");
+    let pairs = [[&config, &config], [&config, &dot], [&link, &new]];
+    for [one, two] in pairs.into_iter().take(if cfg!(unix) { 3 } else { 2 }) {
         assert!(complaint(&["convert", &other, one, two]).contains("are one file; the outputs need a file each"));
     }
     // Included files and the picture of the sky are inputs too.
