@@ -144,10 +144,16 @@ fn write_all<'a>(
         output::refuse_inputs(path, &inputs)?;
         outs.push((target, path, Output::open(&sources::output(path), options)?, bytes));
     }
-    for (_, path, output, bytes) in &mut outs {
+    let is_file = |path: &Path| fs::metadata(sources::output(path)).map_or(true, |metadata| metadata.is_file());
+    let (mut files, others): (Vec<_>, Vec<_>) = outs.into_iter().partition(|(_, path, ..)| is_file(path));
+    for (_, path, output, bytes) in &mut files {
         output.write_all(bytes).map_err(|cause| output::Error { path: path.clone(), cause })?;
     }
-    outs.into_iter().try_for_each(|(_, _, output, _)| Ok(output.commit()?))
+    // A pipe is closed before the next one is opened, because its reader may wait for that.
+    for (_, _, output, bytes) in others {
+        output.fill(|file| file.write_all(&bytes))?;
+    }
+    files.into_iter().try_for_each(|(_, _, output, _)| Ok(output.commit()?))
 }
 
 /// Returns the path to which `path` leads, for comparison. The file need not exist.
