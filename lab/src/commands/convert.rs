@@ -1,5 +1,5 @@
-//! `render-lab convert`: writes a picture in another format, or a scene of pbrt-v4 or Mitsuba 3 as ours, or ours as
-//! theirs.
+//! `render-lab convert`: writes a picture in another format, or converts a scene between our files and those of pbrt-v4
+//! or Mitsuba 3.
 
 use std::ffi::OsStr;
 use std::fs;

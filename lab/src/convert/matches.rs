@@ -60,7 +60,7 @@ const ROWS: [Row; 27] = [
     row("emitter envmap", "filename scale to_world", ""),
 ];
 
-/// The parameters with the colour of a material that is not in the table, the first of them first.
+/// The parameters that may hold the colour of a material that is not in the table. The first that is there counts.
 pub const COLORS: [&str; 3] = ["reflectance", "diffuse_reflectance", "base_color"];
 
 /// Notes the parameters of `plugin` that have no match and removes them, and notes what differs in our picture. Returns

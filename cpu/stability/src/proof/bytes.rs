@@ -1,4 +1,5 @@
-//! The room on both sides of the boundary between two bytes.
+//! Bounds the rounding errors at the boundary between two bytes, for every gamma. `image/quantize.rs` leaves a room on
+//! both sides of the boundary, in which it calls the power; the row compares this room with the errors.
 //!
 //! A number here is known by its logarithm. Each rounding changes the logarithm by at most `u`. The row has room for
 //! terms in `u^2`. All logarithms and errors are sums of multiples of 1, of gamma and of its reciprocal. So
