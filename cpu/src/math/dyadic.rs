@@ -99,10 +99,29 @@ impl Dyadic {
         self.magnitude.get(index / 64).is_some_and(|limb| limb >> (index % 64) & 1 == 1)
     }
 
-    /// Returns `|self| / 2^exponent`. The parameter is at most the number's own exponent, so the result is a whole
-    /// number.
-    fn aligned(&self, exponent: i64) -> Vec<u64> {
-        limbs::shifted(&self.magnitude, self.exponent.abs_diff(exponent))
+    /// Returns `self + other`, or `self - other` if `is_difference` is set.
+    fn combined(&self, other: &Self, is_difference: bool) -> Self {
+        let other_is_negative = other.negative != is_difference;
+        if other.magnitude.is_empty() {
+            return self.clone();
+        }
+        if self.magnitude.is_empty() {
+            return Self { negative: other_is_negative, ..other.clone() };
+        }
+        let shift = self.exponent - other.exponent;
+        let exponent = self.exponent.min(other.exponent);
+        // The number with the larger exponent is shifted to the smaller one.
+        let ((high, high_is_negative), (low, low_is_negative)) = match shift >= 0 {
+            true => ((self, self.negative), (other, other_is_negative)),
+            false => ((other, other_is_negative), (self, self.negative)),
+        };
+        let high = limbs::shifted(&high.magnitude, shift.unsigned_abs());
+        if high_is_negative == low_is_negative {
+            let magnitude = limbs::sum(high, &low.magnitude);
+            return Self { negative: high_is_negative, magnitude, exponent };
+        }
+        let (magnitude, is_flipped) = limbs::difference(high, &low.magnitude);
+        Self { negative: high_is_negative != is_flipped, magnitude, exponent }
     }
 }
 
@@ -160,20 +179,7 @@ pub fn sign_with_roots(x: &Dyadic, (y, d): (&Dyadic, &Dyadic), (z, e): (&Dyadic,
 impl Add for &Dyadic {
     type Output = Dyadic;
     fn add(self, other: Self) -> Dyadic {
-        if self.magnitude.is_empty() {
-            return other.clone();
-        }
-        if other.magnitude.is_empty() {
-            return self.clone();
-        }
-        let exponent = self.exponent.min(other.exponent);
-        let (a, b) = (self.aligned(exponent), other.aligned(exponent));
-        let is_difference = self.negative != other.negative;
-        let (negative, magnitude) = match limbs::compare(&a, &b) {
-            Ordering::Less => (other.negative, limbs::sum(&b, &a, is_difference)),
-            _ => (self.negative, limbs::sum(&a, &b, is_difference)),
-        };
-        Dyadic { negative, magnitude, exponent }
+        self.combined(other, false)
     }
 }
 
@@ -187,7 +193,7 @@ impl Neg for &Dyadic {
 impl Sub for &Dyadic {
     type Output = Dyadic;
     fn sub(self, other: Self) -> Dyadic {
-        self + &-other
+        self.combined(other, true)
     }
 }
 

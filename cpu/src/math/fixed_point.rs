@@ -36,7 +36,7 @@ impl Units for Vec<u64> {
         quotient(self, divisor)
     }
     fn plus(&self, other: &Self) -> Self {
-        if self.len() < other.len() { sum(other, self, false) } else { sum(self, other, false) }
+        sum(self.clone(), other)
     }
     fn is_zero(&self) -> bool {
         self.is_empty()

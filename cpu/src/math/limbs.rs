@@ -1,8 +1,6 @@
 //! Whole numbers of any length, as lists of 64-bit limbs. The lowest limb is first. The last limb is not zero, so the
 //! number zero is an empty list.
 
-use std::cmp::Ordering;
-
 /// Returns the list without the zero limbs at its end.
 fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
     while limbs.last() == Some(&0) {
@@ -11,23 +9,36 @@ fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
     limbs
 }
 
-/// Compares the numbers `a` and `b`.
-pub(crate) fn compare(a: &[u64], b: &[u64]) -> Ordering {
-    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
+/// Applies `step` to each limb of `limbs`, the one of `other` and the carry. Returns the last carry.
+fn carry_through(limbs: &mut Vec<u64>, other: &[u64], step: impl Fn(u64, u64) -> (u64, bool)) -> bool {
+    limbs.resize(limbs.len().max(other.len()), 0);
+    let mut carry = false;
+    for (index, limb) in limbs.iter_mut().enumerate() {
+        let (part, first) = step(*limb, other.get(index).copied().unwrap_or(0));
+        let (whole, second) = step(part, u64::from(carry));
+        (*limb, carry) = (whole, first || second);
+    }
+    carry
 }
 
-/// Returns `a + b`. If `is_difference` is set, it returns `a - b`, and `b` must be at most `a`.
-pub(crate) fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
-    debug_assert!(!is_difference || compare(a, b) != Ordering::Less);
-    let limb = |list: &[u64], index: usize| i128::from(list.get(index).copied().unwrap_or(0));
-    let mut carry = 0;
-    let limbs = (0..=a.len()).map(|index| {
-        let (x, y) = (limb(a, index), limb(b, index));
-        let total = carry + if is_difference { x - y } else { x + y };
-        carry = total >> 64;
-        total as u64
-    });
-    trimmed(limbs.collect())
+/// Returns `a + b`.
+pub(crate) fn sum(mut a: Vec<u64>, b: &[u64]) -> Vec<u64> {
+    let carry = carry_through(&mut a, b, u64::overflowing_add);
+    a.extend(carry.then_some(1));
+    a
+}
+
+/// Returns `|a - b|`, and whether `a` is less than `b`.
+pub(crate) fn difference(mut a: Vec<u64>, b: &[u64]) -> (Vec<u64>, bool) {
+    let is_less = carry_through(&mut a, b, u64::overflowing_sub);
+    if is_less {
+        // The limbs hold `a - b` modulo a power of two, so the number is negated.
+        let mut carry = true;
+        for limb in &mut a {
+            (*limb, carry) = (!*limb).overflowing_add(u64::from(carry));
+        }
+    }
+    (trimmed(a), is_less)
 }
 
 /// Returns the product of `a` and `b`.
@@ -67,7 +78,10 @@ pub(crate) fn quotient(a: &[u64], divisor: u64) -> Vec<u64> {
 
 /// Returns `a 2^shift`.
 pub(crate) fn shifted(a: &[u64], shift: u64) -> Vec<u64> {
-    let mut limbs = vec![0; (shift / 64) as usize];
+    let zeros = (shift / 64) as usize;
+    // One limb more than needed, so that a carry of a sum needs no new memory.
+    let mut limbs = Vec::with_capacity(zeros + a.len() + 2);
+    limbs.resize(zeros, 0);
     let shift = shift % 64;
     let mut carry = 0;
     for &limb in a {
