@@ -6,7 +6,7 @@
 //! hit. The lanes after this path are computed again, because its hits may take more scatter samples.
 //!
 //! The intersections of one path depend on each other, so execution ports are idle meanwhile. Tests of the next paths
-//! use these ports, so they take almost no time. A path with [many hits](MANY_HITS) is traced without them.
+//! use these ports, so they take almost no time. After [many hits](MANY_HITS) paths are traced without them.
 //!
 //! If a ray is the last one that its path may send, and it certainly hits an object, the hit itself is not needed. The
 //! path is black, and the surface takes one scatter sample. This is used only if no object is refractive.
@@ -21,8 +21,9 @@ use crate::{
     geometry::ray::Ray, layout::Layout, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64,
 };
 
-/// A path whose rays have hit a surface this many times is probably between mirrors or inside an object, and will not
-/// escape with its next ray. So that ray is intersected with every object, and no other path is tested ahead.
+/// If rays have hit a surface this many times since a path escaped, the paths are probably between mirrors or inside an
+/// object, and will not escape with their next rays. So the next ray of a path is intersected with every object, and no
+/// other path is tested ahead.
 const MANY_HITS: usize = 4;
 
 /// The first scattered rays of consecutive paths of the queue, one in each lane, with the objects that they may hit.
@@ -76,6 +77,8 @@ pub struct TraceWithLookahead<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub tracer: &'a mut PathTracer,
     pub small_scene: &'a SmallScene,
+    /// Number of hits since a path escaped. It counts no paths that escape with their first rays.
+    pub hits: usize,
 }
 
 impl<L: Layout> Kernel for TraceWithLookahead<'_, L> {
@@ -114,14 +117,14 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
     /// that ray. The last of these tests is then in `if_escapes`.
     #[inline(always)]
     fn trace<V: SimdF64>(&mut self, at: usize, mut may_hit: u32, if_escapes: &mut Lookahead<V>) {
-        let Self { prepared, tracer, small_scene } = self;
+        let Self { prepared, tracer, small_scene, .. } = self;
         let vertex = PathVertex::of(tracer.queue.entries.get(at));
         let mut ray = Ray { origin: vertex.point, direction: tracer.ends.direction.get(at).into() };
         let mut rays = vertex.rays.get();
-        let mut hits = 0;
         loop {
             let hit = closest_hit_among(&prepared.objects, &ray, may_hit);
             if !hit.is_hit() {
+                self.hits = 0;
                 return tracer.ends.escape(at, ray.direction);
             }
             rays = rays.minus_one();
@@ -131,12 +134,13 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
             ray = scattered.ray;
             add(Counter::PathRays, 1);
             tracer.scatter_samples.prepare();
-            hits += 1;
-            if hits < MANY_HITS {
+            self.hits += 1;
+            if self.hits < MANY_HITS {
                 *if_escapes = Lookahead::new(small_scene, tracer, at + 1);
                 may_hit = small_scene.objects_may_hit::<V, _>(&prepared.objects, &ray);
                 // This is the most frequent case, so one branch decides it as early as possible.
                 if may_hit == 0 {
+                    self.hits = 0;
                     return tracer.ends.escape(at, ray.direction);
                 }
             } else {

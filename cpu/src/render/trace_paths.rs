@@ -26,7 +26,7 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
             && !small_scene.uses_object_lanes()
             && tracer.all_may_send_rays()
         {
-            return simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene });
+            return simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene, hits: 0 });
         }
         dispatch!(&prepared.accel, stack, |accel| OneByOne { prepared, tracer, accel }.run(simd));
     }
