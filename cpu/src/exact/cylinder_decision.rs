@@ -111,22 +111,31 @@ pub(super) fn decide<T: Rounding<Mask = bool>>(
     if !side.is_accurate() {
         return caps_alone(record, ray, side, caps);
     }
-    if side.enters_behind() {
+    let exit = if side.enters_behind() {
         let exit = side.exit();
         if exit.straight {
             return Decision::Certain(Some((exit.lambda, CylinderPart::Side)));
         }
-    }
-    let entry = side.entry();
-    if entry.hits {
-        return Decision::Certain(Some((entry.lambda, CylinderPart::Side)));
-    }
-    let exit = side.exit();
-    if !(entry.fails() && (exit.hits || exit.fails())) {
+        if exit.behind {
+            return Decision::Certain(None);
+        }
+        exit
+    } else {
+        let entry = side.entry();
+        if entry.hits {
+            return Decision::Certain(Some((entry.lambda, CylinderPart::Side)));
+        }
+        if !entry.fails() {
+            return caps_alone(record, ray, side, caps);
+        }
+        let exit = side.exit();
+        if entry.passes_by(&exit) {
+            return Decision::Certain(None);
+        }
+        exit
+    };
+    if !(exit.hits || exit.fails()) {
         return caps_alone(record, ray, side, caps);
-    }
-    if entry.passes_by(&exit) {
-        return Decision::Certain(None);
     }
     with_caps(record, ray, caps, Decision::Certain(exit.hits.then_some((exit.lambda, CylinderPart::Side))))
 }
