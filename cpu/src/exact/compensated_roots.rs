@@ -95,6 +95,22 @@ impl<T: MulAdd> Quadratic<T> {
         Discriminant { value: h * h - a * c, size: h.abs() * terms_of_h + a * (c.abs() + lost) }
     }
 
+    /// Returns the bound of the error of `c` that is not relative to `c`.
+    #[inline(always)]
+    fn error_of_c(&self) -> T {
+        self.terms_of_c * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW)
+    }
+
+    /// Whether the ray certainly leaves the surface: it starts near the surface and moves away from the middle, so both
+    /// roots are below [`LAMBDA_MIN`]. This needs no discriminant. As `h` is negative, `w / a` is a negative root. The
+    /// other one is at most `|c| / |h|`, because `w` is at least `|h|`.
+    #[inline(always)]
+    pub fn leaves(&self) -> T::Mask {
+        let (backward, size) = (self.h.less(T::of(0.0)), self.h.abs());
+        let h_is_accurate = self.terms_of_h.less(size * T::of(CONDITION_LIMIT));
+        backward & h_is_accurate & (self.c.abs() + self.error_of_c()).less(size * least_lambda())
+    }
+
     /// Returns what is certain about the roots with this discriminant, for any number of lanes.
     #[inline(always)]
     pub fn roots(&self, Discriminant { value, size }: Discriminant<T>) -> Roots<T> {
@@ -104,9 +120,9 @@ impl<T: MulAdd> Quadratic<T> {
         let h_is_accurate = self.terms_of_h.less(w * T::of(CONDITION_LIMIT));
         let root_is_accurate = error.less(value) & size.less(root * w * T::of(CONDITION_LIMIT));
         let accurate = h_is_accurate & root_is_accurate & size.less(T::of(OVERFLOW));
-        let error_of_c = self.terms_of_c * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
+        let error_of_c = self.error_of_c();
         let c_is_accurate = (error_of_c * T::of(1.0 / (ACCURACY_OF_C * T::UNIT_ROUNDOFF))).less(self.c.abs());
-        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * LIMITS.lambda_error());
+        let least = least_lambda::<T>();
         // A zero `h` counts as positive: a ray from the middle has two roots of the same size.
         let (backward, zero) = (self.h.less(T::of(0.0)), T::of(0.0));
         let signed_c = T::select(backward, -self.c, self.c);
@@ -137,6 +153,12 @@ pub(crate) fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>),
     let error =
         (first_error + second_error + third_error) + ((xx_error + yy_error) + (zz_error - s_error)) + (across + across);
     (difference + error, (xx + yy) + (zz + s))
+}
+
+/// Returns [`LAMBDA_MIN`], lowered by more than the relative error of an accepted lambda.
+#[inline(always)]
+fn least_lambda<T: MulAdd>() -> T {
+    T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * LIMITS.lambda_error())
 }
 
 /// Whether an accurate lambda certainly is in range, and has not overflowed.

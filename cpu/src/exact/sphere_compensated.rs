@@ -108,6 +108,9 @@ impl Terms<f64> {
 #[inline(always)]
 pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     let terms = Terms::new(record, ray);
+    if in_scale(terms.quadratic.a) && terms.quadratic.leaves() {
+        return Decision::Certain(None);
+    }
     match terms.hit(terms.near()) {
         Decision::Uncertain => terms.hit(terms.far()),
         decision => decision,
