@@ -26,6 +26,7 @@ pub mod quadratic;
 pub mod row;
 pub mod series;
 pub mod signed;
+mod underflow;
 
 /// Returns the rows of all margins.
 #[must_use]

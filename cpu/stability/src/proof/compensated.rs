@@ -1,10 +1,11 @@
 //! The margins of the compensated formulas, which subtract the rounding errors of their own operations.
 //!
-//! Underflow is left out: it adds at most 2^-1074 to a number, and the code requires numbers far above that.
+//! Underflow is left out, and bounded apart (`underflow.rs`).
 
 use cpu::Ray;
 use cpu::internals::exact::compensated_roots::{self, Discriminant, ERROR_OF_C};
 use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
+use cpu::internals::exact::error_bound::{LONGEST, SHORTEST, UNDERFLOW};
 use cpu::internals::exact::sphere_compensated::{self, Terms};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::sphere::SphereRecord;
@@ -14,10 +15,12 @@ use cpu::internals::math::real::Real as _;
 use super::bounded::{Bounded, Operation, begin, compared, forget_later};
 use super::bounds::Arithmetic;
 use super::direction::hardens;
+use super::magnitudes::{self, Log};
 use super::parts::{FILE_AXIS, record};
 use super::polynomial::{Polynomial, Variable};
 use super::row::{Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, squared, sum};
 use super::signed::{Signed, difference};
+use super::underflow::{Known, Underflow, steps};
 
 const WITHOUT_UNDERFLOW: Arithmetic = Arithmetic { underflow: 0.0, ..Arithmetic::F64 };
 
@@ -70,12 +73,21 @@ fn products(number: Bounded) -> [Bounded; 4] {
     [a, b, c, d]
 }
 
+/// Returns the constant that is added to a number.
+fn covered(number: Bounded) -> f64 {
+    number.bounds().size.coefficient(&Polynomial::constant(1.0))
+}
+
 /// Returns the constant and the need of a discriminant with this value and size, which is compared with its error.
 fn of_discriminant(quadratic: &Roots, of: Discriminant<Bounded>, size: &Polynomial, need: f64) -> [f64; 2] {
     let from = compared().len();
     _ = quadratic.roots(of);
     let errors = compared().split_off(from).into_iter().filter(|pair| pair[1] == of.value || pair[1] == -of.value);
-    let constants = errors.map(|[error, _]| added(error, size, SPHERE_MARGIN, U)).collect::<Vec<_>>();
+    let constants = errors.map(|[error, _]| {
+        assert_eq!(covered(error), UNDERFLOW, "the error of a discriminant covers underflow");
+        added(error, size, SPHERE_MARGIN, U)
+    });
+    let constants = constants.collect::<Vec<_>>();
     let [accepts, misses] = constants[..] else { panic!("the discriminant is compared twice") };
     [accepts.min(misses), need]
 }
@@ -96,6 +108,7 @@ fn of_c(quadratic: &Roots, error: &Polynomial, terms: &Polynomial, share: f64) -
     let uses: Vec<_> = compared().split_off(from).into_iter().filter(|&pair| hardens(pair) == Some(1)).collect();
     // `c` must be accurate, or its root too small.
     let [_, [too_small, _]] = uses[..] else { panic!("the error of c is compared twice") };
+    assert_eq!(covered(too_small), UNDERFLOW, "the error of c covers underflow");
     [added(too_small, terms, MARGIN, U * U), need / U]
 }
 
@@ -108,7 +121,7 @@ fn near_discriminant(
     terms_of_h: &Polynomial,
     direction: u8,
     to_size: impl Fn(&Polynomial) -> Polynomial,
-) -> ([f64; 2], f64) {
+) -> ([f64; 2], f64, Roots) {
     // Each lemma is about a number that comes after the ones before it.
     let [.., c] = products(run().near().value);
     let error = length(CANCELS).scaled(1.001).plus(&length(TERMS).scaled(of_c * U));
@@ -140,11 +153,78 @@ fn near_discriminant(
     // `h^2` is at most the first term, and the terms of `h^2 / a` are at most those of `c`.
     let sizes = [first.clone().plus(&lost), squared(OF_H), of_second_order];
     let need = relative_to_sizes(&to_size(&near.value.bounds().error), 0.0, &sizes, 1.0);
-    (of_discriminant(&quadratic, near, &first, need), of_h)
+    (of_discriminant(&quadratic, near, &first, need), of_h, quadratic)
+}
+
+/// A part of the domain: the largest magnitudes, the smallest terms of `c` and of a discriminant, and radicands.
+struct Cell {
+    corner: Vec<(u8, Log)>,
+    least: [Log; 2],
+    radicands: Vec<(Bounded, Log)>,
+}
+
+/// Returns the largest error that underflow adds to `c` or to a discriminant and that is not negligible beside the
+/// error that the code takes.
+fn of_underflow(c: Bounded, h: Bounded, of: Discriminant<Bounded>, cells: impl Iterator<Item = Cell>) -> Log {
+    let known = Known::default();
+    let of_cell = |Cell { corner, least, radicands }: Cell| {
+        let mut underflow = Underflow::new(&known, &corner, &radicands);
+        let [of_c, of_h, value, size] = [c, h, of.value, of.size].map(|number| underflow.of(number) + 1.0);
+        // `w` is at least the root of a discriminant that exceeds its error.
+        assert!(of_h < (1e-6 * U).log2() + UNDERFLOW.log2() / 2.0, "underflow adds 2^{of_h} to h");
+        let of_discriminant = magnitudes::sum(value, size + SPHERE_MARGIN.log2());
+        let parts = [(of_c, ERROR_OF_C * U * U), (of_discriminant, SPHERE_MARGIN)].into_iter().zip(least);
+        let rest = parts.filter(|((part, margin), least)| *part >= (1e-6 * margin).log2() + least);
+        rest.map(|((part, _), _)| part).fold(f64::NEG_INFINITY, f64::max)
+    };
+    cells.map(of_cell).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Returns the row of the constant that covers underflow, in bits above the smallest number. A quarter of it must do,
+/// so that the error of a discriminant is no larger part of the bound.
+fn row_of_underflow(what: &'static str, parts: &[Log]) -> Row {
+    let [constant, need] = [UNDERFLOW.log2() - 2.0, parts.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
+        .map(|log| log - f64::from_bits(1).log2());
+    Row { what, file: ROOTS, constant, need, unit: "log2" }
+}
+
+/// Returns the number of which the code takes the root.
+fn radicand(root: Bounded) -> Bounded {
+    let Operation::Root(radicand) = root.operation() else { panic!("it is no root") };
+    radicand
+}
+
+/// The step between cells, in bits.
+const STEP: Log = 25.0;
+
+/// Returns the parts of the domain of a sphere. The terms of a discriminant have at least this share of `M`.
+fn sphere_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
+    let [shortest, longest] = [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0);
+    // A farther sphere has infinite terms. Numbers below the first step count as 0.
+    let sizes = [[f64::NEG_INFINITY, -1075.0]].into_iter().chain(steps(-1075.0, 512.0, STEP));
+    let directions = steps(shortest - 1.0, longest, STEP);
+    sizes.flat_map(move |size| directions.clone().map(move |direction| (direction, size))).map(
+        move |(direction, size)| {
+            let [least, most] = [0, 1].map(|end| direction[end] + size[end]);
+            let ([direction, least_size], size) = ([direction[1], size[0]], size[1]);
+            let corner = vec![
+                (DIRECTION, direction),
+                (TO_CENTER, size),
+                (RADIUS, size),
+                (SIZE, size),
+                (CANCELS, 2.0 * size),
+                (TERMS, 2.0 * size),
+                (OF_H, most),
+                (TO_CENTER_CROSS, most),
+            ];
+            let radicands = vec![(radicand(terms_of_h), 2.0 * least - 1.0)];
+            Cell { corner, least: [2.0 * least_size, 2.0 * least + share.log2()], radicands }
+        },
+    )
 }
 
 /// Returns the rows of a sphere: `c`, and its discriminant in two forms. Then returns the need of `h`.
-pub fn sphere_rows() -> ([Row; 3], f64) {
+pub fn sphere_rows() -> ([Row; 4], f64) {
     begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
     let (_, terms, inputs) = sphere();
     let c = terms.quadratic.c;
@@ -156,18 +236,23 @@ pub fn sphere_rows() -> ([Row; 3], f64) {
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     // `|C - O|` and the radius are at most `sqrt(q + R^2)`.
     let to_size = |polynomial: &Polynomial| polynomial.enlarged(&[TO_CENTER, RADIUS].map(|of| (of, Some(SIZE))));
-    let (near, of_h) = near_discriminant(|| sphere().1.quadratic, of_c[1], &squares, DIRECTION, to_size);
+    let (near, of_h, quadratic) = near_discriminant(|| sphere().1.quadratic, of_c[1], &squares, DIRECTION, to_size);
+    let Roots { c, h, terms_of_h, .. } = quadratic;
+    let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION).times(&length(TERMS)));
+    let near_underflow = of_underflow(c, h, quadratic.near(), sphere_cells(terms_of_h, share));
+    let (far, far_underflow) = far_discriminant();
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
         row("c of a sphere, compensated", ROOTS, of_c, "u^2 (q + R^2)"),
         row("discriminant of a sphere, near", ROOTS, near, "u M"),
-        row("discriminant of a sphere, far", SPHERE, far_discriminant(), "u M"),
+        row("discriminant of a sphere, far", SPHERE, far, "u M"),
+        row_of_underflow("underflow of a sphere, compensated", &[near_underflow, far_underflow]),
     ];
     (rows, of_h)
 }
 
-/// Returns the constant and the need of `a r^2 - |(C - O) x d|^2`.
-fn far_discriminant() -> [f64; 2] {
+/// Returns the constant and the need of `a r^2 - |(C - O) x d|^2`, and what underflow adds.
+fn far_discriminant() -> ([f64; 2], Log) {
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     let (ray, center) = (ray(), Bounded::vector(CENTER, 0.0));
     let (to_center, rounded_off) = error_free::difference(center, ray.origin);
@@ -184,7 +269,9 @@ fn far_discriminant() -> [f64; 2] {
     let [distance, radius] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(DIRECTION)));
     let size = |share| sum(&[squared(TO_CENTER_CROSS), radius.clone(), distance.clone().scaled(share)]);
     let share = sphere_compensated::SHARE_OF_DISTANCE;
-    of_discriminant(&terms.quadratic, far, &size(share), relative_in(far.value, share, &[size(1.0)]))
+    let row = of_discriminant(&terms.quadratic, far, &size(share), relative_in(far.value, share, &[size(1.0)]));
+    let Roots { c, h, terms_of_h, .. } = terms.quadratic;
+    (row, of_underflow(c, h, far, sphere_cells(terms_of_h, share)))
 }
 
 /// Returns the components of the cross product of [`TO_CENTER`] and another vector, with their names.
@@ -255,7 +342,7 @@ fn aside(terms: &cylinder_compensated::Terms<Bounded>) -> Bounded {
 
 /// Returns the rows of the side of a cylinder: `c`, and its discriminant in two forms. Then returns the needs of `a`
 /// and of `h`.
-pub fn side_rows() -> ([Row; 3], [f64; 2]) {
+pub fn side_rows() -> ([Row; 4], [f64; 2]) {
     begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
     let (run, [error, _]) = side();
     let [far, rim] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(FILE_AXIS)));
@@ -271,19 +358,55 @@ pub fn side_rows() -> ([Row; 3], [f64; 2]) {
         let families = [sizes[0], sizes[1], sizes[2], (FILE_AXIS, None), same];
         polynomial.clone().scaled_by(TO_CENTER, 1.0 / SHARE_IN_H.sqrt()).enlarged(&families)
     };
-    let (near, of_h) = near_discriminant(|| run().quadratic, of_c[1], &terms_of_h, DIRECTION_CROSS, to_size);
+    let (near, of_h, quadratic) = near_discriminant(|| run().quadratic, of_c[1], &terms_of_h, DIRECTION_CROSS, to_size);
+    let Roots { c, h, terms_of_h, .. } = quadratic;
+    let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION_CROSS).times(&length(TERMS)));
+    let near_underflow = of_underflow(c, h, quadratic.near(), side_cells(terms_of_h, share));
+    let (far, far_underflow) = far_discriminant_of_side();
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
         row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + 4 F)"),
         row("discriminant of a side, near", ROOTS, near, "u M"),
-        row("discriminant of a side, far", FILE, far_discriminant_of_side(), "u M"),
+        row("discriminant of a side, far", FILE, far, "u M"),
+        row_of_underflow("underflow of a side, compensated", &[near_underflow, far_underflow]),
     ];
     (rows, [a, of_h])
 }
 
-/// Returns the constant and the need of `V.V (a r^2 - ((O - C).p)^2)`.
-fn far_discriminant_of_side() -> [f64; 2] {
-    const ASIDE: u8 = CANCELS;
+/// The family of `(O - C).p`.
+const ASIDE: u8 = DERIVED + 8;
+
+/// Returns the parts of the domain of a side. With `Y^2 = |O - C|^2 + r^2`, the terms of a discriminant are at least
+/// `|p|^2 |V|^2 Y^2` times `share`. `|V| Y` is at least the root of `Q`, which is in scale, and `|q|` is at most that.
+fn side_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
+    let [shortest, longest] = [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0);
+    let cells = steps(shortest - 1.0, longest, STEP).flat_map(move |direction| {
+        let sizes = steps(shortest - 1.0, longest + 512.0, STEP);
+        sizes.flat_map(move |size| steps(shortest - 1.0, longest, STEP).map(move |axis| (direction, axis, size)))
+    });
+    cells.map(move |(direction, axis, size)| {
+        let (least, least_size) = (direction[0] + size[0], size[0]);
+        let [direction, axis, size] = [direction[1], axis[1], size[1] + 1.0];
+        let (across, length) = (size.min(longest), size - axis);
+        let corner = vec![
+            (DIRECTION_CROSS, direction),
+            (FILE_AXIS, axis),
+            (TO_CENTER, length),
+            (RADIUS, length),
+            (TO_CENTER_CROSS, across),
+            (SIZE, size),
+            (CANCELS, 2.0 * across),
+            (TERMS, 2.0 * size + 2.0),
+            (OF_H, direction + across),
+            (ASIDE, direction + length),
+        ];
+        let radicands = vec![(radicand(terms_of_h), 2.0 * (direction - STEP + shortest) - 1.0)];
+        Cell { corner, least: [2.0 * least_size, 2.0 * least + share.log2()], radicands }
+    })
+}
+
+/// Returns the constant and the need of `V.V (a r^2 - ((O - C).p)^2)`, and what underflow adds.
+fn far_discriminant_of_side() -> ([f64; 2], Log) {
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     let (run, [_, error]) = side();
     let aside = aside(&run());
@@ -311,7 +434,9 @@ fn far_discriminant_of_side() -> [f64; 2] {
     // `((O - C).p)^2` is at most the second term.
     let sizes = [size(share, aside.clone()), squared(ASIDE).times(&squared(FILE_AXIS))];
     let need = relative_to_sizes(&error, 0.0, &sizes, 1.0);
-    of_discriminant(&terms.quadratic, terms.far, &size(share, aside), need)
+    let row = of_discriminant(&terms.quadratic, terms.far, &size(share, aside), need);
+    let Roots { c, h, terms_of_h, .. } = terms.quadratic;
+    (row, of_underflow(c, h, terms.far, side_cells(terms_of_h, share)))
 }
 
 /// Returns the row of the distance of a cap's plane.

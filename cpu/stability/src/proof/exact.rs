@@ -187,7 +187,7 @@ fn relative_to_long(error: &Polynomial) -> f64 {
 
 /// Returns the error of `w`, relative to `w` and in units of `u` times its condition, as docs/accuracy.md derives.
 /// `of_h` is the need of `h`. The discriminant exceeds the error that the code takes, so its root is far above 0.
-fn of_w([_, near, far]: &[Row; 3], of_h: f64) -> f64 {
+fn of_w([_, near, far, _]: &[Row; 4], of_h: f64) -> f64 {
     let share = near.need.max(far.need) / near.constant;
     share * sphere_filter::LIMITS.error_constant / (1.0 + (1.0 - share).sqrt()) + of_h
 }

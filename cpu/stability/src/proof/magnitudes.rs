@@ -22,16 +22,16 @@ use super::polynomial::Polynomial;
 use super::row::{IN_SCALE, Row, U, family::*, is, ray, squared};
 
 /// The binary logarithm of the largest magnitude of a number.
-type Log = f64;
+pub type Log = f64;
 
 /// A corner of a domain: the largest magnitudes of the numbers and vectors of some families.
-type Corner<'a> = &'a [(u8, Log)];
+pub type Corner<'a> = &'a [(u8, Log)];
 
 /// What is known of a number beside its bounds: the smallest and the largest magnitude.
 type Known = (Bounded, [Log; 2]);
 
 /// Returns the logarithm of the sum of two numbers.
-fn sum(a: Log, b: Log) -> Log {
+pub fn sum(a: Log, b: Log) -> Log {
     let (least, most) = (a.min(b), a.max(b));
     if least == f64::NEG_INFINITY || most.is_infinite() {
         most
@@ -40,12 +40,12 @@ fn sum(a: Log, b: Log) -> Log {
     }
 }
 
-/// Returns the largest value of a polynomial. What the bounds have a margin for is measured in that margin.
-fn value(polynomial: &Polynomial, corner: Corner) -> Log {
+/// Returns the largest value of a polynomial, which is infinite if a family has no limit. What the bounds have a margin for is measured in that margin.
+pub fn value(polynomial: &Polynomial, corner: Corner) -> Log {
     let terms = polynomial.0.iter().map(|(monomial, coefficient)| {
         let known = |family| corner.iter().find(|(known, _)| *known == family).map(|(_, most)| *most);
         let is_one = |family| [AXIS, MARGIN.0, LOST_MARGIN.0].contains(&family).then_some(0.0);
-        let log = |family| known(family).or(is_one(family)).unwrap_or_else(|| panic!("no limit of family {family}"));
+        let log = |family| known(family).or(is_one(family)).unwrap_or(f64::INFINITY);
         let logs = monomial.iter().map(|&(family, _)| log(family));
         coefficient.log2() + logs.sum::<f64>()
     });

@@ -39,7 +39,7 @@ pub fn difference(a: &Polynomial, b: &Polynomial) -> Polynomial {
 }
 
 /// Returns `a`, `b` and their rounded sum, if `x + y` is the rounding error of that sum by Knuth's theorem.
-fn two_sum(x: Bounded, y: Bounded) -> Option<[Bounded; 3]> {
+pub(super) fn two_sum(x: Bounded, y: Bounded) -> Option<[Bounded; 3]> {
     use Operation::{Difference, Sum};
     let (Difference(a, a_part), Difference(b, b_part)) = (x.operation(), y.operation()) else { return None };
     let Difference(sum, same) = a_part.operation() else { return None };
