@@ -229,6 +229,9 @@ impl<T: Rounding> SideLanes<T> {
 }
 
 #[cfg(test)]
+mod surface_tests;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::cap::PARALLEL;

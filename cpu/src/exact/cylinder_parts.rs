@@ -82,9 +82,9 @@ pub struct Crossing<T: Real> {
     /// Lambda certainly is below the smallest lambda in range.
     pub behind: T::Mask,
     /// The point certainly is beyond the plane of the top cap.
-    above: T::Mask,
+    pub(super) above: T::Mask,
     /// The point certainly is beyond the plane of the bottom cap.
-    below: T::Mask,
+    pub(super) below: T::Mask,
 }
 
 impl<T: Rounding> Crossing<T> {
