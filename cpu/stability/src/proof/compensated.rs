@@ -3,12 +3,12 @@
 //! Underflow is left out, and bounded apart (`underflow.rs`).
 
 use cpu::Ray;
-use cpu::internals::exact::compensated_roots::{self, Discriminant, ERROR_OF_C};
+use cpu::internals::exact::compensated_roots::{self, CONDITION_LIMIT, Discriminant, ERROR_OF_C};
 use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
 use cpu::internals::exact::error_bound::{LONGEST, SHORTEST, UNDERFLOW};
 use cpu::internals::exact::sphere_compensated::{self, Terms};
 use cpu::internals::exact::sphere_filter;
-use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
 use cpu::internals::math::error_free::{self, cross, cross_with_error};
 use cpu::internals::math::real::Real as _;
 
@@ -164,20 +164,35 @@ struct Cell {
 }
 
 /// Returns the largest error that underflow adds to `c` or to a discriminant and that is not negligible beside the
-/// error that the code takes.
-fn of_underflow(c: Bounded, h: Bounded, of: Discriminant<Bounded>, cells: impl Iterator<Item = Cell>) -> Log {
+/// error that the code takes. An error of `h` below `negligible` is.
+fn of_underflow(
+    c: Bounded,
+    (h, negligible): (Bounded, Log),
+    of: Discriminant<Bounded>,
+    cells: impl Iterator<Item = Cell>,
+) -> Log {
     let known = Known::default();
     let of_cell = |Cell { corner, least, radicands }: Cell| {
         let mut underflow = Underflow::new(&known, &corner, &radicands);
         let [of_c, of_h, value, size] = [c, h, of.value, of.size].map(|number| underflow.of(number) + 1.0);
-        // `w` is at least the root of a discriminant that exceeds its error.
-        assert!(of_h < (1e-6 * U).log2() + UNDERFLOW.log2() / 2.0, "underflow adds 2^{of_h} to h");
+        assert!(of_h < negligible, "underflow adds 2^{of_h} to h");
         let of_discriminant = magnitudes::sum(value, size + SPHERE_MARGIN.log2());
         let parts = [(of_c, ERROR_OF_C * U * U), (of_discriminant, SPHERE_MARGIN)].into_iter().zip(least);
         let rest = parts.filter(|((part, margin), least)| *part >= (1e-6 * margin).log2() + least);
         rest.map(|((part, _), _)| part).fold(f64::NEG_INFINITY, f64::max)
     };
     cells.map(of_cell).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Returns the largest negligible error of the `h` of a side: its `w` is at least the root of a discriminant that exceeds
+/// its error.
+fn side_h() -> Log {
+    (1e-6 * U * UNDERFLOW.sqrt()).log2()
+}
+
+/// Returns that of a sphere: if a ray leaves, its `h` times the least lambda exceeds the constant.
+fn sphere_h() -> Log {
+    (1e-6 * sphere_filter::LIMITS.lambda_error() / LAMBDA_MIN * UNDERFLOW).log2()
 }
 
 /// Returns the row of the constant that covers underflow, in bits above the smallest number. A quarter of it must do,
@@ -239,7 +254,7 @@ pub fn sphere_rows() -> ([Row; 4], f64) {
     let (near, of_h, quadratic) = near_discriminant(|| sphere().1.quadratic, of_c[1], &squares, DIRECTION, to_size);
     let Roots { c, h, terms_of_h, .. } = quadratic;
     let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION).times(&length(TERMS)));
-    let near_underflow = of_underflow(c, h, quadratic.near(), sphere_cells(terms_of_h, share));
+    let near_underflow = of_underflow(c, (h, sphere_h()), quadratic.near(), sphere_cells(terms_of_h, share));
     let (far, far_underflow) = far_discriminant();
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
@@ -249,6 +264,21 @@ pub fn sphere_rows() -> ([Row; 4], f64) {
         row_of_underflow("underflow of a sphere, compensated", &[near_underflow, far_underflow]),
     ];
     (rows, of_h)
+}
+
+/// Returns the row of the bound of lambda for rays that leave a sphere: `|c| / |h|` is compared with the least lambda.
+/// `of_h` is the need of `h`, and the rest are roundings: of `c`, of the sum with its error, and of the product.
+pub fn leaves(of_h: f64) -> Row {
+    for margin in [ERROR_OF_C * U * U, LAMBDA_MIN * sphere_filter::LIMITS.lambda_error()] {
+        begin(WITHOUT_UNDERFLOW, margin);
+        let (_, terms, _) = sphere();
+        let from = compared().len();
+        _ = terms.quadratic.leaves();
+        let sides: Vec<_> = compared().split_off(from).into_iter().map(hardens).collect();
+        assert_eq!(sides, [Some(0), Some(0), Some(1)], "a margin is not used, or on the wrong side");
+    }
+    let (what, constant) = ("lambda of a ray that leaves a sphere", sphere_filter::LIMITS.lambda_error() / U);
+    Row { what, file: ROOTS, constant, need: of_h * CONDITION_LIMIT + 6.0, unit: "u lambda" }
 }
 
 /// Returns the constant and the need of `a r^2 - |(C - O) x d|^2`, and what underflow adds.
@@ -271,7 +301,7 @@ fn far_discriminant() -> ([f64; 2], Log) {
     let share = sphere_compensated::SHARE_OF_DISTANCE;
     let row = of_discriminant(&terms.quadratic, far, &size(share), relative_in(far.value, share, &[size(1.0)]));
     let Roots { c, h, terms_of_h, .. } = terms.quadratic;
-    (row, of_underflow(c, h, far, sphere_cells(terms_of_h, share)))
+    (row, of_underflow(c, (h, sphere_h()), far, sphere_cells(terms_of_h, share)))
 }
 
 /// Returns the components of the cross product of [`TO_CENTER`] and another vector, with their names.
@@ -361,7 +391,7 @@ pub fn side_rows() -> ([Row; 4], [f64; 2]) {
     let (near, of_h, quadratic) = near_discriminant(|| run().quadratic, of_c[1], &terms_of_h, DIRECTION_CROSS, to_size);
     let Roots { c, h, terms_of_h, .. } = quadratic;
     let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION_CROSS).times(&length(TERMS)));
-    let near_underflow = of_underflow(c, h, quadratic.near(), side_cells(terms_of_h, share));
+    let near_underflow = of_underflow(c, (h, side_h()), quadratic.near(), side_cells(terms_of_h, share));
     let (far, far_underflow) = far_discriminant_of_side();
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
@@ -436,7 +466,7 @@ fn far_discriminant_of_side() -> ([f64; 2], Log) {
     let need = relative_to_sizes(&error, 0.0, &sizes, 1.0);
     let row = of_discriminant(&terms.quadratic, terms.far, &size(share, aside), need);
     let Roots { c, h, terms_of_h, .. } = terms.quadratic;
-    (row, of_underflow(c, h, terms.far, side_cells(terms_of_h, share)))
+    (row, of_underflow(c, (h, side_h()), terms.far, side_cells(terms_of_h, share)))
 }
 
 /// Returns the row of the distance of a cap's plane.

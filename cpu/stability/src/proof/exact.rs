@@ -54,6 +54,7 @@ pub fn rows() -> Vec<Row> {
     }
     let crossing = of_w(&of_side, side_h) + side_a + 5.0;
     rows.extend(of_sphere);
+    rows.push(compensated::leaves(sphere_h));
     rows.extend(of_side);
     rows.push(compensated::plane());
     // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
