@@ -17,9 +17,9 @@ use crate::accel::{
     bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::find_isolated::FindIsolated, bvh::node::Kind,
     bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_reach,
     bvh::slab_ray::is_in_scale, bvh::sphere_ray::SphereRay, closest_hit::ClosestHit, dominant_sphere::DominantSphere,
-    every_object::intersect_every_object, every_object::intersect_objects, extent::Extent, extent::reach,
-    giants::giants_beyond, isolated::Isolated, may_hit::conservative::ConservativeRay, object::NO_OBJECT,
-    object::ObjectId, object::ObjectRef, object::count, object::cylinder_index, stack::Stack,
+    every_object::intersect_every_object, every_object::intersect_objects, extent::Extent, extent::is_tiny,
+    extent::reach, giants::giants_beyond, isolated::Isolated, may_hit::conservative::ConservativeRay,
+    object::NO_OBJECT, object::ObjectId, object::ObjectRef, object::count, object::cylinder_index, stack::Stack,
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
@@ -47,8 +47,9 @@ pub struct Bvh<B> {
     margins: [f32; 3],
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
-    /// The numbers of the giants, which are not in the tree: spheres, and cylinders. `None` if there are none.
-    pub(super) giants: Option<[Range<ObjectId>; 2]>,
+    /// The numbers of the giants and tiny objects, which are not in the tree: spheres, and cylinders. `None` if there are
+    /// none, and if the dominant sphere is no giant.
+    pub(super) apart: Option<[Range<ObjectId>; 2]>,
     pub(super) isolated: Isolated,
     /// Whether there are sphere leaves: nodes with only spheres have bounding spheres instead of boxes.
     has_sphere_leaves: bool,
@@ -67,21 +68,21 @@ impl<B: Boxes> Bvh<B> {
         let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let limit = giants_beyond(objects, dominant, extent);
-        let (is_giant, giants) =
-            (|id: &ObjectId| limit.is_some_and(|limit| reach(objects, *id) > limit), others.clone());
-        let boxes = others.filter(|id| !is_giant(id)).map(|id| (Bounds::of_object(objects, id), id));
+        let is_apart = |id: &ObjectId| limit.is_some_and(|limit| reach(objects, *id) > limit) || is_tiny(objects, *id);
+        let apart: Vec<_> = others.clone().filter(is_apart).collect();
+        let boxes = others.filter(|id| !is_apart(id)).map(|id| (Bounds::of_object(objects, id), id));
         let tree = build(count, sphere_count, boxes, sphere_leaves)?;
         let Tree { mut nodes, mut spheres, mut cylinders, has_sphere_leaves } = tree;
         // The builder planned it for the objects of the tree, without the dominant sphere, which is added below.
         let collapsed_root = CollapsedRoot::new(&mut nodes, spheres.len() + cylinders.len())?;
-        // The dominant sphere is behind all spheres of the tree, and the giants are behind all other objects of a kind.
+        // The dominant sphere is behind all spheres of the tree, and the objects apart are behind all others of their kind.
         let dominant = DominantSphere(dominant.0.map(|id| {
             spheres.push(id);
             spheres.len() as ObjectId - 1
         }));
-        let giants = limit.map(|_| {
+        let apart = (limit.is_some() || !apart.is_empty()).then(|| {
             let first = [spheres.len(), sphere_count + cylinders.len()].map(|number| number as ObjectId);
-            for id in giants.filter(is_giant) {
+            for id in apart {
                 if (id as usize) < sphere_count { spheres.push(id) } else { cylinders.push(id) }
             }
             [first[0]..sphere_count as ObjectId, first[1]..count as ObjectId]
@@ -92,8 +93,8 @@ impl<B: Boxes> Bvh<B> {
         let margins = slab_ray::margins(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
         let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate.min(Extent::LARGEST));
         let mut bvh =
-            Self { nodes, collapsed_root, margins, dominant, giants, isolated, has_sphere_leaves, max_coordinate };
-        if count <= MOST_FOR_ISOLATION && limit.is_none() {
+            Self { nodes, collapsed_root, margins, dominant, apart, isolated, has_sphere_leaves, max_coordinate };
+        if count <= MOST_FOR_ISOLATION && bvh.apart.is_none() {
             let find = FindIsolated { nodes: &bvh.nodes, objects, extent, dominant };
             bvh.isolated = InstructionSet::fused().run(find)?;
         }
@@ -212,12 +213,12 @@ impl<B: Boxes> Accelerator for Traversal<'_, B> {
         if !is_in_scale(conservative.length_squared) {
             return intersect_every_object(objects, *ray);
         }
-        if let Some(giants) = &bvh.giants {
+        if let Some(apart) = &bvh.apart {
             if !is_in_reach(ray.origin, conservative.length_squared) {
                 return intersect_every_object(objects, *ray);
             }
-            closest = intersect_objects(objects, giants.clone(), *ray);
-            if giants.iter().any(|giants| giants.contains(&start_object)) {
+            closest = intersect_objects(objects, apart.clone(), *ray);
+            if apart.iter().any(|apart| apart.contains(&start_object)) {
                 start_object = NO_OBJECT;
             }
         }

@@ -1,10 +1,10 @@
 //! The rule that chooses the acceleration structure of a scene: [`Accel::new`].
 //!
 //! The first structure of this list that fits the scene is taken:
-//! 1. [`Accel::EveryObject`] for extreme magnitudes: a camera, diffusion or window distance beyond 1e9, radii or half
-//!    heights below 1e-6, pixels below 1e-12 ([`Extent`]), or up to 8 objects with one beyond 1e9;
+//! 1. [`Accel::EveryObject`] for extreme magnitudes: a camera, diffusion or window distance beyond 1e9, pixels below
+//!    1e-12 ([`Extent`]), or up to 8 objects with one beyond 1e9 or a radius or half height below 1e-6;
 //! 2. [`SmallScene`] for up to 8 objects;
-//! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7;
+//! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7 and no such tiny object;
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
@@ -22,15 +22,15 @@
 //! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`,
 //! `accel/may_hit/object_lanes.rs`, `accel/flat_filter.rs`, `accel/may_hit/filter_ray.rs` and `accel/small_scene.rs`.
 //! [`FlatFilter`] and [`Bvh`] test a sphere much larger than all other objects separately (`accel/dominant_sphere.rs`).
-//! A [`Bvh`] also tests objects separately that reach much farther than all others (`accel/giants.rs`).
+//! A [`Bvh`] also tests objects separately that are tiny or reach much farther than all others (`accel/giants.rs`).
 //!
 //! Every structure gives the same closest hits. The reference has no structure: it intersects every object. WGSL has a
 //! hierarchy of its own (`shaders/twin/src/hierarchy.rs`).
 
 use crate::accel::{
     accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
-    closest_hit::ClosestHit, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit, object::ObjectId,
-    object::count, small_scene::SmallScene, stack::Stack,
+    closest_hit::ClosestHit, extent::Extent, extent::is_tiny, flat_filter, flat_filter::FlatFilter, may_hit,
+    object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
@@ -59,11 +59,15 @@ impl Accel {
     pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
         let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         let is_small = count(objects) <= may_hit::object_lanes::CAPACITY;
-        Ok(if !extent.moderate || is_small && extent.max_coordinate > Extent::LARGEST {
+        let has_tiny = (0..count(objects) as ObjectId).any(|id| is_tiny(objects, id));
+        Ok(if !extent.moderate || is_small && (has_tiny || extent.max_coordinate > Extent::LARGEST) {
             Self::EveryObject
         } else if is_small {
             Self::SmallScene(SmallScene::new(objects, extent))
-        } else if most_of_a_kind <= flat_filter::CAPACITY && extent.max_coordinate <= flat_filter::MAX_COORDINATE {
+        } else if most_of_a_kind <= flat_filter::CAPACITY
+            && !has_tiny
+            && extent.max_coordinate <= flat_filter::MAX_COORDINATE
+        {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
         } else if count(objects) <= bvh::MOST_WIDE {
             Self::Bvh(Bvh::new(objects, extent, None)?)

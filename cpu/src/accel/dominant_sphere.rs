@@ -5,7 +5,7 @@
 //! predicts whether a ray enters it. A wrong prediction costs time, but never changes the closest hit.
 
 use crate::accel::{
-    accelerator::ScatterTerms, bounds::Bounds, extent::Extent, isolated::SEPARATION,
+    accelerator::ScatterTerms, bounds::Bounds, extent::Extent, extent::is_tiny, isolated::SEPARATION,
     may_hit::conservative::ConservativeRay, may_hit::target::Target, object::ObjectId, object::bounding_sphere,
     object::count,
 };
@@ -31,7 +31,7 @@ impl DominantSphere {
         let largest = spheres.max_by(|&left, &right| radius(left).total_cmp(&radius(right)));
         Self(largest.filter(|&largest| {
             let others = (0..count(objects) as ObjectId).filter(|&id| id != largest);
-            radius(largest) >= RATIO * others.map(radius).fold(0.0, f64::max)
+            !is_tiny(objects, largest) && radius(largest) >= RATIO * others.map(radius).fold(0.0, f64::max)
         }))
     }
 

@@ -261,10 +261,11 @@ fn a_scene_of_extreme_magnitudes_intersects_every_object() {
 }
 
 #[test]
-fn giants_are_not_in_the_tree_and_give_the_closest_hits() {
+fn giants_and_tiny_objects_are_not_in_the_tree_and_give_the_closest_hits() {
     let few = |count: usize| move |line: &str| format!("{line} m\n").repeat(count);
     let (one, eight, nine) = (few(1), few(8), few(9));
-    // The giants, the numbers of spheres and cylinders among them, and the largest coordinate of the rays' origins.
+    // The objects that may be apart, the numbers of spheres and cylinders that are, and the largest coordinate of the
+    // rays' origins.
     let cases = [
         (one("sphere: 0 -4e11 0 4e11"), Some([0, 0]), 1e15),
         (one("sphere: 0 -4e8 0 4e8"), None, 1e9),
@@ -276,6 +277,9 @@ fn giants_are_not_in_the_tree_and_give_the_closest_hits() {
         (eight("sphere: 0 -4e7 0 4e7"), Some([8, 0]), 1e8),
         (nine("sphere: 0 -4e7 0 4e7"), None, 1e8),
         (nine("sphere: 0 -4e9 0 4e9"), Some([9, 0]), 1e10),
+        (one("cylinder: 0 1 0 9 0 1e-7 0"), Some([0, 1]), 15.0),
+        (nine("sphere: 1 0 0 1e-8") + &one("cylinder: 0 0 0 1e-9 0 9 0"), Some([9, 1]), 15.0),
+        (one("sphere: 0 1 0 1e-170") + &one("sphere: 0 -4e11 0 4e11"), Some([1, 0]), 1e15),
     ];
     for (giants, expected, far) in cases {
         let mut objects = parsed(&(objects_text(90, 2.0, 6) + &giants));
@@ -283,7 +287,7 @@ fn giants_are_not_in_the_tree_and_give_the_closest_hits() {
         let (extent, mut again) = (Extent { max_coordinate, moderate: true }, objects.clone());
         let wide = Bvh::new(&mut objects, &extent, None).expect("it fits");
         let bytes = Bvh::new(&mut again, &extent, None).expect("it fits");
-        assert_eq!(wide.giants.clone().map(|giants| giants.map(|giants| giants.len())), expected, "{giants}");
+        assert_eq!(wide.apart.clone().map(|apart| apart.map(|apart| apart.len())), expected, "{giants}");
         for (accel, objects) in [(Accel::Bvh(wide), objects), (Accel::LargeBvh(bytes), again)] {
             agrees_for_far_rays(&accel, &objects, 300, far / 15.0);
         }
