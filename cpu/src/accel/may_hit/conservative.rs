@@ -36,8 +36,11 @@ pub(crate) fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
 /// lambda in range, 10^-3, and every other miss is right. NaN discards no object, because every comparison with NaN is
 /// false.
 ///
-/// A sphere may have any centre and radius if the direction is at most 10^30 long. If the square of the distance or of
-/// the radius overflows, `size` is infinite, so `c` less the margin is NaN or `-inf`, and the sphere is kept.
+/// A single `f64` ray may be tested against a sphere of any centre and radius, if its direction is at most 10^30 long.
+/// If the square of the distance or of the radius overflows, `size` is infinite, so `c` less the margin is NaN or
+/// `-inf`, and the sphere is kept. If only `a c` less the margin overflows and the ray hits, the larger `h^2` overflows
+/// too, because the margin exceeds the errors of both. The difference is NaN, and the sphere is kept. A fused product
+/// would not overflow, but `f64` [rounds](MulAdd::mul_add_loosely) it.
 #[derive(Clone, Copy, Debug)]
 pub struct ConservativeRay<T> {
     /// The ray.
@@ -173,6 +176,18 @@ mod tests {
         assert!(may_hit(1.0, [0.3, -1.0, 0.0]) && may_hit(1.0, [1.0, -1e-9, 0.0]));
         // The ray leaves the sphere at the smallest lambda.
         assert!(may_hit(1.0 - LAMBDA_MIN, [0.0, 1.0, 0.0]));
+    }
+
+    #[test]
+    fn a_sphere_of_any_size_is_kept_if_the_ray_hits_it() {
+        for (size, length) in (0..310).flat_map(|size| (0..31).map(move |length| (size, length))) {
+            let (radius, length) = (10.0_f64.powi(size), 10.0_f64.powi(length));
+            for (distance, aside) in [(3.0, 0.999_999), (1.000_001, 0.5), (0.5, 0.1), (30.0, 1.0)] {
+                let center = Vec3::new(aside, 0.0, distance) * radius;
+                let ray = Ray { origin: Vec3::ZERO, direction: Vec3::new(0.0, 0.0, length) };
+                assert!(may_hit_sphere(&SphereRecord::new(center, radius), &ray), "{radius:e}, {length:e}, {distance}");
+            }
+        }
     }
 
     #[test]
