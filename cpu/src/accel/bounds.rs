@@ -1,7 +1,7 @@
 //! Axis-aligned boxes around objects. They contain their objects in spite of rounding.
 
 use crate::accel::{object::ObjectId, object::ObjectRef};
-use crate::{layout::Objects, math::real::Real, math::vec3::Vec3};
+use crate::{geometry::cylinder::CylinderRecord, layout::Objects, math::real::Real, math::vec3::Vec3};
 
 /// Returns at least the extent along a direction of a disc of radius 1. `along` is the dot product of the direction and
 /// the disc's axis, both of length one.
@@ -14,6 +14,17 @@ pub fn extent_of_disc<T: Real>(along: T) -> T {
 /// If a component of the axis is close to 1, the difference in [`extent_of_disc`] cancels. The error of its root is at
 /// most the root of its error, which this covers.
 pub const MARGIN: f64 = 1e-7;
+
+/// Returns how far a cylinder reaches from its centre along a direction. `along` is the dot product of the direction
+/// and the cylinder's axis, both of length one.
+#[inline(always)]
+pub fn extent_of_cylinder<T: Real>(along: T, half_height: T, radius: T) -> T {
+    half_height * along.abs() + radius * extent_of_disc(along)
+}
+
+/// The part by which the half sizes of boxes are enlarged, to cover their rounding. The rounding to single precision,
+/// outward by more than a unit in the last place, covers that of the sum with the centre.
+pub const ENLARGEMENT: f64 = 1e-6;
 
 /// An axis-aligned box, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,17 +99,15 @@ impl Bounds {
             }
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index).record;
-                let half_size = cylinder
-                    .axis
-                    .map(|along| cylinder.half_height * along.abs() + cylinder.radius * extent_of_disc(along));
+                let CylinderRecord { axis, half_height, radius, .. } = cylinder;
+                let half_size = axis.map(|along| extent_of_cylinder(along, half_height, radius));
                 Self::around(cylinder.center, half_size)
             }
         }
     }
 
     fn around(center: Vec3, half_size: Vec3) -> Self {
-        // The factor `1 + 1e-6` covers the rounding of centre, half size and their sum to single precision.
-        let half_size = (half_size * (1.0 + 1e-6)).to_array();
+        let half_size = (half_size * (1.0 + ENLARGEMENT)).to_array();
         let center = center.to_array();
         Self {
             low: std::array::from_fn(|axis| ((center[axis] - half_size[axis]) as f32).next_down()),

@@ -23,8 +23,8 @@ use crate::accel::{
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
-    counters::Counter, counters::add, exact::cylinder_parts::LIMITS, geometry::ray::Ray, input::error::Error,
-    layout::Objects, layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects,
+    layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
 };
 use std::ops::Range;
 
@@ -187,12 +187,17 @@ struct Query<'a, O, F> {
 }
 
 /// Returns a lambda in single precision beyond which no object is closer than the closest hit so far, or ties with it.
-/// It is infinite before the first hit. It exceeds the lambda of the closest hit by at least 2^-25 of that: the factor
-/// adds at least one unit in the last place, and rounding takes at most half of one. The error of that lambda is less.
+/// It is infinite before the first hit.
 #[inline(always)]
 fn farthest(closest: &ClosestHit) -> f32 {
-    const { assert!(LIMITS.lambda_error() < f32::EPSILON as f64 / 4.0) };
-    closest.lambda as f32 * (1.0 + f32::EPSILON)
+    farthest_for(closest.lambda)
+}
+
+/// Returns a lambda in single precision that exceeds the lambda of a hit by more than the error of that lambda. The
+/// factor adds at least one unit in the last place, and rounding takes at most half of one.
+#[inline(always)]
+pub const fn farthest_for(lambda: f64) -> f32 {
+    lambda as f32 * (1.0 + f32::EPSILON)
 }
 
 /// A tree, with the stack for its traversal.

@@ -18,7 +18,7 @@
 use crate::render::{hit_lanes::limited, prepared::Prepared, span::Span};
 
 use crate::{
-    accel::bounds::Bounds, accel::bounds::extent_of_disc, accel::object::ObjectId, accel::object::ObjectRef,
+    accel::bounds::Bounds, accel::bounds::extent_of_cylinder, accel::object::ObjectId, accel::object::ObjectRef,
     accel::object::count, counters::Counter, counters::add, geometry::camera::Camera, geometry::camera::HALF_PIXEL,
     geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView, geometry::sphere::SphereRecord,
     geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS, layout::Objects,
@@ -81,7 +81,7 @@ impl Outline {
             // A sphere around the centre decides for most cylinders, and for all spheres.
             beyond(self.radius + self.half_height)
                 || self.half_height > 0.0
-                    && beyond(extent_of_cylinder(*normal, self.axis, self.half_height, self.radius))
+                    && beyond(extent_of_cylinder(normal.dot(self.axis), self.half_height, self.radius))
         };
         !planes.iter().any(outside)
     }
@@ -175,17 +175,17 @@ pub fn is_beyond<T: Real>(normal: Vec3<T>, center: Vec3<T>, extent: T, margin: T
     normal.dot(center).less(-extent - margin)
 }
 
-/// Returns how far a cylinder reaches from its centre along the normal.
-#[inline(always)]
-pub fn extent_of_cylinder<T: Real>(normal: Vec3<T>, axis: Vec3<T>, half_height: T, radius: T) -> T {
-    let along = normal.dot(axis);
-    half_height * along.abs() + radius * extent_of_disc(along)
-}
-
 /// Returns the margin of an object at this distance from the camera, for a turn of its rays.
 #[inline(always)]
 pub fn margin<T: Real>(turn: T, distance: T, radius: T, half_height: T) -> T {
     T::of(TURNS) * turn * (distance + radius + half_height)
+}
+
+/// Returns the margin of a box whose points have coordinates of at most these magnitudes, relative to the camera.
+/// `margin` is that for the length 1.
+#[inline(always)]
+pub fn margin_of_box<T: Real>(margin: T, largest: Vec3<T>) -> T {
+    margin * (largest.x + largest.y + largest.z)
 }
 
 /// Returns false only if the box certainly lies outside of one of the half-spaces. `from` is the camera's position, and
@@ -193,7 +193,8 @@ pub fn margin<T: Real>(turn: T, distance: T, radius: T, half_height: T) -> T {
 fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2], margin: f64) -> bool {
     let (low, high) = (Vec3::from(bounds.low.map(f64::from)) - from, Vec3::from(bounds.high.map(f64::from)) - from);
     let larger = |low: f64, high: f64| low.abs().max(high.abs());
-    let reach = larger(low.x, high.x) + larger(low.y, high.y) + larger(low.z, high.z);
+    let largest = Vec3::new(larger(low.x, high.x), larger(low.y, high.y), larger(low.z, high.z));
+    let margin = margin_of_box(margin, largest);
     planes.iter().all(|normal| {
         // The corner that is farthest along the normal.
         let corner = |component: f64, low: f64, high: f64| if component >= 0.0 { high } else { low };
@@ -202,8 +203,7 @@ fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2], margin:
             corner(normal.y, low.y, high.y),
             corner(normal.z, low.z, high.z),
         );
-        let outside = normal.dot(farthest) < -margin * reach;
-        !outside
+        !is_beyond(*normal, farthest, 0.0, margin)
     })
 }
 
@@ -301,7 +301,7 @@ mod tests {
         assert!((to_window(&camera, 1.0) - Vec3::new(15.0, -5.0, 10.0)).length() < 1e-12);
         assert!(is_beyond(LEFT, Vec3::new(-3.0, 9.0, 9.0), 2.0, 0.5));
         assert!(!is_beyond(LEFT, Vec3::new(-3.0, 9.0, 9.0), 2.5, 0.5), "the margin reaches the plane");
-        let extent = extent_of_cylinder(LEFT, Vec3::new(0.6, 0.8, 0.0), 2.0, 1.0);
+        let extent = extent_of_cylinder(LEFT.dot(Vec3::new(0.6, 0.8, 0.0)), 2.0, 1.0);
         assert!((2.0..2.000_001).contains(&extent), "0.6 of 2, and 0.8 of 1: {extent}");
     }
 

@@ -4,7 +4,8 @@
 //! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
 //! The modules say why underflow is negligible.
 
-use cpu::internals::accel::bounds::{Bounds, MARGIN as DISC_MARGIN, extent_of_disc};
+use cpu::internals::accel::bounds::{Bounds, ENLARGEMENT, MARGIN as DISC_MARGIN, extent_of_cylinder, extent_of_disc};
+use cpu::internals::accel::bvh::farthest_for;
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
 use cpu::internals::accel::bvh::slab_ray::{
     FARTHEST as FARTHEST_ORIGIN, LARGEST_RECIPROCAL, LEAST_MARGIN, LONGEST_SQUARED, MARGIN, SlabRay, margin, moved,
@@ -13,11 +14,12 @@ use cpu::internals::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf}
 use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit};
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::accel::may_hit::conservative::SHORTEST;
+use cpu::internals::exact::cylinder_parts::LIMITS;
 use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
 use cpu::{Ray, Vec3};
 
-use super::bounded::{self, Bounded, begin, compared};
+use super::bounded::{self, Bounded, begin, compared, forget_later};
 use super::bounds::Arithmetic;
 use super::direction::growth;
 use super::lanes::{self, Lane, name};
@@ -45,27 +47,38 @@ const MOST_STEPS: f64 = 2.0 * (1.0 + 1.0 / 127.0);
 /// Returns the rows of the BVH.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    let mut rows = vec![disc(), leaves()];
+    let mut rows = disc().to_vec();
+    rows.push(leaves());
     rows.extend(slabs());
     rows.extend([underflow(), limited_reciprocal()]);
     rows.extend(bounding_spheres());
+    rows.extend([overflow_of_spheres(), closest_so_far()]);
     rows
 }
 
-/// Returns the row of the extent of a disc.
+/// Returns the rows of the extent of a disc, and of the half sizes of boxes.
 ///
 /// With an error `e` of the difference `x`, `sqrt(x)` is at most `sqrt(x - e) + sqrt(e)`. The root and the sum are
 /// rounded once each, which adds at most `3 u`.
-fn disc() -> Row {
+fn disc() -> [Row; 2] {
     begin(Arithmetic::F64, DISC_MARGIN);
-    let extent = extent_of_disc(axis_and_half_height().0.x);
+    let (axis, half_height) = axis_and_half_height();
+    let extent = extent_of_disc(axis.x);
     let [[_, across]] = compared()[..] else { unreachable!("a disc compares one number") };
     let one = Polynomial::constant(1.0);
     let error = relative_to_sizes(&across.bounds().error, 0.0, std::slice::from_ref(&one), 1.0);
     let constant = added(extent, &one, DISC_MARGIN, 1e-9);
     let need = ((error * U).sqrt() + 3.0 * U) / 1e-9;
     acts(extent, 1);
-    Row { what: "boxes of the BVH", file: "accel/bounds.rs", constant, need, unit: "10^-9 R" }
+    let file = "accel/bounds.rs";
+    let disc = Row { what: "boxes of the BVH", file, constant, need, unit: "10^-9 R" };
+    // The computed extent of the disc is at least the exact one.
+    extent.assume_relative(one, 0.0);
+    forget_later(extent);
+    let half_size = extent_of_cylinder(axis.x, half_height, Bounded::number(RADIUS, 0.0));
+    let half_size = half_size * Bounded::constant(1.0 + ENLARGEMENT, 1.0);
+    let need = half_size.raw().relative;
+    [disc, Row { what: "half sizes of boxes", file, constant: ENLARGEMENT / U, need, unit: "u" }]
 }
 
 /// Checks that a number grows with the margin, or shrinks, as it must so that objects are kept.
@@ -99,7 +112,11 @@ fn distances(arithmetic: Arithmetic, steps: Polynomial, of_step: impl Fn() -> Bo
 }
 
 /// Returns the rows of the distance of a plane, and of its largest magnitude, which bounds all products and sums.
-fn slabs() -> [Row; 2] {
+///
+/// If a ray starts on a giant, a product may overflow. The ray then is at all planes along that axis only at a lambda
+/// beyond those of all planes across the largest component of its direction, so it hits no box. Infinite distances
+/// exclude all boxes, or they are NaN and keep them.
+fn slabs() -> [Row; 3] {
     let [near, far] = distances(WITHOUT_UNDERFLOW, length(FARTHEST).scaled(MOST_STEPS), || Bounded::constant(1.0, 0.0));
     acts(near, -1);
     acts(far, 1);
@@ -116,7 +133,17 @@ fn slabs() -> [Row; 2] {
     let limits = [(FARTHEST, 1.01 * Extent::LARGEST), (ORIGIN, 1.01 * Extent::LARGEST)];
     let limits =
         limits.into_iter().chain([(RECIPROCAL, LARGEST_RECIPROCAL.into()), (bounded::MARGIN.0, f64::from(MARGIN))]);
-    let largest = limits.fold(far_number.bounds().size, |size, (family, most)| size.scaled_by(family, most)).sum();
+    let size = far_number.bounds().size;
+    let largest = limits.clone().fold(size.clone(), |size, (family, most)| size.scaled_by(family, most)).sum();
+    let without_origin = limits.filter(|limit| limit.0 != ORIGIN);
+    let terms = without_origin.fold(size, |size, (family, most)| size.scaled_by(family, most));
+    let parts = [true, false].map(|is_of_origin| {
+        let has_origin = |monomial: &[(u8, u8)]| monomial.iter().any(|variable| variable.0 == ORIGIN);
+        terms.0.iter().filter(|term| has_origin(term.0) == is_of_origin).map(|term| term.1).sum::<f64>()
+    });
+    // The terms with the origin have the reciprocal too, which is in units of the largest one.
+    let [of_origin, rest] = [parts[0] / f64::from(LARGEST_RECIPROCAL), parts[1]];
+    let lambda = (f64::from(f32::MAX) - rest) / of_origin - 1.01 * Extent::LARGEST * f64::from(LARGEST_RECIPROCAL);
     let (file, unit) = ("accel/bvh/slab_ray.rs", "v (P + abs(O)) / abs(d)");
     [
         Row { what: "distance of a box's plane", file, constant, need, unit },
@@ -127,7 +154,20 @@ fn slabs() -> [Row; 2] {
             need: largest / 1e37,
             unit: "10^37",
         },
+        Row {
+            what: "lambda along a slab where a product overflows",
+            file,
+            constant: lambda.log2(),
+            need: (lambda_across() * 1e16).log2(),
+            unit: "log2",
+        },
     ]
+}
+
+/// Returns the largest lambda of a plane across the largest component of a direction, which is at least `|d| /
+/// sqrt(3)`, in units of 10^16.
+fn lambda_across() -> f64 {
+    3.0_f64.sqrt() * (1.01 * Extent::LARGEST / SHORTEST.sqrt() + FARTHEST_ORIGIN) / 1e16
 }
 
 /// Returns the row of the least move of a plane, which covers underflow with the smallest reciprocal too.
@@ -147,12 +187,42 @@ fn underflow() -> Row {
 }
 
 /// Returns the row of the lambda that the least move is at least, if a reciprocal is limited. It must exceed the lambda
-/// of every plane across the largest component of the direction, which is at least `|d| / sqrt(3)`.
+/// of every plane across the largest component of the direction.
 fn limited_reciprocal() -> Row {
-    let constant = f64::from(LEAST_MARGIN) * f64::from(LARGEST_RECIPROCAL);
-    let need = 3.0_f64.sqrt() * (1.01 * Extent::LARGEST / SHORTEST.sqrt() + FARTHEST_ORIGIN);
+    let constant = f64::from(LEAST_MARGIN) * f64::from(LARGEST_RECIPROCAL) / 1e16;
     let (what, file) = ("lambda along a slab", "accel/bvh/slab_ray.rs");
-    Row { what, file, constant: constant / 1e16, need: need / 1e16, unit: "10^16" }
+    Row { what, file, constant, need: lambda_across(), unit: "10^16" }
+}
+
+/// Returns the row of the largest number of a sphere leaf's test, if the ray starts on a giant.
+fn overflow_of_spheres() -> Row {
+    let SphereNumbers { pairs: [[_, leaves], [enters, _], squares], .. } = sphere_numbers(false);
+    // No vector is longer than `sqrt(3)` times its largest component.
+    let limits = [
+        (FARTHEST, 1.75 * Extent::LARGEST),
+        (RADIUS, 1.75 * Extent::LARGEST),
+        (ORIGIN, 1.75 * FARTHEST_ORIGIN),
+        (RECIPROCAL, 1.0 / SHORTEST.sqrt()),
+        (bounded::MARGIN.0, f64::from(MARGIN)),
+    ];
+    let numbers = [leaves, enters, squares[0], squares[1]].map(|number| number.bounds().size);
+    let largest = numbers.map(|size| limits.iter().fold(size, |size, of| size.scaled_by(of.0, of.1)).sum());
+    let [constant, need] = [f64::from(f32::MAX), largest.into_iter().fold(0.0, f64::max)].map(|most| most / 1e34);
+    Row { what: "largest number of a sphere leaf", file: "accel/bvh/sphere_ray.rs", constant, need, unit: "10^34" }
+}
+
+/// Returns the row of the lambda that a box may have at most, relative to that of the closest hit. It must exceed the
+/// error of an accepted lambda. All significands are tried, each with the largest lambda that rounds to it.
+fn closest_so_far() -> Row {
+    let excess = (1.0_f32.to_bits()..2.0_f32.to_bits()).map(|bits| {
+        let rounded = f32::from_bits(bits);
+        let lambda = f64::midpoint(rounded.into(), rounded.next_up().into());
+        let least = farthest_for(lambda).min(farthest_for(lambda.next_down()));
+        (f64::from(least) - lambda) / lambda / U
+    });
+    let (what, file) = ("the closest lambda so far", "accel/bvh.rs");
+    let [constant, need] = [excess.fold(f64::INFINITY, f64::min), LIMITS.lambda_error() / 3.0 / U];
+    Row { what, file, constant, need, unit: "u lambda" }
 }
 
 /// Returns the row of the bounding spheres of leaves.

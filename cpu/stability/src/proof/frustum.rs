@@ -1,15 +1,17 @@
 //! The margin of frustum culling, in turns: bounds of the sine of the angle by which rounding turns a camera ray.
 
-use cpu::internals::accel::bounds::extent_of_disc;
+use cpu::internals::accel::bounds::{extent_of_cylinder, extent_of_disc};
+use cpu::internals::accel::extent::Extent;
 use cpu::internals::geometry::camera::Camera;
-use cpu::internals::render::frustum::{TURNS, extent_of_cylinder, half_space, is_beyond, margin, to_window};
+use cpu::internals::math::real::Real;
+use cpu::internals::render::frustum::{TURNS, half_space, is_beyond, margin, margin_of_box, to_window};
 use cpu::internals::render::ray_error::ROUNDINGS;
 
 use super::bounded::{Bounded, MARGIN, begin, compared};
 use super::bounds::Arithmetic;
 use super::parts::axis_and_half_height;
 use super::polynomial::Polynomial;
-use super::row::{Row, U, added, family::*, is, length, relative_to_sizes, sum};
+use super::row::{Row, U, added, components, family::*, is, length, relative_to_sizes, sum};
 
 /// The families of the sides of a pixel, of a place in pixels, and of the vectors to it along both sides of the window.
 const SIDES: [u8; 2] = [DERIVED + 2, DERIVED + 3];
@@ -24,8 +26,8 @@ const NORMAL: u8 = DERIVED + 9;
 /// Take a point `p` of an object that a computed ray hits, so that a half-space with the exact normal `n` contains `p`
 /// up to `t |p|` for the turn `t`. Then the half-space with the computed normal contains it up to `t + e` times `|p|`,
 /// with the error `e` of the normal. The object reaches as far along the computed normal as the code computes, up to
-/// rounding. `|p|` is at most the length to which the margin is relative. The test of a box rounds no more than that of
-/// a point, the box's farthest corner.
+/// rounding. `|p|` is at most the length to which the margin is relative. Of a box the farthest corner is tested, as a
+/// point.
 #[must_use]
 pub fn row() -> Row {
     let ([constant, of_sums], of_normal) = (of_comparisons(), of_normal());
@@ -72,15 +74,21 @@ fn of_comparisons() -> [f64; 2] {
     let normal = Bounded::vector(NORMAL, 0.0);
     // The computed extent of a disc is at least the exact one (row "boxes of the BVH"), which is at most 1.
     extent_of_disc(normal.dot(axis)).assume_relative(Polynomial::constant(1.0), 0.0);
-    let extent = extent_of_cylinder(normal, axis, half_height, radius);
-    let margin = margin(turn, distance, radius, half_height);
-    _ = is_beyond(normal, center, radius + half_height, margin) & is_beyond(normal, center, extent, margin);
-    let size = sum(&[TO_CENTER, RADIUS, HALF_HEIGHT].map(length));
-    let of = compared().into_iter().rev().take(2).map(|[along, least]| {
+    let extent = extent_of_cylinder(normal.dot(axis), half_height, radius);
+    let of_object = margin(turn, distance, radius, half_height);
+    _ = is_beyond(normal, center, radius + half_height, of_object) & is_beyond(normal, center, extent, of_object);
+    let of_object = sum(&[TO_CENTER, RADIUS, HALF_HEIGHT].map(length));
+    // The vector to a corner of a box is rounded like that to a centre.
+    let of_box = margin_of_box(Bounded::of(TURNS) * turn, center.map(Real::abs));
+    _ = is_beyond(normal, center, Bounded::of(0.0), of_box);
+    let sizes = [of_object.clone(), of_object, components(TO_CENTER)];
+    let of = compared().into_iter().rev().take(3).rev().zip(sizes).map(|([along, least], size)| {
         let errors = along.bounds().error.plus(&least.bounds().error).enlarged(&[(NORMAL, None)]);
         let errors = Polynomial(errors.0.into_iter().filter(|(monomial, _)| !monomial.contains(&MARGIN)).collect());
         let constant = added(least, &size.times(&length(TURN)), TURNS, U) * U;
-        [constant, relative_to_sizes(&errors, 0.0, std::slice::from_ref(&size), 1.0)]
+        // The length of the vector is at most the sum of its components.
+        let sizes = [size, length(TO_CENTER)];
+        [constant, relative_to_sizes(&errors, 0.0, &sizes, Extent::SMALLEST)]
     });
-    of.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).expect("two numbers are compared")
+    of.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).expect("three numbers are compared")
 }
