@@ -110,10 +110,16 @@ impl Bounds {
         let half_size = (half_size * (1.0 + ENLARGEMENT)).to_array();
         let center = center.to_array();
         Self {
-            low: std::array::from_fn(|axis| ((center[axis] - half_size[axis]) as f32).next_down()),
-            high: std::array::from_fn(|axis| ((center[axis] + half_size[axis]) as f32).next_up()),
+            low: std::array::from_fn(|axis| -above(half_size[axis] - center[axis])),
+            high: std::array::from_fn(|axis| above(center[axis] + half_size[axis])),
         }
     }
+}
+
+/// Returns a number in single precision that is larger than `coordinate`.
+#[inline(always)]
+pub const fn above(coordinate: f64) -> f32 {
+    (coordinate as f32).next_up()
 }
 
 #[cfg(test)]

@@ -2,9 +2,10 @@
 //!
 //! Steps are powers of two, so a product with a step is exact short of underflow. Here every step is 1, and a number of
 //! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
-//! The modules say why underflow is negligible.
 
-use cpu::internals::accel::bounds::{Bounds, ENLARGEMENT, MARGIN as DISC_MARGIN, extent_of_cylinder, extent_of_disc};
+use cpu::internals::accel::bounds::{
+    Bounds, ENLARGEMENT, MARGIN as DISC_MARGIN, above, extent_of_cylinder, extent_of_disc,
+};
 use cpu::internals::accel::bvh::farthest_for;
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
 use cpu::internals::accel::bvh::slab_ray::{
@@ -15,6 +16,7 @@ use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::accel::may_hit::conservative::SHORTEST;
 use cpu::internals::exact::cylinder_parts::LIMITS;
+use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
 use cpu::{Ray, Vec3};
@@ -167,7 +169,8 @@ fn slabs() -> [Row; 3] {
 /// Returns the largest lambda of a plane across the largest component of a direction, which is at least `|d| /
 /// sqrt(3)`, in units of 10^16.
 fn lambda_across() -> f64 {
-    3.0_f64.sqrt() * (1.01 * Extent::LARGEST / SHORTEST.sqrt() + FARTHEST_ORIGIN) / 1e16
+    // `is_within` lets an origin be farther away by a millionth.
+    3.0_f64.sqrt() * 1.01 * (Extent::LARGEST / SHORTEST.sqrt() + FARTHEST_ORIGIN) / 1e16
 }
 
 /// Returns the row of the least move of a plane, which covers underflow with the smallest reciprocal too.
@@ -227,9 +230,9 @@ fn closest_so_far() -> Row {
 
 /// Returns the row of the bounding spheres of leaves.
 ///
-/// Rounding moves each plane of a box outward by at most 1.5 units in the last place, `3 v P`. So the box's middle is
-/// at most `1.5 v P` from the sphere's centre along each axis, and `sqrt(3)` times that in space. The numbers that are
-/// compared with a plane have errors too.
+/// The box's middle is at most half as far from the sphere's centre, along each axis, as rounding moves a plane outward,
+/// and `sqrt(3)` times that in space. All significands of planes are tried, each with the smallest coordinate that
+/// rounds to it. The numbers that are compared with a plane have errors too.
 fn leaves() -> Row {
     lanes::begin(WITHOUT_UNDERFLOW, f64::NAN);
     let (center, radius, plane) = (3.0, 5.0, 7.0);
@@ -243,7 +246,13 @@ fn leaves() -> Row {
         .into_iter()
         .flatten()
         .map(|number| relative_to_sizes(&number.bounds().error, 0.0, &[length(FARTHEST)], 1.0));
-    let need = 1.5 * 3.0_f64.sqrt() + needs.fold(0.0, f64::max);
+    let moved = (1.0_f32.to_bits()..2.0_f32.to_bits()).map(|bits| {
+        let rounded = f32::from_bits(bits);
+        let coordinate = f64::midpoint(rounded.next_down().into(), rounded.into());
+        let most = above(coordinate.next_up()).max(above(coordinate));
+        (f64::from(most) - coordinate) / coordinate / V
+    });
+    let need = moved.fold(0.0, f64::max) / 2.0 * 3.0_f64.sqrt() + needs.fold(0.0, f64::max);
     // By how much the radius around this cube exceeds 1, for a largest coordinate of 1.
     let cube = BoundingSphere::of(&Bounds { low: [-1.0; 3], high: [1.0; 3] });
     let constant = (cube.radius_around([0.0; 3]) - 1.0) / V;
@@ -261,7 +270,7 @@ struct SphereNumbers {
 /// Runs the test of a bounding sphere on one ray. With `is_exact`, the cross product and the enlarged radius count as
 /// exact, with the family [`CROSS`].
 fn sphere_numbers(is_exact: bool) -> SphereNumbers {
-    lanes::begin(WITHOUT_UNDERFLOW, f64::from(MARGIN));
+    lanes::begin(Arithmetic::F32, f64::from(MARGIN));
     // Values that stand for the numbers of ray and sphere.
     let (origin, direction, frame) = ([3.0, 5.0, 7.0], [11.0, 13.0, 17.0], [19.0_f32, 23.0, 29.0]);
     let (margins, centers, radius) = ([31.0; 3], [37.0, 41.0, 43.0], 47.0);
@@ -311,9 +320,11 @@ fn sphere_numbers(is_exact: bool) -> SphereNumbers {
 /// enough that the margin exceeds `e` by `k u` times the radius, which is at most `P + |O|` itself.
 fn bounding_spheres() -> [Row; 3] {
     let size = sum(&[FARTHEST, ORIGIN].map(components));
+    // Beside the multiples of a size, the margin has a part that covers underflow. In lambda the least one covers it.
+    let least = 6.0 * f64::from(LEAST_MARGIN);
     let need = |error: &Polynomial, unit: &Polynomial| {
         let sizes = [sum(&[FARTHEST, ORIGIN].map(length)), length(RADIUS), size.clone()].map(|size| size.times(unit));
-        relative_to_sizes(error, f64::from(MARGIN), &sizes, 1.0)
+        relative_to_sizes(error, f64::from(MARGIN), &sizes, (least / V).min(LAMBDA_MIN))
     };
     let SphereNumbers { cross, radius, pairs: [[_, leaves], [enters, _], [_, rest]] } = sphere_numbers(false);
     for (number, growing) in [(radius.0, 1), (rest, 1), (leaves, 1), (enters, -1)] {
@@ -327,7 +338,7 @@ fn bounding_spheres() -> [Row; 3] {
             .map(|(error, unit)| need(&error, unit));
     let SphereNumbers { pairs: [.., [squares, rest]], .. } = sphere_numbers(true);
     let squares = squares.bounds().error.plus(&rest.bounds().error);
-    let squares = relative_to_sizes(&squares, 0.0, &[squared(CROSS)], 1.0);
+    let squares = relative_to_sizes(&squares, 0.0, &[squared(CROSS)], least * least);
     let row = |what, need| Row { what, file: "accel/bvh/sphere_ray.rs", constant, need, unit: "v (P + abs(O))" };
     [
         row("the line misses a sphere of a leaf", passes + squares),

@@ -196,8 +196,12 @@ fn conservative() -> Row {
     let test = ConservativeRay::new(ray);
     _ = test.cylinder(&target);
     _ = test.starts_within(&test.cylinder_quadratic(&target).0);
-    let corner = [&scene(Extent::LARGEST)[..], &[(filters::EXTENT, Extent::LARGEST.log2())]].concat();
-    row("largest number of a conservative test", "accel/extent.rs", &[(&corner, &[])])
+    // The direction of a ray that starts inside an object must be in scale.
+    let [_, longest] = in_scale();
+    let corners = [scene(Extent::LARGEST), corner(longest, (3.5 * Extent::LARGEST).log2(), Extent::LARGEST.log2())]
+        .map(|corner| [&corner[..], &[(filters::EXTENT, Extent::LARGEST.log2())]].concat());
+    let corners = corners.each_ref().map(|corner| (&corner[..], &[][..]));
+    row("largest number of a conservative test", "accel/extent.rs", &corners)
 }
 
 /// Returns the row of the flat filter, whose coordinates are relative to the middle of the scene. There centres are at
