@@ -11,16 +11,19 @@
 //!
 //! Let `D` be the distance of `P` from the plane of the window. No direction `d` is shorter than `D`, and no computed
 //! direction is shorter than `D - |d^ - d|`. So rounding turns a camera ray by an angle whose sine is at most
-//! `|d^ - d| / (D - |d^ - d|)`. This is also a bound of `|d^ - d| / |d^|`, which background pixels need. The computed
-//! `D` has an error of at most `8 u s`. The difference between 5 and 8 roundings covers this if the computed `D` is at
-//! least four times the bound of `|d^ - d|`. Otherwise the code gives no bound.
+//! `|d^ - d| / (D - |d^ - d|)`. This is also a bound of `|d^ - d| / |d^|`, which background pixels need. The difference
+//! between 5 and 8 roundings covers the error of the computed `D` too, if `D` is at least [`LEAST_DISTANCE`] times the
+//! bound of `|d^ - d|`. Otherwise the code gives no bound.
 
 use crate::geometry::camera::Camera;
-use crate::input::size::Size;
+use crate::{input::size::Size, math::real::Real};
 
 /// The number of roundings, each of at most `u (|P| + s)`, that the bound allows. It is proved that 5
 /// suffice (docs/margins.md).
 pub const ROUNDINGS: f64 = 8.0;
+
+/// The smallest distance of the window for which there is a bound, in lengths of the error of a direction.
+pub const LEAST_DISTANCE: f64 = 4.0;
 
 /// Bounds of the rounding error of all camera rays of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +43,16 @@ impl RayError {
         let down = camera.delta_y.length() * size.height() as f64;
         let window = to_origin.length() + right + down;
         let length = ROUNDINGS * (f64::EPSILON / 2.0) * (camera.position.length() + window);
-        let distance = to_origin.dot(camera.delta_x.cross(camera.delta_y).unit());
+        let distance = distance_of_window(camera);
         // The comparison is false if a number is not finite, and if the window is not in front of the camera.
-        let turn = if 4.0 * length < distance { length / (distance - length) } else { f64::INFINITY };
+        let turn = if LEAST_DISTANCE * length < distance { length / (distance - length) } else { f64::INFINITY };
         Self { length, turn }
     }
+}
+
+/// Returns the distance of the camera's position from the plane of the window, negative if the window is behind it.
+pub fn distance_of_window<T: Real>(camera: &Camera<T>) -> T {
+    (camera.origin - camera.position).dot(camera.delta_x.cross(camera.delta_y).unit())
 }
 
 #[cfg(test)]

@@ -37,7 +37,8 @@ pub fn rows() -> Vec<row::Row> {
         boxes::rows(),
         magnitudes::rows().to_vec(),
         background::rows().to_vec(),
-        vec![camera::row(), frustum::row(), bytes::row(), series::row(), power::row()],
+        camera::rows().to_vec(),
+        vec![frustum::row(), bytes::row(), series::row(), power::row()],
     ]
     .concat()
 }
