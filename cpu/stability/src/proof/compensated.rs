@@ -238,8 +238,8 @@ fn sphere_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
     )
 }
 
-/// Returns the rows of a sphere: `c`, and its discriminant in two forms. Then returns the need of `h`.
-pub fn sphere_rows() -> ([Row; 4], f64) {
+/// Returns the rows of a sphere: `c`, and its discriminant in two forms; then the row of underflow, and the need of `h`.
+pub fn sphere_rows() -> ([Row; 3], Row, f64) {
     begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
     let (_, terms, inputs) = sphere();
     let c = terms.quadratic.c;
@@ -261,9 +261,8 @@ pub fn sphere_rows() -> ([Row; 4], f64) {
         row("c of a sphere, compensated", ROOTS, of_c, "u^2 (q + R^2)"),
         row("discriminant of a sphere, near", ROOTS, near, "u M"),
         row("discriminant of a sphere, far", SPHERE, far, "u M"),
-        row_of_underflow("underflow of a sphere, compensated", &[near_underflow, far_underflow]),
     ];
-    (rows, of_h)
+    (rows, row_of_underflow("underflow of a sphere, compensated", &[near_underflow, far_underflow]), of_h)
 }
 
 /// Returns the row of the bound of lambda for rays that leave a sphere: `|c| / |h|` is compared with the least lambda.
@@ -370,9 +369,9 @@ fn aside(terms: &cylinder_compensated::Terms<Bounded>) -> Bounded {
     aside
 }
 
-/// Returns the rows of the side of a cylinder: `c`, and its discriminant in two forms. Then returns the needs of `a`
-/// and of `h`.
-pub fn side_rows() -> ([Row; 4], [f64; 2]) {
+/// Returns the rows of the side of a cylinder: `c`, and its discriminant in two forms; then the rows of underflow
+/// and of the largest number, and the needs of `a` and of `h`.
+pub fn side_rows() -> ([Row; 3], [Row; 2], [f64; 2]) {
     begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
     let (run, [error, _]) = side();
     let [far, rim] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(FILE_AXIS)));
@@ -392,15 +391,20 @@ pub fn side_rows() -> ([Row; 4], [f64; 2]) {
     let Roots { c, h, terms_of_h, .. } = quadratic;
     let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION_CROSS).times(&length(TERMS)));
     let near_underflow = of_underflow(c, (h, side_h()), quadratic.near(), side_cells(terms_of_h, share));
-    let (far, far_underflow) = far_discriminant_of_side();
+    let near_largest = largest_of_side(quadratic.near(), share);
+    let (far, [far_underflow, far_largest]) = far_discriminant_of_side();
+    let largest = [f64::from(f64::MAX_EXP), near_largest.max(far_largest)];
     let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
         row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + 4 F)"),
         row("discriminant of a side, near", ROOTS, near, "u M"),
         row("discriminant of a side, far", FILE, far, "u M"),
-        row_of_underflow("underflow of a side, compensated", &[near_underflow, far_underflow]),
     ];
-    (rows, [a, of_h])
+    let range = [
+        row_of_underflow("underflow of a side, compensated", &[near_underflow, far_underflow]),
+        row("largest number of a side, compensated", FILE, largest, "log2"),
+    ];
+    (rows, range, [a, of_h])
 }
 
 /// The family of `(O - C).p`.
@@ -408,35 +412,54 @@ const ASIDE: u8 = DERIVED + 8;
 
 /// Returns the parts of the domain of a side. With `Y^2 = |O - C|^2 + r^2`, the terms of a discriminant are at least
 /// `|p|^2 |V|^2 Y^2` times `share`. `|V| Y` is at least the root of `Q`, which is in scale, and `|q|` is at most that.
+/// `(O - C).p` is at most `|q| |p| / |V|`, because `p` is across the axis.
 fn side_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
     let [shortest, longest] = [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0);
     let cells = steps(shortest - 1.0, longest, STEP).flat_map(move |direction| {
         let sizes = steps(shortest - 1.0, longest + 512.0, STEP);
-        sizes.flat_map(move |size| steps(shortest - 1.0, longest, STEP).map(move |axis| (direction, axis, size)))
+        sizes.flat_map(move |size| steps(shortest - 1.0, longest, 10.0).map(move |axis| (direction, axis, size)))
     });
     cells.map(move |(direction, axis, size)| {
         let (least, least_size) = (direction[0] + size[0], size[0]);
-        let [direction, axis, size] = [direction[1], axis[1], size[1] + 1.0];
-        let (across, length) = (size.min(longest), size - axis);
-        let corner = vec![
-            (DIRECTION_CROSS, direction),
-            (FILE_AXIS, axis),
-            (TO_CENTER, length),
-            (RADIUS, length),
-            (TO_CENTER_CROSS, across),
-            (SIZE, size),
-            (CANCELS, 2.0 * across),
-            (TERMS, 2.0 * size + 2.0),
-            (OF_H, direction + across),
-            (ASIDE, direction + length),
-        ];
-        let radicands = vec![(radicand(terms_of_h), 2.0 * (direction - STEP + shortest) - 1.0)];
+        let corner = side_corner(direction[1], axis, size[1] + 1.0);
+        let radicands = vec![(radicand(terms_of_h), 2.0 * (direction[0] + shortest) - 1.0)];
         Cell { corner, least: [2.0 * least_size, 2.0 * least + share.log2()], radicands }
     })
 }
 
-/// Returns the constant and the need of `V.V (a r^2 - ((O - C).p)^2)`, and what underflow adds.
-fn far_discriminant_of_side() -> ([f64; 2], Log) {
+/// Returns the largest magnitudes for these of `p` and of `|V| Y`, and for this range of the axis.
+fn side_corner(direction: Log, [shortest_axis, axis]: [Log; 2], size: Log) -> Vec<(u8, Log)> {
+    let across = size.min(LONGEST.log2() / 2.0);
+    vec![
+        (DIRECTION_CROSS, direction),
+        (FILE_AXIS, axis),
+        (TO_CENTER, size - shortest_axis),
+        (RADIUS, across - shortest_axis),
+        (TO_CENTER_CROSS, across),
+        (SIZE, size),
+        (CANCELS, 2.0 * across),
+        (TERMS, 2.0 * size + 2.0),
+        (OF_H, direction + across),
+        (ASIDE, direction + across - shortest_axis),
+    ]
+}
+
+/// Returns the largest magnitude of a discriminant whose terms are finite.
+fn largest_of_side(of: Discriminant<Bounded>, share: f64) -> Log {
+    let [shortest, longest] = [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0);
+    let known = Known::default();
+    let cells = steps(shortest - 1.0, longest, 1.0)
+        .flat_map(|direction| steps(shortest - 1.0, longest, 1.0).map(move |axis| (direction, axis)));
+    let largest = cells.map(|(direction, axis)| {
+        let size = (f64::from(f64::MAX_EXP) - share.log2()) / 2.0 - direction[0];
+        Underflow::new(&known, &side_corner(direction[1], axis, size), &[]).size(of.value)
+    });
+    largest.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Returns the constant and the need of `V.V (a r^2 - ((O - C).p)^2)`, what underflow adds, and the largest
+/// magnitude.
+fn far_discriminant_of_side() -> ([f64; 2], [Log; 2]) {
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     let (run, [_, error]) = side();
     let aside = aside(&run());
@@ -466,7 +489,8 @@ fn far_discriminant_of_side() -> ([f64; 2], Log) {
     let need = relative_to_sizes(&error, 0.0, &sizes, 1.0);
     let row = of_discriminant(&terms.quadratic, terms.far, &size(share, aside), need);
     let Roots { c, h, terms_of_h, .. } = terms.quadratic;
-    (row, of_underflow(c, (h, side_h()), terms.far, side_cells(terms_of_h, share)))
+    let of_underflow = of_underflow(c, (h, side_h()), terms.far, side_cells(terms_of_h, share));
+    (row, [of_underflow, largest_of_side(terms.far, share)])
 }
 
 /// Returns the row of the distance of a cap's plane.

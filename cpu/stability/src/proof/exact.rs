@@ -42,8 +42,8 @@ pub fn rows() -> Vec<Row> {
     }
     rows.push(inside());
     rows.extend(long_cylinder(cylinder.a));
-    let (of_sphere, sphere_h) = compensated::sphere_rows();
-    let (of_side, [side_a, side_h]) = compensated::side_rows();
+    let (of_sphere, sphere_range, sphere_h) = compensated::sphere_rows();
+    let (of_side, side_range, [side_a, side_h]) = compensated::side_rows();
     let constant = sphere.limits.lambda_error() / 3.0 / U;
     let names = ["lambda of a sphere, compensated", "lambda of a side, compensated"];
     for ((what, rows_of), [a, h]) in
@@ -56,6 +56,8 @@ pub fn rows() -> Vec<Row> {
     rows.extend(of_sphere);
     rows.push(compensated::leaves(sphere_h));
     rows.extend(of_side);
+    rows.push(sphere_range);
+    rows.extend(side_range);
     rows.push(compensated::plane());
     // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
     let steep = cylinder_parts::STEEPNESS.sqrt() * cylinder.limits.condition_limit;
@@ -188,7 +190,7 @@ fn relative_to_long(error: &Polynomial) -> f64 {
 
 /// Returns the error of `w`, relative to `w` and in units of `u` times its condition, as docs/accuracy.md derives.
 /// `of_h` is the need of `h`. The discriminant exceeds the error that the code takes, so its root is far above 0.
-fn of_w([_, near, far, _]: &[Row; 4], of_h: f64) -> f64 {
+fn of_w([_, near, far]: &[Row; 3], of_h: f64) -> f64 {
     let share = near.need.max(far.need) / near.constant;
     share * sphere_filter::LIMITS.error_constant / (1.0 + (1.0 - share).sqrt()) + of_h
 }

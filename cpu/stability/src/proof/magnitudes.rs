@@ -41,7 +41,7 @@ pub fn sum(a: Log, b: Log) -> Log {
 }
 
 /// Returns the largest value of a polynomial, which is infinite if a family has no limit. What the bounds have a margin for is measured in that margin.
-pub fn value(polynomial: &Polynomial, corner: Corner) -> Log {
+fn value(polynomial: &Polynomial, corner: Corner) -> Log {
     let terms = polynomial.0.iter().map(|(monomial, coefficient)| {
         let known = |family| corner.iter().find(|(known, _)| *known == family).map(|(_, most)| *most);
         let is_one = |family| [AXIS, MARGIN.0, LOST_MARGIN.0].contains(&family).then_some(0.0);

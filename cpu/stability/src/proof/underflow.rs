@@ -8,34 +8,43 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use super::bounded::{Bounded, Operation};
+use super::bounded::{Bounded, LOST_MARGIN, MARGIN, Operation, numbers};
 use super::bounds::{Arithmetic, Bounds};
-use super::magnitudes::{Corner, Log, sum, value};
-use super::row::U;
+use super::magnitudes::{Corner, Log, sum};
+use super::row::{U, family::AXIS};
 use super::signed::two_sum;
 
-/// The bounds of numbers in lengths, which many parts of a domain need.
-pub type Known = RefCell<HashMap<Bounded, Rc<Bounds>>>;
+/// Bounds of the magnitudes of numbers, which all parts of a domain need: the logarithm of each monomial's coefficient,
+/// and its families.
+pub type Known = RefCell<HashMap<Bounded, Rc<Vec<(Log, Vec<u8>)>>>>;
 
 /// The parts that underflow adds, for numbers of these magnitudes.
 pub struct Underflow<'a> {
     known: &'a Known,
-    corner: Corner<'a>,
+    /// For each family the largest magnitude, which is infinite if it has no limit.
+    most: [Log; 256],
     /// Numbers of which roots are taken, with their smallest magnitudes.
     radicands: &'a [(Bounded, Log)],
-    added: HashMap<Bounded, Log>,
+    /// For each number what underflow adds, or NaN if that is not known yet.
+    added: Vec<Log>,
 }
 
 impl<'a> Underflow<'a> {
     /// Returns the parts, of which none is known yet.
-    pub fn new(known: &'a Known, corner: Corner<'a>, radicands: &'a [(Bounded, Log)]) -> Self {
-        Self { known, corner, radicands, added: HashMap::new() }
+    pub fn new(known: &'a Known, corner: Corner, radicands: &'a [(Bounded, Log)]) -> Self {
+        let mut most = [f64::INFINITY; 256];
+        for (family, limit) in corner.iter().copied().chain([AXIS, MARGIN.0, LOST_MARGIN.0].map(|family| (family, 0.0)))
+        {
+            most[usize::from(family)] = limit;
+        }
+        Self { known, most, radicands, added: vec![f64::NAN; numbers().count()] }
     }
 
     /// Returns the largest part that underflow adds to a number.
     pub fn of(&mut self, number: Bounded) -> Log {
-        if let Some(added) = self.added.get(&number) {
-            return *added;
+        let known = self.added[number.place()];
+        if !known.is_nan() {
+            return known;
         }
         let least = Arithmetic::F64.underflow.log2() + U.log2();
         let added = match number.operation() {
@@ -51,7 +60,7 @@ impl<'a> Underflow<'a> {
             }
             Operation::Quotient(..) => f64::INFINITY,
         };
-        self.added.insert(number, added);
+        self.added[number.place()] = added;
         added
     }
 
@@ -62,12 +71,14 @@ impl<'a> Underflow<'a> {
     }
 
     /// Returns the largest magnitude of a number without underflow. A rounding error is at most `u` times the result.
-    fn size(&self, number: Bounded) -> Log {
-        let bounds = self.known.borrow_mut().entry(number).or_insert_with(|| Rc::new(number.bounds())).clone();
-        let [size, error] = [&bounds.size, &bounds.error].map(|bound| value(bound, self.corner));
+    pub fn size(&self, number: Bounded) -> Log {
+        let monomials = self.known.borrow_mut().entry(number).or_insert_with(|| Rc::new(monomials(number))).clone();
+        let of = |(coefficient, families): &(Log, Vec<u8>)| {
+            coefficient + families.iter().map(|&family| self.most[usize::from(family)]).sum::<Log>()
+        };
+        let size = monomials.iter().map(of).fold(f64::NEG_INFINITY, f64::max) + (monomials.len() as f64).log2();
         if size < f64::INFINITY {
-            // The terms of a discriminant are positive, so their relative errors are small.
-            return if error < f64::INFINITY { sum(size, error + U.log2()) } else { size + 1.0 };
+            return size;
         }
         let of = |number: Bounded| self.size(number);
         match number.operation() {
@@ -82,6 +93,16 @@ impl<'a> Underflow<'a> {
             _ => f64::INFINITY,
         }
     }
+}
+
+/// Returns the monomials that bound a number. The terms of a discriminant are positive, so their errors are at most the
+/// terms, even where their bound is infinite.
+fn monomials(number: Bounded) -> Vec<(Log, Vec<u8>)> {
+    let Bounds { size, error, .. } = number.bounds();
+    let [is_known, has_size] = [&error, &size].map(|bound| bound.0.values().all(|factor| factor.is_finite()));
+    let error = if is_known || !has_size { error.scaled(U) } else { size.clone() };
+    let both = size.plus(&error).0.into_iter();
+    both.map(|(monomial, factor)| (factor.log2(), monomial.iter().map(|variable| variable.0).collect())).collect()
 }
 
 /// Returns the binary logarithms from the first to the last one of a range, as pairs of neighbours.
