@@ -1,6 +1,6 @@
-//! Checks the order of a cylinder's surfaces without a gap. A line crosses the infinite cylinder at two lambdas, and the
-//! planes of the caps at two. Which part is hit depends only on the order of these four, of the ray's origin and of the
-//! least lambda. The tests try each order, and in each order all sets of facts that may be certain.
+//! Checks the order of a cylinder's surfaces without a gap. A line crosses the infinite cylinder at two lambdas, and
+//! the planes of the caps at two. Which part is hit depends only on the order of these four, of the ray's origin and of
+//! the least lambda. The tests try each order, and in each order all sets of facts that may be certain.
 
 use super::*;
 use crate::exact::cylinder_decision::SideFormulas;

@@ -230,8 +230,8 @@ fn closest_so_far() -> Row {
 
 /// Returns the row of the bounding spheres of leaves.
 ///
-/// The box's middle is at most half as far from the sphere's centre, along each axis, as rounding moves a plane outward,
-/// and `sqrt(3)` times that in space. All significands of planes are tried, each with the smallest coordinate that
+/// The box's middle is at most half as far from the sphere's centre, along each axis, as rounding moves a plane, and
+/// `sqrt(3)` times that in space. All significands of planes are tried, each with the smallest coordinate that
 /// rounds to it. The numbers that are compared with a plane have errors too.
 fn leaves() -> Row {
     lanes::begin(WITHOUT_UNDERFLOW, f64::NAN);

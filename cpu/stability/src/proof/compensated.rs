@@ -5,6 +5,7 @@
 use cpu::Ray;
 use cpu::internals::exact::compensated_roots::{self, CONDITION_LIMIT, Discriminant, ERROR_OF_C};
 use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
+use cpu::internals::exact::cylinder_parts::LEAST_EXTENT;
 use cpu::internals::exact::error_bound::{LONGEST, SHORTEST, UNDERFLOW};
 use cpu::internals::exact::sphere_compensated::{self, Terms};
 use cpu::internals::exact::sphere_filter;
@@ -184,8 +185,8 @@ fn of_underflow(
     cells.map(of_cell).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Returns the largest negligible error of the `h` of a side: its `w` is at least the root of a discriminant that exceeds
-/// its error.
+/// Returns the largest negligible error of the `h` of a side: its `w` is at least the root of a discriminant that
+/// exceeds its error.
 fn side_h() -> Log {
     (1e-6 * U * UNDERFLOW.sqrt()).log2()
 }
@@ -238,7 +239,7 @@ fn sphere_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
     )
 }
 
-/// Returns the rows of a sphere: `c`, and its discriminant in two forms; then the row of underflow, and the need of `h`.
+/// Returns the rows of a sphere: `c`, and its discriminant in two forms; then the row of underflow and the need of `h`.
 pub fn sphere_rows() -> ([Row; 3], Row, f64) {
     begin(WITHOUT_UNDERFLOW, ERROR_OF_C * U * U);
     let (_, terms, inputs) = sphere();
@@ -520,6 +521,9 @@ fn constant_and_need(is_top: bool) -> [f64; 2] {
     let known = [(dot(TO_CENTER, FILE_AXIS).scaled(2.0), length(CANCELS))];
     let [exact, error] = Signed::new(&inputs, &known).of(numerator);
     assert_eq!(exact, known[0].0, "the distance has another formula");
+    // The divisor is `2 |V|`. The size contains the least extent.
+    let of_underflow = Underflow::new(&Known::default(), &[], &[]).of(numerator) - SHORTEST.log2() / 2.0;
+    assert!(of_underflow < (1e-6 * MARGIN * SHARE_OF_SIZE * LEAST_EXTENT).log2(), "underflow adds 2^{of_underflow}");
     let sizes = [length(CANCELS), length(TO_CENTER).times(&length(FILE_AXIS)), squared(FILE_AXIS)];
     let [relative, to_cap, height] = factors(&error.in_lengths(), 0.0, &sizes, 1.0)[..] else {
         unreachable!("there are three sizes")

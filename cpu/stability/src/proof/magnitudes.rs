@@ -40,12 +40,12 @@ pub fn sum(a: Log, b: Log) -> Log {
     }
 }
 
-/// Returns the largest value of a polynomial, which is infinite if a family has no limit. What the bounds have a margin for is measured in that margin.
+/// Returns the largest value of a polynomial. What the bounds have a margin for is measured in that margin.
 fn value(polynomial: &Polynomial, corner: Corner) -> Log {
     let terms = polynomial.0.iter().map(|(monomial, coefficient)| {
         let known = |family| corner.iter().find(|(known, _)| *known == family).map(|(_, most)| *most);
         let is_one = |family| [AXIS, MARGIN.0, LOST_MARGIN.0].contains(&family).then_some(0.0);
-        let log = |family| known(family).or(is_one(family)).unwrap_or(f64::INFINITY);
+        let log = |family| known(family).or(is_one(family)).unwrap_or_else(|| panic!("no limit of family {family}"));
         let logs = monomial.iter().map(|&(family, _)| log(family));
         coefficient.log2() + logs.sum::<f64>()
     });
