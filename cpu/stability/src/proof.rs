@@ -17,6 +17,7 @@ pub mod filters;
 mod frustum;
 pub mod interval;
 pub mod lanes;
+mod logarithm;
 mod magnitudes;
 mod operations;
 pub mod parts;

@@ -16,7 +16,7 @@ use cpu::internals::math::real::Real as _;
 use super::bounded::{Bounded, Operation, begin, compared, forget_later};
 use super::bounds::Arithmetic;
 use super::direction::hardens;
-use super::magnitudes::{self, Log};
+use super::logarithm::{self, Log};
 use super::parts::{FILE_AXIS, record};
 use super::polynomial::{Polynomial, Variable};
 use super::row::{Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, squared, sum};
@@ -177,7 +177,7 @@ fn of_underflow(
         let mut underflow = Underflow::new(&known, &corner, &radicands);
         let [of_c, of_h, value, size] = [c, h, of.value, of.size].map(|number| underflow.of(number) + 1.0);
         assert!(of_h < negligible, "underflow adds 2^{of_h} to h");
-        let of_discriminant = magnitudes::sum(value, size + SPHERE_MARGIN.log2());
+        let of_discriminant = logarithm::sum(value, size + SPHERE_MARGIN.log2());
         let parts = [(of_c, ERROR_OF_C * U * U), (of_discriminant, SPHERE_MARGIN)].into_iter().zip(least);
         let rest = parts.filter(|((part, margin), least)| *part >= (1e-6 * margin).log2() + least);
         rest.map(|((part, _), _)| part).fold(f64::NEG_INFINITY, f64::max)

@@ -17,28 +17,13 @@ use super::bounded::{Bounded, LOST_MARGIN, MARGIN, Operation, begin, numbers};
 use super::bounds::{Arithmetic, arithmetic};
 use super::exact;
 use super::filters::{self, FLAT_MARGIN, FlatNumbers};
+use super::logarithm::{Corner, Log, sum};
 use super::parts::{FILE_AXIS, record};
 use super::polynomial::Polynomial;
 use super::row::{IN_SCALE, Row, U, family::*, is, ray, squared};
 
-/// The binary logarithm of the largest magnitude of a number.
-pub type Log = f64;
-
-/// A corner of a domain: the largest magnitudes of the numbers and vectors of some families.
-pub type Corner<'a> = &'a [(u8, Log)];
-
 /// What is known of a number beside its bounds: the smallest and the largest magnitude.
 type Known = (Bounded, [Log; 2]);
-
-/// Returns the logarithm of the sum of two numbers.
-pub fn sum(a: Log, b: Log) -> Log {
-    let (least, most) = (a.min(b), a.max(b));
-    if least == f64::NEG_INFINITY || most.is_infinite() {
-        most
-    } else {
-        most + (least - most).exp2().ln_1p() / std::f64::consts::LN_2
-    }
-}
 
 /// Returns the largest value of a polynomial. What the bounds have a margin for is measured in that margin.
 fn value(polynomial: &Polynomial, corner: Corner) -> Log {

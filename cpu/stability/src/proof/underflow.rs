@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use super::bounded::{Bounded, LOST_MARGIN, MARGIN, Operation, numbers};
 use super::bounds::{Arithmetic, Bounds};
-use super::magnitudes::{Corner, Log, sum};
+use super::logarithm::{Corner, Log, sum};
 use super::row::{U, family::AXIS};
 use super::signed::two_sum;
 
