@@ -55,8 +55,7 @@ pub(crate) fn is_tiny(objects: &impl Objects, id: ObjectId) -> bool {
             record.radius.min(record.half_height)
         }
     };
-    // A NaN counts as tiny.
-    !(smallest >= Extent::SMALLEST)
+    smallest < Extent::SMALLEST
 }
 
 fn magnitude(vector: Vec3) -> f64 {
