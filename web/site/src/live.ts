@@ -8,7 +8,7 @@ import { definitions, nameOf, type Definition } from './definitions';
 import { Gestures } from './gestures';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
-import { developed, erase, paint, shownConfig, shownWidth, TESTS } from './shown';
+import { developed, erase, paint, paintRows, shownConfig, shownWidth, TESTS } from './shown';
 import { messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
@@ -19,8 +19,14 @@ const [WIDTH, WIDTH_WITHOUT] = [480, 160];
 /** Number of samples at which the view stops to add more, as the noise is below a step of a byte then. */
 const ENOUGH = 4096;
 
-/** Time of a frame, in milliseconds, below which the next one may have twice as many pixels. */
-const FAST = 100;
+/** Times of a frame in milliseconds: the next one may have more pixels if it was fast, and fewer if it was slow. */
+const [FAST, SLOW] = [100, 400];
+
+/** Width of a picture from which on a slow frame has half as many pixels afterwards. */
+const LEAST_WIDTH = 64;
+
+/** Time without a change after which the picture gets its full size, in milliseconds. */
+const REST = 300;
 
 /** Time over which frames are counted, in milliseconds. */
 const WINDOW = 1000;
@@ -47,9 +53,18 @@ export class Live {
     #scene = '';
     #shaders: Shaders | null = null;
     #facts: Facts | null = null;
-    /** The scene in its own size, and the largest number of tests in a frame of this device. */
+    /** The scene in its own size. */
     #whole: Facts | null = null;
+    /** The largest number of tests in a frame of this device while something changes. */
     #tests = TESTS;
+    /** Whether the last such frame was slow. */
+    #isSlow = false;
+    /** Whether the next frame has the full size, because nothing changes. */
+    #isAtRest = false;
+    /** Whether the canvas has a picture below the full size. */
+    #isCoarse = false;
+    /** The time of the last change. */
+    #changed = 0;
     #camera: Camera | null = null;
     /** The camera of the configuration. */
     #start: Camera | null = null;
@@ -129,6 +144,7 @@ export class Live {
                 this.#camera = start;
             }
             this.#whole = whole.facts;
+            this.#isAtRest = false;
             const prepared = await this.preparer.aim(this.#aimed(whole.facts));
             if (!isCurrent()) {
                 return;
@@ -148,6 +164,7 @@ export class Live {
     /** Removes the picture, because another scene is loaded. */
     clear(): void {
         this.#hasPicture = false;
+        this.#isCoarse = false;
         this.#facts = null;
         erase(this.#canvas);
         write(this.#status, () => say('busy'));
@@ -193,15 +210,24 @@ export class Live {
 
     #restart(): void {
         this.#samples = 0;
+        this.#changed = performance.now();
+        this.#resize(false);
         this.#version += 1;
         this.#mark();
         this.#go();
     }
 
-    /** Marks the picture as busy until it shows the last change. */
+    /** Takes the full size for the next frame, or one in which frames are fast. */
+    #resize(isAtRest: boolean): void {
+        this.#isAimed &&= this.#isAtRest === isAtRest;
+        this.#isAtRest = isAtRest;
+    }
+
+    /** Marks the picture as busy until it shows the last change in full size. Only an older picture is pale. */
     #mark(): void {
-        const isOld = this.#facts !== null && this.#painted !== this.#version;
-        this.#canvas.ariaBusy = String(this.#isPreparing || isOld);
+        const isOld = this.#isPreparing || (this.#facts !== null && this.#painted !== this.#version);
+        this.#canvas.ariaBusy = String(isOld || this.#isCoarse);
+        this.#canvas.dataset.old = String(isOld);
     }
 
     #go(): void {
@@ -219,11 +245,19 @@ export class Live {
 
     /** Renders frames until there is nothing to change. */
     async #run(): Promise<void> {
-        while (this.#isShown && this.#facts && (this.#samples === 0 || (this.#adds && this.#samples < ENOUGH))) {
-            const start = performance.now();
+        const isWanted = () => this.#samples === 0 || this.#isCoarse || (this.#adds && this.#samples < ENOUGH);
+        while (this.#isShown && this.#facts && isWanted()) {
             this.#seen = this.#version;
+            // The time of a frame is without that of the compiler.
+            await this.#shaders?.compile(this.#mode);
+            const start = performance.now();
+            if (this.#isCoarse && !this.#isPreparing && this.#samples > 0 && start - this.#changed > REST) {
+                this.#samples = 0;
+                this.#resize(true);
+            }
+            const isAtRest = this.#isAtRest;
             await this.settle();
-            const image = this.#shaders ? await this.#frame(this.#shaders) : await this.#slow();
+            const image = this.#shaders ? await this.#frame(this.#shaders, isAtRest) : await this.#slow();
             if (!this.#facts) {
                 // Another scene has been loaded during the frame.
                 return;
@@ -231,25 +265,39 @@ export class Live {
             if (image) {
                 paint(this.#canvas, image);
                 this.#hasPicture = true;
+                this.#isCoarse = image.width < this.#fullWidth;
+                this.#painted = this.#seen;
+                this.#mark();
             }
-            this.#painted = this.#seen;
-            this.#mark();
             // The next frame shows a change during this one.
-            this.#samples = this.#seen === this.#version ? this.#samples + 1 : 0;
-            const duration = performance.now() - start;
-            this.#tell(duration);
-            this.#refine(duration);
+            this.#samples = image && this.#seen === this.#version ? this.#samples + 1 : 0;
+            if (image) {
+                const duration = performance.now() - start;
+                this.#tell(duration);
+                this.#adapt(duration, isAtRest);
+            }
             await new Promise(requestAnimationFrame);
         }
     }
 
-    /** Takes a larger picture, if the last one was fast and smaller than the view. */
-    #refine(duration: number): void {
-        const whole = this.#whole;
-        if (duration < FAST && whole && this.#canvas.width < shownWidth(whole, this.#largest, Infinity)) {
-            this.#tests *= 2;
+    /** Takes a larger picture if the last one was fast, and a smaller one if two were slow while something changed. */
+    #adapt(duration: number, isAtRest: boolean): void {
+        if (isAtRest) {
+            return;
+        }
+        const wasSlow = this.#isSlow;
+        this.#isSlow = duration > SLOW && this.#samples <= 1 && this.#canvas.width >= LEAST_WIDTH;
+        const isFast = duration < FAST && this.#isCoarse;
+        if (isFast || (wasSlow && this.#isSlow)) {
+            this.#tests *= isFast ? 2 : 1 / 2;
+            this.#isSlow = false;
             this.#move(this.#camera);
         }
+    }
+
+    /** The width of the picture in full size. */
+    get #fullWidth(): number {
+        return this.#whole ? shownWidth(this.#whole, this.#largest, Infinity) : 0;
     }
 
     get #largest(): number {
@@ -265,10 +313,24 @@ export class Live {
         return this.#probes.checked && Object.values(this.#shaders?.edits ?? {}).some(hasProbes);
     }
 
-    async #frame(shaders: Shaders): Promise<ImageData | null> {
+    async #frame(shaders: Shaders, isAtRest: boolean): Promise<ImageData | null> {
         const samples = this.#samples;
         const mode = this.#mode;
-        await shaders.render(mode, samples);
+        const seen = this.#seen;
+        const goesOn = async (done: number) => {
+            if (isAtRest && samples === 0 && done > 0 && mode !== 'probe') {
+                const image = await shaders.develop(1);
+                if (image && seen === this.#version) {
+                    paintRows(this.#canvas, image, Math.floor(done / image.width));
+                }
+            }
+            // While the camera moves, each frame is shown.
+            return !isAtRest || seen === this.#version;
+        };
+        // A run of a picture in full size takes as long as a frame while something changes.
+        if (!await shaders.render(mode, samples, goesOn, isAtRest ? this.#tests : undefined)) {
+            return null;
+        }
         if (this.#isRefused) {
             this.#isRefused = false;
             this.listener.refused(null);
@@ -294,7 +356,8 @@ export class Live {
 
     /** The configuration with the camera and the size of the view. */
     #aimed(facts: Facts): string {
-        return shownConfig(this.#config, shownWidth(facts, this.#largest, this.#tests), this.#camera);
+        const width = shownWidth(facts, this.#largest, this.#isAtRest ? Infinity : this.#tests);
+        return shownConfig(this.#config, width, this.#camera);
     }
 
     /** Writes the status after a frame that took `duration` milliseconds. */
@@ -336,6 +399,7 @@ export class Live {
 
     #failed(error: unknown): void {
         this.#painted = this.#version;
+        this.#isCoarse = false;
         this.#mark();
         const hasPicture = this.#hasPicture;
         if (error instanceof Refused) {

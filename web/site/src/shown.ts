@@ -52,6 +52,18 @@ export function resize(canvas: HTMLCanvasElement, width: number, height: number)
 /** Removes the picture of a canvas, which keeps its size. */
 export const erase = (canvas: HTMLCanvasElement): void => resize(canvas, canvas.width, canvas.height);
 
+/** Shows the first `rows` rows of a picture. Below them is what the canvas has shown before. */
+export function paintRows(canvas: HTMLCanvasElement, image: ImageData, rows: number): void {
+    const { width, height } = image;
+    if (canvas.width !== width) {
+        const before = canvas.cloneNode() as HTMLCanvasElement;
+        before.getContext('2d')?.drawImage(canvas, 0, 0);
+        resize(canvas, width, height);
+        canvas.getContext('2d')?.drawImage(before, 0, 0, width, height);
+    }
+    canvas.getContext('2d')?.putImageData(image, 0, 0, 0, 0, width, rows);
+}
+
 /** Shows a picture in a canvas of its size. */
 export function paint(canvas: HTMLCanvasElement, image: ImageData): void {
     resize(canvas, image.width, image.height);

@@ -1,5 +1,5 @@
 // Tests of the editors: errors, completion, examples.
-import { check, completionsTakeKeys, digest, equal, shoot, SMALL, textOf, type } from './tools.mjs';
+import { check, completionsTakeKeys, digest, equal, shoot, SMALL, textOf, type, watchPauses } from './tools.mjs';
 
 export const tests = {
     async 'an error stands at its line in the words of the renderer'({ open, url }) {
@@ -85,15 +85,7 @@ export const tests = {
     async 'six million blanks are inserted and checked while the page answers'({ open, url }) {
         const page = await open(url);
         await digest(page);
-        // Notes the longest time in which the page did not answer.
-        await page.evaluate(() => {
-            let last = performance.now();
-            window.longest = 0;
-            setInterval(() => {
-                window.longest = Math.max(window.longest, performance.now() - last);
-                last = performance.now();
-            }, 10);
-        });
+        await watchPauses(page);
         await type(page, 'scene', `${`${' '.repeat(999)}\n`.repeat(6000)}sphere: 0\n`);
         await page.waitForSelector('#scene-faults pre');
         equal(await page.textContent('#scene-faults button'), 'Line 6001', 'the line of the fault');

@@ -1,5 +1,5 @@
 // Tests of the live view: WebGPU frames, the camera's gestures, samples over frames, and a browser without WebGPU.
-import { check, digest, equal, frame, pixels, render, rmse, shoot, still, textOf, type } from './tools.mjs';
+import { check, digest, equal, frame, pixels, render, rmse, shoot, still, textOf, type, watchPauses } from './tools.mjs';
 
 /** A small scene with every material, and a camera that sees all of it. */
 export const SCENE = {
@@ -273,6 +273,47 @@ export const tests = {
         await shoot(page, 'live-busy');
         await still(page);
         check((await pixels(page, 'live-canvas')).bytes.some((byte) => byte > 0), 'the new picture');
+    },
+
+    async 'a large scene gets its full size at rest, in parts, while the page answers'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await page.waitForFunction(() => document.getElementById('examples').length > 1);
+        await page.selectOption('#examples', 'ten-thousand');
+        await page.click('#cancel');
+        await type(page, 'config', (await textOf(page, 'config')).replace('image_width: 400', 'image_width: 240'));
+        await page.click('#render');
+        await digest(page);
+        await watchPauses(page);
+        await page.click('#tab-live');
+        await page.check('#live-fixed');
+        const width = (least, most) => page.waitForFunction(([from, to]) => {
+            const { width } = document.getElementById('live-canvas');
+            return from <= width && width <= to;
+        }, [least, most]);
+        const last = await frame(page);
+        await width(16, 98);
+        await page.waitForSelector('#live-pane .busy');
+        await width(240, 240);
+        equal(await page.getAttribute('#live-canvas', 'aria-busy'), 'true', 'the first rows are shown, and the rest is computed');
+        equal(await page.evaluate(() => getComputedStyle(document.getElementById('live-canvas')).opacity), '1', 'no old picture');
+        await shoot(page, 'live-rest');
+        await page.focus('#live-canvas');
+        await page.keyboard.press('ArrowRight');
+        await width(16, 98);
+        check(await frame(page, last) > last, 'a movement ends the large picture');
+        await still(page);
+        check(/^240 × 135, deterministic light/.test(await page.textContent('#live-status')), await page.textContent('#live-status'));
+        await page.keyboard.press('Home');
+        await page.uncheck('#live-fixed');
+        await still(page);
+        const after = async (count) => {
+            await page.waitForFunction((least) => Number(document.getElementById('live-canvas').dataset.samples) >= least, count);
+            return rmse((await pixels(page, 'live-canvas')).bytes, (await pixels(page, 'canvas')).bytes);
+        };
+        const [few, more] = [await after(1), await after(3)];
+        check(more < 0.75 * few, `the difference from the exact picture is ${few} and then ${more}`);
+        check(await page.evaluate(() => window.longest) < 2000, 'the page answers');
     },
 
     async 'frames of the live view are counted'({ open, url }) {

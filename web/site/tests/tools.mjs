@@ -145,6 +145,16 @@ export async function shoot(page, name) {
     }
 }
 
+/** Notes the longest time in which the page does not answer, in milliseconds. */
+export const watchPauses = (page) => page.evaluate(() => {
+    let last = performance.now();
+    window.longest = 0;
+    setInterval(() => {
+        window.longest = Math.max(window.longest, performance.now() - last);
+        last = performance.now();
+    }, 10);
+});
+
 /** A small scene that is rendered at once. */
 export const SMALL = {
     config: 'image_width: 64\nsamples_per_pixel: 4\n',

@@ -65,7 +65,7 @@ fn accumulate(@builtin(global_invocation_id) id: vec3<u32>) {
         color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);
     }
     if frame.number > 0u {
-        color = color + vec3_load(sums[id.x]);
+        color = color + vec3_load(sums[pixel]);
     }
-    sums[id.x] = vec3_store(color);
+    sums[pixel] = vec3_store(color);
 }

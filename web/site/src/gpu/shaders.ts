@@ -114,15 +114,22 @@ export class Shaders {
     }
 
     /**
-     * Renders a frame and returns its linear colours on the device: sums of `frame + 1` samples for 'accumulate'. The
-     * function `isCurrent` says between two runs whether the frame is still wanted.
+     * Renders a frame and keeps its linear colours on the device: sums of `frame + 1` samples for 'accumulate'. Each run
+     * takes at most `most` tests. Between two runs `goesOn` gets the number of finished pixels, and says whether the
+     * frame is still wanted. Returns whether the frame is complete.
      */
-    async render(mode: Mode, frame: number, isCurrent = () => true): Promise<boolean> {
+    async render(
+        mode: Mode,
+        frame: number,
+        goesOn: (done: number) => boolean | Promise<boolean> = () => true,
+        most = TESTS,
+    ): Promise<boolean> {
         const inHierarchy = this.#hierarchy !== null;
         const kernel = await this.compile(mode);
+        const isWanted = await goesOn(0);
         const loaded = this.#loaded;
         // Another scene may have been loaded meanwhile, for which this kernel is not made.
-        if (!loaded || !isCurrent() || inHierarchy !== (this.#hierarchy !== null)) {
+        if (!loaded || !isWanted || inHierarchy !== (this.#hierarchy !== null)) {
             return false;
         }
         const { gpu } = this.device;
@@ -130,9 +137,12 @@ export class Shaders {
         const pixels = facts.width * facts.height;
         gpu.queue.writeBuffer(this.#frame, 0, new Uint32Array([frame]));
         const tests = this.#hierarchy ? facts.tests : facts.shapes.length;
-        const run = Math.min(batch, Math.max(1024, Math.floor(TESTS / Math.max(tests * facts.depth, 1))));
+        const run = Math.min(batch, Math.max(1024, Math.floor(most / Math.max(tests * facts.depth, 1))));
         const isWhole = run >= pixels;
-        const part = isWhole ? colors : this.device.buffer(12 * run);
+        // The kernel of samples finds the sum of each pixel itself. The other ones begin with the first pixel of a run.
+        const isInPlace = isWhole || mode === 'accumulate';
+        const part = isInPlace ? colors : this.device.buffer(12 * run);
+        let isComplete = true;
         for (let first = 0; first < pixels; first += run) {
             const count = Math.min(run, pixels - first);
             const patched = head.slice();
@@ -143,23 +153,23 @@ export class Shaders {
             const encoder = gpu.createCommandEncoder();
             const last = mode === 'accumulate' ? this.#frame : states;
             this.device.dispatch(encoder, kernel, this.#withHierarchy([...inputs, attenuations, part, last]), count);
-            if (!isWhole) {
+            if (!isInPlace) {
                 encoder.copyBufferToBuffer(part, 0, colors, 12 * first, 12 * count);
             }
             gpu.queue.submit([encoder.finish()]);
             if (!isWhole) {
                 await this.device.wait(gpu.queue.onSubmittedWorkDone());
                 // Another scene has destroyed the buffers of this one.
-                if (!isCurrent() || this.#loaded !== loaded) {
-                    part.destroy();
-                    return false;
+                if (!await goesOn(first + count) || this.#loaded !== loaded) {
+                    isComplete = false;
+                    break;
                 }
             }
         }
-        if (!isWhole) {
+        if (!isInPlace) {
             part.destroy();
         }
-        return true;
+        return isComplete;
     }
 
     /** Returns the bytes of the last frame for a canvas. `range` shows values between two limits instead of colours. */
