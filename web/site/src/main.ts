@@ -2,6 +2,8 @@
 import { movable } from './bars';
 import { Editor, linesOf } from './editor';
 import { inWorker, native } from './engines';
+import * as entries from './entries';
+import type { Entry } from './entries';
 import { example, FIRST, names } from './examples';
 import { Checker } from './faults';
 import * as link from './link';
@@ -34,6 +36,7 @@ const live = element<HTMLInputElement>('live');
 /** The parts that exist once the module is loaded. */
 class Page {
     #isTyped = false;
+    #isLink = false;
     #isLoading = false;
     /** The texts that the views show: the last ones without an error. */
     #shown: Texts = { config: '', scene: '' };
@@ -121,8 +124,14 @@ class Page {
         return this.#isTyped;
     }
 
+    /** What the page shows, for the browser's history. */
+    get entry(): Entry {
+        const [modules, isTyped, isLink] = [store.modules(), this.#isTyped, this.#isLink];
+        return { ...this.#texts, modules, isTyped, isLink, view: this.#studio.view };
+    }
+
     /** Replaces both texts. What the user had typed becomes one of the earlier texts; returns false if that failed. */
-    load(texts: Texts, isTyped = false): boolean {
+    load(texts: Texts, isTyped = false, isLink = false): boolean {
         const own = store.modules();
         const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
@@ -132,7 +141,7 @@ class Page {
         this.#editors[0].text = texts.config;
         this.#editors[1].text = texts.scene;
         this.#isLoading = false;
-        this.#isTyped = isTyped;
+        [this.#isTyped, this.#isLink] = [isTyped, isLink];
         this.#keep();
         this.showEarlier();
         this.#unsay();
@@ -150,11 +159,15 @@ class Page {
         this.#studio.clear();
     }
 
-    /** Shows the view of a link. */
-    show(view: link.View | null): void {
-        if (view) {
-            void this.#studio.show(view);
+    /** Shows and renders what a link or an entry of the browser's history has. */
+    async open({ view: shown, isTyped, isLink, ...texts }: Entry): Promise<void> {
+        this.clear();
+        this.load(texts, isTyped, isLink);
+        entries.begin();
+        if (shown) {
+            void this.#studio.show(shown);
         }
+        await (isLink ? this.#renderLink() : this.render());
     }
 
     /** Keeps texts that are not those of the editors as earlier texts. */
@@ -184,7 +197,7 @@ class Page {
      * Renders the texts of a link in this page. The program behind the page renders them only when the user asks for it,
      * because anyone may have made the link, and the program takes all of a processor for it.
      */
-    async renderLink(): Promise<void> {
+    async #renderLink(): Promise<void> {
         if (engines.value !== 'native') {
             return this.render();
         }
@@ -251,7 +264,7 @@ class Page {
     }
 
     async #share(): Promise<void> {
-        const text = await link.make({ ...this.#texts, modules: store.modules(), view: await this.#studio.view() });
+        const text = await link.make({ ...this.#texts, modules: store.modules(), view: this.#studio.view });
         const field = element<HTMLInputElement>('link');
         field.value = text;
         element('link-line').hidden = false;
@@ -263,18 +276,18 @@ class Page {
     }
 }
 
-/** Returns the texts with which the page starts, and whether the user has typed them. */
-async function firstTexts(page: Page): Promise<store.Current & { view?: link.View | null; isLink?: boolean }> {
+/** Returns what the page shows at its start. */
+async function first(page: Page): Promise<Entry> {
     const kept = store.current();
-    const replaceBy = <T extends Texts>(texts: T): T & store.Current => {
-        if (kept?.isTyped) {
+    const replaceBy = (entry: Partial<Entry> & Texts): Entry => {
+        if (kept?.isTyped && !isSame(kept, entry)) {
             page.keepEarlier(kept);
         }
-        return { ...texts, isTyped: false };
+        return { isTyped: false, isLink: false, view: null, ...entry };
     };
     if (link.isLink(location.hash)) {
         try {
-            return { ...replaceBy(await link.read(location.hash)), isLink: true };
+            return replaceBy({ ...await link.read(location.hash), isLink: true });
         } catch {
             page.say(() => say('badLink'));
         }
@@ -291,7 +304,7 @@ async function firstTexts(page: Page): Promise<store.Current & { view?: link.Vie
         const failed = (text: string | null) => page.say(() => text ?? say('unreachable'));
         return replaceBy(await view.watch({ changed: reload, failed }));
     }
-    return kept ?? { ...await example(FIRST), isTyped: false };
+    return replaceBy(entries.shown() ?? kept ?? await example(FIRST));
 }
 
 async function start(): Promise<void> {
@@ -337,31 +350,31 @@ async function start(): Promise<void> {
     });
     addEventListener('hashchange', () => {
         if (link.isLink(location.hash)) {
-            link.read(location.hash).then(async ({ view: shown, ...texts }) => {
-                page.clear();
-                page.load(texts);
-                await page.renderLink();
-                page.show(shown);
-                forgetLink();
+            const { hash } = location;
+            link.read(hash).then(async (shared) => {
+                // The user may have gone back meanwhile.
+                if (location.hash === hash) {
+                    entries.keep(page.entry);
+                    await page.open({ ...shared, isTyped: false, isLink: true });
+                }
             }).catch(() => page.say(() => say('badLink')));
         }
     });
-    const { isTyped, isLink, view: shown, ...texts } = await firstTexts(page);
-    page.load(texts, isTyped);
-    page.show(shown ?? null);
-    forgetLink();
-    await (isLink ? page.renderLink() : page.render());
+    addEventListener('popstate', () => {
+        if (entries.hasChanged()) {
+            entries.keep(page.entry);
+            const entry = entries.shown();
+            if (entry) {
+                void page.open(entry);
+            }
+        }
+    });
+    addEventListener('pagehide', () => entries.keep(page.entry));
+    await page.open(await first(page));
     names().then(
         (all) => examples.append(...all.map((name) => new Option(name, name))),
         (error: unknown) => page.say(() => say('noExample', messageOf(error))),
     );
-}
-
-/** Removes the texts from the address. Otherwise they would replace later texts when the page is loaded again. */
-function forgetLink(): void {
-    if (link.isLink(location.hash)) {
-        history.replaceState(null, '', location.pathname + location.search);
-    }
 }
 
 /** Shows an exception that no part of the page has expected. Browsers tell of some layouts by an event without one. */

@@ -45,6 +45,9 @@ interface Parts {
 export class Studio {
     readonly #tabs = new Tabs((name) => void this.#shown(name));
     #parts: Promise<Parts> | null = null;
+    #made: Parts | null = null;
+    /** Counts the views of links. */
+    #views = 0;
     #device: Device | null = null;
     readonly #part = document.getElementById('shader-part') as HTMLDetailsElement;
     #editor: ShaderEditor | null = null;
@@ -84,22 +87,23 @@ export class Studio {
         this.#part.open ||= Object.keys(modules).length > 0;
     }
 
-    /** Returns what is shown, for a link. */
-    async view(): Promise<View> {
-        const parts = await this.#parts;
-        const tab = this.#tabs.current;
+    /** Returns what is shown, for a link and for the browser's history. */
+    get view(): View {
+        const [parts, tab] = [this.#made, this.#tabs.current];
         return { tab, camera: parts?.live.moved ?? null, pixel: tab === 'pixel-pane' ? parts?.pixel.place ?? null : null };
     }
 
-    /** Shows a view of a link. */
+    /** Shows a view of a link, or of an earlier entry of the browser's history. */
     async show({ tab, camera, pixel }: View): Promise<void> {
-        if (tab !== 'exact' || camera) {
+        const own = ++this.#views;
+        if (tab !== 'exact' || camera || this.#parts) {
             this.#parts ??= this.#make();
             const { live, pixel: path } = await this.#parts;
             await this.#read(live);
-            if (camera) {
-                live.moved = camera;
+            if (own !== this.#views) {
+                return;
             }
+            live.moved = camera;
             if (pixel && await this.#settles(live) && live.source) {
                 await path.show(live.source, ...pixel);
             }
@@ -224,6 +228,7 @@ export class Studio {
         });
         const parts: Parts = { live, comparison, pixel, shaders: [] };
         await this.#connect(parts);
+        this.#made = parts;
         return parts;
     }
 

@@ -63,6 +63,39 @@ export const tests = {
         equal(await third.locator('#earlier option').count(), 2, 'the typed texts are kept');
     },
 
+    async 'Back and Forward bring the scene of an entry back, its typed texts and its view'({ open, url }) {
+        const page = await openLive(open, url);
+        await page.focus('#live-canvas');
+        await page.keyboard.press('ArrowRight');
+        await type(page, 'config', `${SCENE.config}max_depth: 3\n`);
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config.includes('max_depth'));
+        await still(page);
+        const seen = await pixels(page, 'live-canvas');
+        const shows = async (move, config, tab) => {
+            await move();
+            await page.waitForFunction((text) => JSON.parse(localStorage.getItem('render.texts')).config === text, config);
+            await page.waitForSelector(`#tab-${tab}[aria-selected=true]`);
+            await digest(page);
+            equal(page.url().includes('#'), false, 'the texts are not in the address');
+            if (tab === 'live') {
+                await page.check('#live-fixed');
+                await still(page);
+                equal(rmse((await pixels(page, 'live-canvas')).bytes, seen.bytes), 0, 'the picture');
+            }
+        };
+        await render(page, SMALL);
+        await page.click('#tab-exact');
+        await shows(() => page.goBack(), `${SCENE.config}max_depth: 3\n`, 'live');
+        await shows(() => page.goForward(), SMALL.config, 'exact');
+        // Another address loads the page again.
+        await page.click('#share');
+        await page.waitForFunction(() => document.getElementById('link').value !== '');
+        await shows(() => page.goBack(), `${SCENE.config}max_depth: 3\n`, 'live');
+        await page.goto(`${url}?again${new URL(await page.inputValue('#link')).hash}`);
+        await digest(page);
+        await shows(() => page.goBack(), `${SCENE.config}max_depth: 3\n`, 'live');
+    },
+
     async 'a broken link leaves the texts and says so'({ open, url }) {
         const page = await open(url);
         await digest(page);
