@@ -79,7 +79,7 @@ export class Comparison {
     /** The scene as it is compared, for the path of a pixel. */
     get source(): Source | null {
         const [facts, shaders] = [this.#facts, this.#shaders];
-        return facts && { preparer: this.preparer, shaders, facts, scene: this.#scene };
+        return facts && { preparer: this.preparer, shaders, facts, scene: this.#scene, isCurrent: () => facts === this.#facts };
     }
 
     /** Compares these shaders from now on. Needs {@link show} afterwards. */

@@ -39,8 +39,8 @@ export interface Listener {
     broken(error: unknown): void;
     /** The lines of the camera are wanted in the configuration, or also in its file. */
     taken(camera: Camera, isSaved: boolean): void;
-    /** A pixel was clicked. */
-    clicked(column: number, row: number, facts: Facts): void;
+    /** A place was clicked: parts of the picture's width and height. */
+    clicked(x: number, y: number): void;
 }
 
 /** The view. */
@@ -104,8 +104,7 @@ export class Live {
             pan: (right, up) => this.#move(this.#camera && camera.pan(this.#camera, right, up)),
             zoom: (factor) => this.#move(this.#camera && camera.zoom(this.#camera, factor)),
             reset: () => this.#move(this.#start),
-            click: ({ x, y }) => this.#facts && listener.clicked(
-                Math.floor(x * this.#facts.width), Math.floor(y * this.#facts.height), this.#facts),
+            click: ({ x, y }) => listener.clicked(x, y),
         });
     }
 
@@ -173,11 +172,16 @@ export class Live {
     /** The scene as the view shows it, for the path of a pixel. */
     get source(): Source | null {
         const [facts, shaders] = [this.#facts, this.#shaders];
-        return facts && { preparer: this.preparer, shaders, facts, scene: this.#scene };
+        return facts && { preparer: this.preparer, shaders, facts, scene: this.#scene, isCurrent: () => facts === this.#facts };
     }
 
-    /** Waits until the moved camera counts, without a frame. Throws {@link Faulty} if it has no picture. */
+    /** Waits until {@link source} has the moved camera and the full size. Throws {@link Faulty} if it has no picture. */
     async settle(): Promise<void> {
+        this.#resize(true);
+        await this.#settle();
+    }
+
+    async #settle(): Promise<void> {
         if (!this.#isAimed && this.#whole) {
             this.#isAimed = true;
             const aimed = await this.preparer.aim(this.#aimed(this.#whole)).catch((error: unknown) => {
@@ -256,7 +260,7 @@ export class Live {
                 this.#resize(true);
             }
             const isAtRest = this.#isAtRest;
-            await this.settle();
+            await this.#settle();
             const image = this.#shaders ? await this.#frame(this.#shaders, isAtRest) : await this.#slow();
             if (!this.#facts) {
                 // Another scene has been loaded during the frame.

@@ -4,6 +4,7 @@ import type { Shaders } from './gpu/shaders';
 import { definitions, nameOf, type Definitions } from './definitions';
 import { plan } from './plan';
 import { Faulty, type Facts, type Preparer } from './preparer';
+import { developed, paint } from './shown';
 import { messageOf, say, write, type Key } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
@@ -15,6 +16,8 @@ export interface Source {
     facts: Facts;
     /** The text of the scene. */
     scene: string;
+    /** Whether the view still has this camera and size. */
+    isCurrent(): boolean;
 }
 
 /** The numbers of a step that are shown: all but the background's colour for a hit, and other ones for an escape. */
@@ -68,9 +71,11 @@ function meaning(number: number, name: string, kind: string, { objects, material
 /** The view of a pixel's path. */
 export class PixelView {
     readonly #table = element('pixel-steps');
+    readonly #picture = element<HTMLCanvasElement>('pixel-picture');
+    /** The scene in deterministic light, for the facts of which it was rendered. */
+    #image: { facts: Facts; image: ImageData } | null = null;
     #source: Source | null = null;
     #newest = 0;
-    #wasShown = false;
 
     /**
      * `find` returns the scene of the live view, for a place that is typed before a pixel has been clicked. `broken` is
@@ -84,6 +89,13 @@ export class PixelView {
         for (const id of ['pixel-column', 'pixel-row']) {
             element(id).addEventListener('change', () => void this.refresh());
         }
+        this.#picture.addEventListener('click', ({ offsetX, offsetY }) => {
+            const { width, height, clientWidth, clientHeight } = this.#picture;
+            if (this.#source) {
+                const place = [(offsetX * width) / clientWidth, (offsetY * height) / clientHeight].map(Math.floor);
+                void this.show(this.#source, ...place as [number, number]);
+            }
+        });
     }
 
     /** The column and the row of the pixel, or null if none is shown. */
@@ -108,9 +120,10 @@ export class PixelView {
         this.#table.ariaBusy = 'false';
     }
 
-    /** Follows the path in a new scene, if one was shown before. */
+    /** Follows the path in another scene, or seen by another camera. */
     async renew(): Promise<void> {
-        if (this.#wasShown && !this.#source) {
+        if (!this.#source?.isCurrent()) {
+            this.#source = null;
             await this.refresh();
         }
     }
@@ -129,25 +142,28 @@ export class PixelView {
         }
         this.#source = source;
         const { width, height } = source.facts;
+        // The first pixel is that in the middle.
         const limited = (id: string, key: Key, size: number): number => {
             const input = element<HTMLInputElement>(id);
+            input.value ||= String(Math.floor(size / 2));
             write(input.previousElementSibling as HTMLElement, () => say('range', say(key), size - 1));
             input.max = String(size - 1);
             const value = Math.min(Math.max(Math.floor(Number(input.value) || 0), 0), size - 1);
             input.value = String(value);
             return value;
         };
-        const pixel = limited('pixel-row', 'row', height) * width + limited('pixel-column', 'column', width);
+        const [row, column] = [limited('pixel-row', 'row', height), limited('pixel-column', 'column', width)];
+        const pixel = row * width + column;
         try {
             const rust = await source.preparer.steps(pixel);
             const wgsl = source.shaders ? await source.shaders.steps(pixel, this.names.length) : null;
             const probed = source.shaders ? await source.shaders.probed(pixel) : null;
             if (own === this.#newest) {
-                this.#wasShown = true;
                 this.#fill(rust, wgsl, definitions(source.scene));
                 element('pixel-probe').textContent = probed ? `probe: ${probed.map((value) => text(value, '')).join(', ')}` : '';
                 const paths = [this.#points(rust), wgsl && this.#points(wgsl)] as const;
                 element('pixel-plan').replaceChildren(plan(source.facts, ...paths));
+                await this.#draw(source, column, row, () => own === this.#newest);
             }
         } catch (error) {
             if (own !== this.#newest) {
@@ -165,7 +181,24 @@ export class PixelView {
         }
     }
 
+    /** Shows the scene in deterministic light, with a mark around the pixel. */
+    async #draw({ facts, preparer }: Source, column: number, row: number, isCurrent: () => boolean): Promise<void> {
+        if (this.#image?.facts !== facts) {
+            this.#image = { facts, image: developed(await preparer.truth(false), facts) };
+        }
+        if (isCurrent()) {
+            paint(this.#picture, this.#image.image);
+            this.#picture.hidden = false;
+            const size = Math.ceil(facts.width / 40);
+            const context = this.#picture.getContext('2d') as CanvasRenderingContext2D;
+            // The inverted colours are seen on every picture.
+            Object.assign(context, { globalCompositeOperation: 'difference', strokeStyle: '#fff', lineWidth: size / 6 });
+            context.strokeRect(column - size, row - size, 2 * size + 1, 2 * size + 1);
+        }
+    }
+
     #clear(): void {
+        this.#picture.hidden = true;
         ['pixel-steps', 'pixel-plan', 'pixel-probe', 'pixel-first'].forEach((id) => element(id).replaceChildren());
     }
 

@@ -140,13 +140,13 @@ export class Studio {
         if (name === 'live-pane') {
             await this.#read(live);
         }
+        live.isShown = this.#tabs.current === 'live-pane';
         if (name === 'compare-pane' && this.#stale.delete(name)) {
             await comparison.show(this.owner.texts());
         }
         if (name === 'pixel-pane') {
             await pixel.renew();
         }
-        live.isShown = this.#tabs.current === 'live-pane';
     }
 
     /** Compares two files, or one with the exact picture. */
@@ -214,7 +214,12 @@ export class Studio {
         const live: Live = new Live(new Preparer(this.module), {
             refused,
             broken,
-            clicked: (column, row) => follow(live.source, column, row),
+            clicked: async (x, y) => {
+                if (await this.#settles(live) && live.source) {
+                    const { width, height } = live.source.facts;
+                    follow(live.source, Math.floor(x * width), Math.floor(y * height));
+                }
+            },
             taken: (camera, isSaved) => void this.#take(camera, isSaved),
         });
         const comparison: Comparison = new Comparison(new Preparer(this.module), {

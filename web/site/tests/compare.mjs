@@ -98,10 +98,21 @@ export const tests = {
         await page.waitForFunction(() => document.getElementById('pixel-first').textContent === 'No bit differs.');
     },
 
-    async 'a typed place shows the path of a pixel before one is clicked'({ open, url }) {
+    async 'a small picture and a typed place show the path of a pixel'({ open, url }) {
         const page = await open(url);
         await digest(page);
         await page.click('#tab-pixel');
+        await page.waitForSelector('#pixel-picture');
+        equal(await page.inputValue('#pixel-column'), '240', 'the first pixel is that in the middle');
+        const first = await pixels(page, 'pixel-picture');
+        check(new Set(first.bytes).size > 50, 'the picture has many colours');
+        const { width, height } = await page.locator('#pixel-picture').boundingBox();
+        check(width < 400, 'the picture is small');
+        await page.click('#pixel-picture', { position: { x: width / 4 + 0.5, y: height / 2 } });
+        await page.waitForFunction(() => document.getElementById('pixel-column').value === '120');
+        await page.waitForFunction(() => document.getElementById('pixel-steps').ariaBusy === 'false');
+        check(rmse((await pixels(page, 'pixel-picture')).bytes, first.bytes) > 0, 'the mark has moved');
+        await shoot(page, 'pixel-picture');
         await page.fill('#pixel-column', '30');
         await page.fill('#pixel-row', '20');
         await page.press('#pixel-row', 'Enter');
