@@ -114,17 +114,30 @@ export const tests = {
         await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config.includes('1200'));
     },
 
-    async 'text has enough contrast in dark and light'({ open, url }) {
-        for (const colorScheme of ['light', 'dark']) {
-            const page = await open(url, { colorScheme });
-            await digest(page);
+    async 'all views fit every width, in dark and light, in both languages'({ open, url }) {
+        const page = await openLive(open, url);
+        const all = (list, others) => list.flatMap((one) => others.map((other) => [one, other].flat()));
+        for (const [colorScheme, language, width] of all(['light', 'dark'], all(['en', 'es'], [390, 1280, 1920]))) {
+            await page.setViewportSize({ width, height: width === 390 ? 844 : 800 });
+            await page.emulateMedia({ colorScheme });
+            await page.selectOption('#language', language);
             const back = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
             equal(back, colorScheme === 'light' ? 'rgb(251, 251, 250)' : 'rgb(23, 24, 27)', colorScheme);
+            for (const [tab, ready] of [['exact', '#digest code'], ['live', '#live-status'], ['compare', '#compare-most-at'], ['pixel', '#pixel-steps .head']]) {
+                const name = `${tab}-${width}-${colorScheme}-${language}`;
+                await page.click(`#tab-${tab}`);
+                await page.waitForSelector(ready, { state: 'attached' });
+                equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `the width of ${name}`);
+                const cut = await page.evaluate(() => Array.from(document.querySelectorAll('button, label, p, h1, h2, pre'))
+                    .filter((one) => one.offsetParent && one.scrollWidth > one.clientWidth + 1 && one.clientWidth > 0)
+                    .map((one) => one.id || one.textContent));
+                equal(cut.join(), '', `what is cut off in ${name}`);
+                await shoot(page, name);
+            }
             for (const part of PARTS) {
                 const found = await contrast(page, part);
                 check(found >= 4.5, `${part} in ${colorScheme}: ${found}`);
             }
-            await shoot(page, colorScheme);
         }
     },
 
