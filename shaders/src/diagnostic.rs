@@ -68,7 +68,11 @@ impl Diagnostic {
         if let Some((_, own)) = OWN.iter().find(|(part, _)| message.contains(part)) {
             (*own).clone_into(&mut message);
         }
-        let place = Place::new(error.location(composition.source()), composition);
+        let is_placed = error.labels().next().is_some_and(|(span, _)| span.is_defined());
+        let place = match is_placed {
+            true => Place::new(error.location(composition.source()), composition),
+            false => Place::of_largest_array(composition),
+        };
         Self { message: plain(&message), place: place.or_else(|| Place::first(composition)) }
     }
 
@@ -194,6 +198,19 @@ impl Place {
         };
         let (line, text) = composition.replaced_lines().find(|(_, text)| begins(text))?;
         Some(Self::of_line(line, text, composition))
+    }
+
+    /// Returns the line of a replaced module with the largest array, or `None` without an array. naga has no place of a
+    /// type that is too large, which only an array can be.
+    fn of_largest_array(composition: &Composition) -> Option<Self> {
+        let size = |text: &str| {
+            let mut words = tokens(text.as_bytes()).skip_while(|(_, word)| *word != b"array").peekable();
+            words.peek()?;
+            let number = |word| str::from_utf8(word).ok()?.trim_end_matches(['i', 'u']).parse::<u64>().ok();
+            words.map(|(_, word)| number(word).unwrap_or(0)).max()
+        };
+        let (line, text) = composition.replaced_lines().max_by_key(|(_, text)| size(text))?;
+        size(text).map(|_| Self::of_line(line, text, composition))
     }
 
     /// Returns the place of the character at `offset`, in bytes from the start of the composition.

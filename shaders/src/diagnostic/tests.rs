@@ -90,6 +90,10 @@ fn advice_that_leads_nowhere_is_not_repeated() {
         ("const a = 1 / 0;", "mine.wgsl:1:11: Division by zero\n"),
         ("\n@compute @workgroup_size(0)\nfn f() {}", "mine.wgsl:3:1: Entry point f at Compute is invalid: "),
         ("\nvar<private> big: array<u32, 1000000000>;", "mine.wgsl:2:1: Error laying out type: Size exceeds limit"),
+        (
+            "var<private> a: array<u32, 3>;\n\nvar<private> b: array<u32, 2000000000u>;\nvar<private> c: array<u32, 4>;",
+            "mine.wgsl:3:1: type is too large: ",
+        ),
     ];
     for (text, start) in cases {
         assert!(message(text).starts_with(start), "{text}: {}", message(text));
