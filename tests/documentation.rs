@@ -65,6 +65,25 @@ fn every_section_of_the_specification_that_is_cited_exists() {
 }
 
 #[test]
+fn git_ignores_what_the_commands_of_the_readme_write() {
+    let project = Project::read();
+    let (ignored, page) = (project.text(".gitignore"), project.text("README.md"));
+    let is_ignored = |name: &str| {
+        ignored.lines().map(|line| line.trim_start_matches('/')).any(|pattern| match pattern.split_once('*') {
+            Some((start, end)) => name.starts_with(start) && name.ends_with(end),
+            None => name == pattern,
+        })
+    };
+    let endings = ["ppm", "png", "html", "csv", "json", "wgsl", "rlc"];
+    let is_file =
+        |word: &&str| !word.contains('/') && word.rsplit_once('.').is_some_and(|(_, it)| endings.contains(&it));
+    let commands = page.lines().filter(|line| line.starts_with("    "));
+    let written: Vec<_> = commands.flat_map(str::split_whitespace).filter(is_file).collect();
+    assert!(written.len() > 15, "{written:?}");
+    assert!(written.iter().all(|name| is_ignored(name)), "{written:?}");
+}
+
+#[test]
 fn no_line_of_prose_and_no_comment_is_longer_than_the_limit() {
     let project = Project::read();
     let pages = pages(&project);
