@@ -5,6 +5,7 @@ use std::fmt;
 use std::ops::Range;
 
 use cpu::Error;
+use cpu::internals::input::error::{MAX_PIXELS, Picture};
 use cpu::internals::input::text::{Tokens, parse_real};
 
 use crate::unseen::{self, find};
@@ -79,6 +80,33 @@ impl Hint {
 impl fmt::Display for Hint {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "{}; {}", self.problem, self.remedy)
+    }
+}
+
+/// Returns the message of an error that is about no line in Spanish, or nothing for other errors.
+#[must_use]
+pub fn spanish_without_line(error: &Error) -> String {
+    let (Error::Picture(cause) | Error::PictureIn { cause, .. }) = error else {
+        let is_memory = matches!(error, Error::OutOfMemory { .. });
+        return if is_memory { "no hay memoria suficiente".to_owned() } else { String::new() };
+    };
+    match cause {
+        Picture::TooLarge { width, height } => format!(
+            "la imagen es demasiado grande: {width} x {height} píxeles, como máximo {MAX_PIXELS} en total; elija un \
+             image_width menor u otro aspect_ratio"
+        ),
+        Picture::CameraAtTarget => {
+            "camera_position es el mismo punto que camera_target; mueva uno de los dos".to_owned()
+        }
+        Picture::NorthParallel => "camera_north es nulo o paralelo a la vista de camera_position a camera_target; \
+                                   elija otro norte"
+            .to_owned(),
+        Picture::CameraOutOfRange => {
+            "la posición, el objetivo o field_of_view de la cámara se sale de los límites: su \
+                                      ventana no es finita"
+                .to_owned()
+        }
+        _ => String::new(),
     }
 }
 
@@ -195,9 +223,10 @@ impl Writer<'_> {
             }
             _ => problem,
         };
+        let values = line.values_in(self.language);
         let remedy = self
             .rewritten(|_| Some(line))
-            .unwrap_or_else(|| self.say(["the line is: {} {}", "la línea es: {} {}"], &[line.tag, line.values]));
+            .unwrap_or_else(|| self.say(["the line is: {} {}", "la línea es: {} {}"], &[line.tag, &values]));
         (format!("{} {problem}", line.tag), remedy)
     }
 

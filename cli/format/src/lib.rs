@@ -15,6 +15,8 @@ pub mod unseen;
 
 use cpu::internals::input::text;
 
+use hint::Language;
+
 /// A text in English and in Spanish. Each `{}` in it stands for a value.
 pub type Words = [&'static str; 2];
 
@@ -81,6 +83,30 @@ pub struct Line {
     pub default: &'static str,
     /// The meaning of the line, with the unit of its values.
     pub meaning: &'static str,
+}
+
+/// Phrases of [`Line::values`] in English and in Spanish. A phrase that contains another one comes before it.
+const PHRASES: [Words; 8] = [
+    ["two whole numbers", "dos números enteros"],
+    ["whole number", "número entero"],
+    ["number", "número"],
+    [" in ", " en "],
+    ["name", "nombre"],
+    ["diffusion", "difusión"],
+    ["index", "índice"],
+    ["radius", "radio"],
+];
+
+impl Line {
+    /// Returns the values as the table describes them, in a language.
+    #[must_use]
+    pub fn values_in(&self, language: Language) -> String {
+        let say = |text: String, [english, spanish]: &Words| text.replace(english, spanish);
+        match language {
+            Language::English => self.values.to_owned(),
+            Language::Spanish => PHRASES.iter().fold(self.values.to_owned(), say),
+        }
+    }
 }
 
 use Field::{Count, Degrees, Name, NotNegative, Positive, Real, Share};

@@ -1,7 +1,7 @@
 // Offers the possible lines while the user types: the rows of the renderer's table, and the names of materials.
 import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
 import type { Row } from './module';
-import { meaningOf, say, valuesOf } from './words';
+import { meaningOf, ofLanguage, say } from './words';
 
 /** What a material's line begins with, and its name. */
 const MATERIAL = /^[ \t]*(?:matte|metal|refractive):[ \t]+(\S+)/gm;
@@ -37,7 +37,7 @@ function tag(row: Row, isAlone: boolean): Completion {
     return {
         label: row.tag,
         type: 'keyword',
-        detail: valuesOf(row.values),
+        detail: ofLanguage([row.values, row.spanishValues]),
         info: `${meaningOf(row.tag, row.meaning)}${start}`,
         apply: isAlone ? `${row.tag} ${row.default}` : row.tag,
     };

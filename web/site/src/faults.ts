@@ -2,8 +2,8 @@
 import { Asked } from './asked';
 import type { Verdict } from './checking';
 import type { Editor } from './editor';
-import { MOST_FAULTS, type Fault, type TextNumber } from './module';
-import { messageOf, ofLanguage, say } from './words';
+import { MOST_FAULTS, textOf, type Fault, type TextNumber } from './module';
+import { messageOf, say } from './words';
 
 /** The checker of both texts. */
 export class Checker {
@@ -28,7 +28,7 @@ export class Checker {
 
     /** Marks the faults of a text and lists them, instead of those before. */
     show(text: TextNumber, faults: Fault[]): void {
-        this.editors[text].mark(faults);
+        this.editors[text].mark(faults.map((fault) => ({ ...fault, message: textOf(fault) })));
         this.lists[text].replaceChildren(...faults.map((fault) => this.#row(text, fault)));
         if (faults.length === MOST_FAULTS) {
             this.lists[text].append(say('firstFaults', MOST_FAULTS));
@@ -38,9 +38,7 @@ export class Checker {
     #row(text: TextNumber, fault: Fault): HTMLElement {
         const row = document.createElement('div');
         const message = document.createElement('pre');
-        // The specification prescribes the messages of the programs in English.
-        const words = ofLanguage(['', 'Los programas dicen: ']) + fault.message;
-        message.textContent = [words, ofLanguage(fault.hints ?? ['', ''])].filter(Boolean).join('\n');
+        message.textContent = textOf(fault);
         if (fault.line > 0) {
             const button = document.createElement('button');
             button.type = 'button';

@@ -9,7 +9,7 @@ import { Checker } from './faults';
 import * as link from './link';
 import { takeSecret } from './secret';
 import { Studio } from './studio';
-import { compile, instructionSet, isFault, Renderer, type Fault, type Row } from './module';
+import { causeOf, compile, instructionSet, isFault, Renderer, type Fault, type Row } from './module';
 import { Picture } from './picture';
 import * as store from './store';
 import { isSame, type Texts } from './store';
@@ -48,7 +48,7 @@ class Page {
         if (fault.text < 2) {
             this.#checker.show(fault.text as 0 | 1, [fault]);
         }
-        this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message)));
+        this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', causeOf(fault))));
     }, () => void this.#studio.rendered());
 
     constructor(private readonly module: WebAssembly.Module, private readonly renderer: Renderer) {
@@ -205,7 +205,7 @@ class Page {
         this.renderer.write(0, this.#texts.config);
         const cost = this.renderer.cost();
         if (fault || isFault(cost)) {
-            this.say(() => (fault ? this.#faultIn(fault.text) : say('failed', (cost as Fault).message)));
+            this.say(() => (fault ? this.#faultIn(fault.text) : say('failed', causeOf(cost as Fault))));
             return;
         }
         const rays = cost.reduce((product, factor) => product * factor, 1);

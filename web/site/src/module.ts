@@ -1,5 +1,6 @@
 // Loads the WebAssembly module of web/wasm, and calls its functions with texts instead of addresses.
 import type { Module } from './gpu/compose';
+import { ofLanguage } from './words';
 
 /** The number of a text: 0 is the configuration, 1 the scene. */
 export type TextNumber = 0 | 1;
@@ -20,6 +21,15 @@ export interface Fault {
     hints?: [english: string, spanish: string];
 }
 
+/** Returns the message of a fault and what to do, in the page's language. */
+export function textOf({ message, hints = ['', ''] }: Fault): string {
+    // The specification prescribes the messages of the programs in English.
+    return [ofLanguage(['', 'Los programas dicen: ']) + message, ofLanguage(hints)].filter(Boolean).join('\n');
+}
+
+/** Returns why there is no picture, in the page's language. */
+export const causeOf = ({ message, hints }: Fault): string => ofLanguage([message, hints?.[1] || message]);
+
 /** Largest number of faults of a text that the module returns. */
 export const MOST_FAULTS = 20;
 
@@ -29,6 +39,7 @@ export interface Row {
     values: string;
     default: string;
     meaning: string;
+    spanishValues: string;
 }
 
 /** The functions that the module calls: with the picture's size, and with the address of each finished row. */
@@ -141,8 +152,8 @@ export class Renderer {
     table(text: TextNumber): Row[] {
         this.#exports.table(text);
         return this.#text().split('\n').map((line) => {
-            const [tag = '', values = '', start = '', meaning = ''] = line.split('\t');
-            return { tag, values, default: start, meaning };
+            const [tag = '', values = '', start = '', meaning = '', spanishValues = ''] = line.split('\t');
+            return { tag, values, default: start, meaning, spanishValues };
         });
     }
 

@@ -1,6 +1,6 @@
 // Asks a worker to read scenes for the shaders, and for the same pictures by Rust.
 import { Asked } from './asked';
-import type { Fault } from './module';
+import { causeOf, type Fault } from './module';
 import type { Answer, Request } from './preparing';
 import type { Texts } from './store';
 import { messageOf, say, type Key } from './words';
@@ -40,7 +40,7 @@ export class Faulty extends Error {
 
     /** Returns the message for a view: after `key` for a fault of the texts, and otherwise as one of the renderer. */
     say(key: Key): string {
-        return say(this.fault.text < 2 ? key : 'failed', this.message);
+        return say(this.fault.text < 2 ? key : 'failed', causeOf(this.fault));
     }
 }
 

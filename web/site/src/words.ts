@@ -80,6 +80,7 @@ const ENGLISH = {
     liveInside: 'The camera is inside an object ({0}).',
     liveRefused: 'A shader has an error, so the last good picture stays.',
     liveRefusedFirst: 'A shader has an error, so there is no picture yet. The editor of the shaders shows the line.',
+    directive: 'A module can have no directive, because other modules stand before it in one text. Leave it out.',
     liveFault: 'The texts have an error, so the last good picture stays: {0}',
     liveFaultFirst: 'The texts have an error, so there is no picture yet: {0}',
     liveStopped: 'The live view stopped: {0}',
@@ -241,6 +242,7 @@ const SPANISH: Record<Key, string> = {
     liveInside: 'La cámara está dentro de un objeto ({0}).',
     liveRefused: 'Un sombreador tiene un error; queda la última imagen buena.',
     liveRefusedFirst: 'Un sombreador tiene un error; aún no hay imagen. El editor de sombreadores muestra la línea.',
+    directive: 'Un módulo no puede tener directivas, porque otros módulos van antes en un mismo texto. Quítela.',
     liveFault: 'Los textos tienen un error; queda la última imagen buena: {0}',
     liveFaultFirst: 'Los textos tienen un error; aún no hay imagen: {0}',
     liveStopped: 'La vista en vivo se ha detenido: {0}',
@@ -343,12 +345,6 @@ const SPANISH_MEANINGS: Record<string, string> = {
     'cylinder:': 'centro, radio > 0, eje: tan largo como alto es el cilindro',
 };
 
-/** The words of the values of a line in Spanish. */
-const SPANISH_VALUES: Record<string, string> = {
-    'two whole numbers': 'dos números enteros', 'whole number': 'número entero', 'number': 'número', 'in': 'en',
-    'name': 'nombre', 'diffusion': 'difusión', 'index': 'índice', 'radius': 'radio',
-};
-
 export type Language = 'en' | 'es';
 
 /** Returns the words of an exception. Those of the browser are in its language. */
@@ -388,12 +384,6 @@ export function ofLanguage(texts: readonly [english: string, spanish: string]): 
 /** Returns the meaning of a line in the page's language. */
 export function meaningOf(tag: string, english: string): string {
     return words === SPANISH ? SPANISH_MEANINGS[tag] ?? english : english;
-}
-
-/** Returns the values of a line in the page's language. */
-export function valuesOf(english: string): string {
-    const known = new RegExp(`\\b(${Object.keys(SPANISH_VALUES).join('|')})\\b`, 'g');
-    return words === SPANISH ? english.replace(known, (word) => SPANISH_VALUES[word] ?? word) : english;
 }
 
 /** The words of the editors' own parts in Spanish: finding, folding, and for readers of the screen. */

@@ -74,6 +74,30 @@ export const tests = {
         equal(rmse((await pixels(page, 'live-canvas')).bytes, first.bytes), 0, 'the picture of the original text');
     },
 
+    async 'faults of WGSL are told at their place'({ open, url }) {
+        const page = await openModule(open, url, 'background');
+        const name = 'fn background_color';
+        for (const [line, words, text] of [
+            [1, 'A module can have no directive, ', (source) => `enable f16;\n${source}`],
+            [10, 'must be at least 1', (source) => source.replace(name, `@compute @workgroup_size(0) fn f() {}\n${name}`)],
+            [10, 'array', (source) => source.replace(name, `var<private> f: array<f32, 2000000000>;\n${name}`)],
+            [10, 'recursive depth', (source) => source.replace(name, `const f = ${'('.repeat(999)}1${')'.repeat(999)};\n${name}`)],
+        ]) {
+            const source = await moduleText(page);
+            await edit(page, source, text(source));
+            await page.waitForFunction((part) => document.getElementById('shader-faults').innerText.includes(part), words);
+            equal(await page.locator('#shader-faults button').first().textContent(), `background Line ${line}`, words);
+            await page.click('#shader-reset');
+            await page.waitForFunction(() => !document.querySelector('#shader-faults pre'));
+        }
+        // A byte order mark at the start is no fault.
+        const shown = await frame(page);
+        const source = await moduleText(page);
+        await edit(page, source, `\uFEFF${source}`);
+        await frame(page, shown);
+        equal(await page.textContent('#shader-faults'), '', 'the faults');
+    },
+
     async 'a slider and a colour picker change the text and the view'({ open, url }) {
         const page = await openModule(open, url, 'background');
         const first = await pixels(page, 'live-canvas');

@@ -1,6 +1,7 @@
 //! A message about the texts or the picture, and the place in a text that it is about.
 
 use cpu::internals::input::error::Error;
+use format::hint::spanish_without_line;
 
 /// The place of a fault in a text. The three numbers are 0 if the fault is not about a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,7 +24,8 @@ pub struct Fault {
     pub message: Vec<u8>,
     /// The place of the error.
     pub place: Place,
-    /// What is wrong and what to write instead, in English and in Spanish. They are empty for an error without a line.
+    /// What is wrong and what to write instead, in English and in Spanish. For an error without a line the first one is
+    /// empty, and the second one is the message in Spanish.
     pub hints: [String; 2],
 }
 
@@ -31,11 +33,13 @@ impl Fault {
     /// Returns the fault for an error that is about no line of the text number `text`.
     pub fn without_line(error: Error, text: usize) -> Self {
         let text = if matches!(error, Error::OutOfMemory { .. }) { 2 } else { text };
-        Self { message: error.message(), place: Place { text, ..Place::default() }, hints: Default::default() }
+        let hints = [String::new(), spanish_without_line(&error)];
+        Self { message: error.message(), place: Place { text, ..Place::default() }, hints }
     }
 
-    /// Returns the fault for a message that is not one of `render-aos`.
-    pub fn own(message: String, text: usize) -> Self {
-        Self { message: message.into_bytes(), place: Place { text, ..Place::default() }, hints: Default::default() }
+    /// Returns the fault for a message that is not one of `render-aos`, and its Spanish words.
+    pub fn own(message: String, spanish: &str, text: usize) -> Self {
+        let hints = [String::new(), spanish.to_owned()];
+        Self { message: message.into_bytes(), place: Place { text, ..Place::default() }, hints }
     }
 }

@@ -18,6 +18,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use cpu::internals::InstructionSet;
 use cpu::{Aos, Scatter, Soa};
+use format::hint::Language;
 
 use crate::fault::Fault;
 use crate::live::Live;
@@ -98,7 +99,9 @@ pub extern "C" fn digest() {
 #[unsafe(no_mangle)]
 pub extern "C" fn table(text: usize) {
     let lines = if text == 0 { &format::CONFIG[..] } else { &format::SCENE[..] };
-    let rows = lines.iter().map(|line| [line.tag, line.values, line.default, line.meaning].join("\t"));
+    let rows = lines
+        .iter()
+        .map(|line| [line.tag, line.values, line.default, line.meaning, &line.values_in(Language::Spanish)].join("\t"));
     state().result = rows.collect::<Vec<_>>().join("\n").into_bytes();
 }
 
@@ -218,7 +221,7 @@ pub extern "C" fn wgsl() {
 
 /// The fault of a call that needs an earlier call of [`prepare`].
 fn unprepared() -> Fault {
-    Fault::own("no scene is prepared".to_owned(), 2)
+    Fault::own("no scene is prepared".to_owned(), "no hay ninguna escena preparada", 2)
 }
 
 /// Stores what `act` returns as the result, or its fault, and returns 0 or 1.

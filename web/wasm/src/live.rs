@@ -45,7 +45,9 @@ struct Facts {
 fn fault_of(error: twin::Error) -> Fault {
     match error {
         twin::Error::Scene(error) => Fault::without_line(error, 0),
-        error @ twin::Error::TooDeep { .. } => Fault::own(error.to_string(), 0),
+        error @ twin::Error::TooDeep { .. } => {
+            Fault::own(error.to_string(), "max_depth es demasiado grande para un dispositivo; elija uno menor", 0)
+        }
     }
 }
 
@@ -117,7 +119,7 @@ impl Live {
             constants: features.constants().to_vec(),
             shapes: spheres.chain(cylinders).collect(),
         };
-        serde_json::to_vec(&facts).map_err(|error| Fault::own(error.to_string(), 2))
+        serde_json::to_vec(&facts).map_err(|error| Fault::own(error.to_string(), "", 2))
     }
 
     /// Returns the linear colours in deterministic mode as the bytes of f64: by the exact renderer, or by the twin of

@@ -55,7 +55,11 @@ fn texts_become_a_file_or_a_message() {
             [0, 1, 7, 1],
             ["here, and it is not seen; write a space", "que no se ve; escriba un espacio"],
         ),
-        ("gamma: x", [0, 1, 8, 1], ["the line is: gamma: number > 0", "número mayor que 0; la línea es: gamma: "]),
+        (
+            "gamma: x",
+            [0, 1, 8, 1],
+            ["the line is: gamma: number > 0", "número mayor que 0; la línea es: gamma: número > 0"],
+        ),
     ] {
         write(0, text.as_bytes());
         assert_eq!(check(0), 1, "{text}");
@@ -70,14 +74,25 @@ fn texts_become_a_file_or_a_message() {
 
     write(0, b"image_width: 8\naspect_ratio: 1 1\nsamples_per_pixel: 18446744073709551615\nmax_depth: 3\n");
     assert_eq!((cost(), result_text().as_str()), (0, "64 18446744073709551615 3"));
-    write(0, b"image_width: 18446744073709551615\n");
-    assert_eq!((cost(), fault()[0]), (1, 0));
+    for (text, spanish) in [
+        ("image_width: 18446744073709551615\n", "la imagen es demasiado grande"),
+        ("camera_target: 0 0 -10\n", "camera_position es el mismo punto"),
+        ("camera_north: 0 0 1\n", "camera_north es nulo o paralelo"),
+        ("camera_position: 1e308 0 0\ncamera_target: -1e308 0 0\n", "la posición, el objetivo o field_of_view"),
+    ] {
+        write(0, text.as_bytes());
+        write(1, b"");
+        assert_eq!((render(0, 0, 0), fault()[0]), (1, 0), "{text}");
+        fault_hint(1);
+        assert!(result_text().starts_with(spanish), "{}", result_text());
+    }
 
     table(0);
     assert!(result_text().contains("gamma:\tnumber > 0\t2.2\tgamma correction"), "{}", result_text());
     assert_eq!(result_text().lines().count(), format::CONFIG.len());
     table(1);
-    assert!(result_text().lines().all(|line| line.split('\t').count() == 4), "{}", result_text());
+    assert!(result_text().lines().all(|line| line.split('\t').count() == 5), "{}", result_text());
+    assert!(result_text().contains("\tx y z radio material"), "{}", result_text());
 
     the_shaders_get_a_scene();
 }

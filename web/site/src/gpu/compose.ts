@@ -1,5 +1,7 @@
 // Joins WGSL modules into one text, and finds the module of a line. The renderer's module lists the modules.
 
+import { say } from '../words';
+
 /** A WGSL module. */
 export interface Module {
     name: string;
@@ -33,6 +35,9 @@ export interface ShaderFault {
 
 /** What makes `probe(value);` a statement that stores the value. It stays on its line, so that places stay true. */
 const PROBE = /\bprobe\s*\(/g;
+
+/** A line that begins with a directive. */
+const DIRECTIVE = /^\s*(enable|requires|diagnostic)\b/;
 
 /** What stands before all modules, so that each of them can call `probe`. */
 const PROBED = 'var<private> probed: vec3<f32>;\n';
@@ -78,7 +83,7 @@ export function compose(
     }
     // The first module defines the number type. The list has each module after those that it needs.
     const parts = modules.filter(({ name }, index) => index === 0 || needed.has(name))
-        .map(({ name, path, source }) => ({ name, path, source: ended(edits[name] ?? source) }));
+        .map(({ name, path, source }) => ({ name, path, source: ended(edits[name] ?? source).replace(/^\uFEFF/, ' ') }));
     const code = PROBED + parts.map((part) => withProbes(part.source)).join('') + own;
     return { code, parts };
 }
@@ -93,7 +98,9 @@ export function locate({ parts }: Composition, line: number, column: number, len
             const text = source.split('\n')[own - 1] ?? '';
             const call = withoutComments(text).search(PROBE);
             const moved = call >= 0 && column > call + MOVED ? MOVED : 0;
-            return { module: name, path, line: own, column: Math.max(column - moved, 1), length, message };
+            // A browser advises to move a directive to the start of the text, where it is already.
+            const words = DIRECTIVE.test(text) ? say('directive') : message;
+            return { module: name, path, line: own, column: Math.max(column - moved, 1), length, message: words };
         }
         first += lines;
     }
