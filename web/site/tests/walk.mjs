@@ -1,7 +1,10 @@
-// The walk of docs/shader-lab.md: a colour, a formula with a slider, and a planted fault. With the variable WALK, which
-// names a folder, it writes the pictures of that page.
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
+// The walk of docs/shader-lab.md: a colour, a formula with a slider, and a planted fault; and what the README shows. With
+// the variable WALK, which names the folder of the pages, it writes their screenshots.
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { figures, FAULT } from './compare.mjs';
 import { edit } from './shaders.mjs';
 import { check, digest, equal, frame, pixels, rmse, still, textOf, type } from './tools.mjs';
@@ -10,13 +13,14 @@ import { check, digest, equal, frame, pixels, rmse, still, textOf, type } from '
 const HIGHEST = 700;
 
 /** Writes a picture of a part of the page. */
-async function picture(page, selector, name) {
+async function picture(page, selector, name, highest = HIGHEST) {
     if (process.env.WALK) {
-        mkdirSync(process.env.WALK, { recursive: true });
+        const path = join(process.env.WALK, `${name}.png`);
+        mkdirSync(dirname(path), { recursive: true });
         await page.evaluate((parts) => document.querySelector(parts).scrollIntoView(), selector);
         const { x, y, width, height } = await page.locator(selector).boundingBox();
-        const clip = { x, y, width, height: Math.min(height, HIGHEST) };
-        await page.screenshot({ path: join(process.env.WALK, `${name}.png`), clip });
+        const clip = { x, y, width, height: Math.min(height, highest) };
+        await page.screenshot({ path, clip });
     }
 }
 
@@ -41,7 +45,7 @@ export const tests = {
         await frame(page);
         await still(page);
         await page.waitForFunction(() => Number(document.getElementById('live-canvas').dataset.samples) >= 64);
-        await picture(page, '.result', 'live');
+        await picture(page, '.result', 'shader-lab/live');
         await page.check('#live-fixed');
         await still(page);
 
@@ -60,7 +64,7 @@ export const tests = {
         check(await change(page, () => edit(page, 'fn background_color',
             'override gain: f32 = 0.5; // slider 0..2 step .01\nfn background_color')) > 1, 'the formula changes the view');
         await change(page, () => page.fill('#knobs input', '1.6'));
-        await picture(page, 'main', 'formula');
+        await picture(page, 'main', 'shader-lab/formula');
         await page.click('#shader-reset');
 
         // 3. A planted fault.
@@ -72,7 +76,7 @@ export const tests = {
         check(differing > 0, `${differing} pixels differ`);
         await page.selectOption('#compare-view', 'ulps');
         console.log(await page.textContent('#compare-figures'));
-        await picture(page, '.result', 'compare');
+        await picture(page, '.result', 'shader-lab/compare');
         const map = await pixels(page, 'compare-map');
         const marked = Array.from({ length: map.width * map.height }, (_, index) => index).filter((index) => map.bytes[3 * index] > 0);
         // Most faults are at the first hit. A later one is carried on from there, or of a ray inside an object.
@@ -92,6 +96,36 @@ export const tests = {
         }
         console.log(await page.textContent('#pixel-first'));
         check((await page.textContent('#pixel-first')).includes(', lambda'), 'the fault is in the distance of a hit');
-        await picture(page, '#pixel-pane', 'pixel');
+        await picture(page, '#pixel-pane', 'shader-lab/pixel');
+    },
+
+    async 'the walk through the README shows a progress bar and the page of measurements'({ open, url }) {
+        const folder = mkdtempSync(join(tmpdir(), 'readme-'));
+        const root = join(import.meta.dirname, '../../..');
+        const run = (...words) => {
+            const { status, stdout, stderr } = spawnSync(words[0], words.slice(1), { cwd: root, encoding: 'utf8' });
+            equal(status, 0, `${words}: ${stdout}${stderr}`);
+            return stdout;
+        };
+        const page = await open(url, { viewport: { width: 900, height: 1500 }, colorScheme: 'dark' });
+        const files = 'render scenes/materials/config.txt scenes/materials/scene.txt';
+        const printed = run('script', '-qec', `${process.env.RENDER_LAB} ${files} ${join(folder, 'o.png')}`, '/dev/null');
+        // The bar is drawn again and again. The line nearest to the half is shown.
+        const bars = Array.from(printed.matchAll(/[\u2588\u2591]+ +(\d+) % .* left/g));
+        const [half] = bars.sort(([, one], [, other]) => Math.abs(one - 50) - Math.abs(other - 50))[0];
+        await page.goto('about:blank');
+        await page.setContent(`<body style="margin: 0"><pre style="margin: 0; padding: 1.2em; font-size: 17px; line-height: 1.5; background: #202226; color: #e8e8ea">`
+            + `$ render-lab ${files} o.png\n${half}</pre>`);
+        await picture(page, 'pre', 'gallery/progress');
+        run(process.env.RENDER_LAB, 'report', 'docs/report/data/bench.json', '--out', folder);
+        await page.emulateMedia({ colorScheme: 'light' });
+        await page.goto(pathToFileURL(join(folder, 'index.html')).href);
+        const shown = page.locator('h2', { hasText: 'Scenes' });
+        check(await page.locator('svg').count() > 3, 'the charts');
+        if (process.env.WALK) {
+            await shown.evaluate((title) => title.scrollIntoView());
+            await page.screenshot({ path: join(process.env.WALK, 'gallery/report.png') });
+        }
+        rmSync(folder, { recursive: true });
     },
 };
