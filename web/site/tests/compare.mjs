@@ -156,7 +156,8 @@ export const tests = {
         await page.click('#compare-stage-fit');
         check(await page.locator('.zoomed').count() === 0, 'the whole picture is shown again');
         await page.selectOption('#compare-view', 'linear');
-        check(/e[-+]\d/.test(await page.textContent('#compare-most')), 'the scale of the linear map');
+        const scale = await page.innerText('#compare-scale');
+        check(/e[-+]\d+\s+\(linear scale\)$/.test(scale), scale);
         await page.selectOption('#compare-view', 'both');
         await page.check('#compare-blink');
         // The exact picture is below that of the shaders, so hiding the upper one shows the lower one.
