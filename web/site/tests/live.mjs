@@ -329,7 +329,7 @@ export const tests = {
             await page.waitForTimeout(500);
             const rate = await page.evaluate(async () => {
                 const canvas = document.getElementById('live-canvas');
-                const frames = () => Number(canvas.dataset.frames);
+                const frames = () => Number(canvas.dataset.frames ?? 0);
                 const turnUntil = async (isOver) => {
                     while (!isOver()) {
                         canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
