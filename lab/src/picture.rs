@@ -105,11 +105,7 @@ impl Picture {
     /// # Errors
     /// An error of `out`.
     pub fn write_png(&self, out: impl Write) -> io::Result<()> {
-        let side = |pixels: usize| u32::try_from(pixels).map_err(io::Error::other);
-        let mut encoder = png::Encoder::new(out, side(self.width)?, side(self.height)?);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        let mut writer = encoder.write_header()?;
+        let mut writer = png_encoder(out, [self.width, self.height])?.write_header()?;
         // Writes pieces of [`PIECE`] bytes, so that the whole compressed picture is never in memory.
         let mut stream = writer.stream_writer_with_size(PIECE)?;
         stream.write_all(self.pixels.as_flattened())?;
@@ -130,6 +126,18 @@ impl Picture {
         }
         cpu::internals::image::ppm::write_ppm(&image, out)
     }
+}
+
+/// Returns an encoder for a PNG of this width and height, with three channels of 8 bits.
+///
+/// # Errors
+/// An error if the picture is too large for a PNG.
+pub fn png_encoder<'a, W: Write + 'a>(out: W, size: [usize; 2]) -> io::Result<png::Encoder<'a, W>> {
+    let [width, height] = size.map(|pixels| u32::try_from(pixels).map_err(io::Error::other));
+    let mut encoder = png::Encoder::new(out, width?, height?);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    Ok(encoder)
 }
 
 /// Returns the data URI of the bytes of a PNG: an address with the picture itself, in base 64, for an HTML page.

@@ -7,7 +7,7 @@ use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::Failure;
 
@@ -50,14 +50,13 @@ pub fn table(rows: &[Vec<String>]) -> String {
     rows.iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Returns a progress bar of `steps` steps on standard error, with `what` in front of the time left. It shows nothing
-/// if standard error is not a terminal.
+/// Returns a progress bar of `steps` steps on standard error, with their name `what`. It shows nothing if standard error
+/// is not a terminal.
 #[must_use]
 pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{wide_bar} {pos} of {len} {msg}  {eta} left");
+    let style = ProgressStyle::with_template("{wide_bar} {pos} of {len} {msg}  {per_sec}  {eta} left");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-    let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::stderr());
-    bar.with_style(style).with_message(what)
+    ProgressBar::new(steps as u64).with_style(style).with_message(what)
 }
 
 /// Returns `words` as a command that a user can copy into a shell: unusual words are quoted.

@@ -12,11 +12,11 @@ use indicatif::ProgressBar;
 use output::{Options, Output};
 use serde::Serialize;
 
-use super::render::progress;
 use crate::checkpoint::Origin;
+use crate::convert::transform::turned;
 use crate::engine::{self, ScatterName};
 use crate::interrupt::Interrupt;
-use crate::picture::Picture;
+use crate::picture::{self, Picture};
 use crate::{Failure, sources, terminal};
 
 /// Examples, shown after the help of `animate`.
@@ -67,7 +67,7 @@ pub struct Arguments {
 struct Taken {
     frames: u32,
     /// Number of frames that were rendered. The folder had the others.
-    rendered: u32,
+    rendered: usize,
     seconds: f64,
 }
 
@@ -94,28 +94,27 @@ impl Arguments {
         let config = sources::config(&self.config, &self.set)?;
         let to = self.to.as_ref().map(|path| sources::config(path, &self.set)).transpose()?;
         let scene = sources::scene(&self.scene)?;
-        let inputs: Vec<&Path> =
-            [&self.config, &self.scene].into_iter().chain(&self.to).map(PathBuf::as_path).collect();
-        output::refuse_inputs(&self.out, &inputs)?;
+        let inputs = [&self.config, &self.scene].into_iter().chain(&self.to);
+        output::refuse_inputs(&self.out, &inputs.map(PathBuf::as_path).collect::<Vec<_>>())?;
         let explain = |error| sources::about_picture(Error::Picture(error), &self.config, &self.set);
         let size = config.image_size().map_err(explain)?;
-        let start = Instant::now();
-        let rows = size.height() * self.frames as usize;
-        let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) };
-        let cameras = (0..self.frames).map(|frame| self.camera(frame, &config, to.as_ref()));
+        let cameras: Vec<_> = (0..self.frames).map(|frame| self.camera(frame, &config, to.as_ref())).collect();
         // An invalid camera is an error before the first frame is rendered.
-        for (frame, config) in cameras.clone().enumerate() {
+        for (frame, config) in cameras.iter().enumerate() {
             config.check_picture().map_err(|error| format!("frame {frame}: {error}"))?;
         }
-        let film = Film { scene: &scene, scatter: self.scatter, bar: &bar, interrupt: Interrupt::listen() };
+        let (start, interrupt) = (Instant::now(), Interrupt::listen());
+        let rows = size.height() * cameras.len();
+        let bar = if self.quiet { ProgressBar::hidden() } else { terminal::progress(rows, "rows") };
+        let film = Film { scene: &scene, scatter: self.scatter, cameras, size, bar, interrupt };
         let rendered = if self.out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
-            self.write_animated(&film, cameras, size, options)?
+            film.write_animated(&self.out, self.rate, options)?
         } else {
             let origin = |config| Origin::new(config, &scene, self.scatter);
             let about = About { from: origin(&config), to: to.as_ref().map(origin), frames: self.frames };
-            self.write_folder(&film, cameras, (&about, size), options)?
+            film.write_folder(&self.out, &about, options)?
         };
-        bar.finish_and_clear();
+        film.bar.finish_and_clear();
         let taken = Taken { frames: self.frames, rendered, seconds: start.elapsed().as_secs_f64() };
         if self.json {
             super::print_json(&taken)?;
@@ -147,89 +146,23 @@ impl Arguments {
         }
         config
     }
-
-    /// Writes all frames into one file.
-    fn write_animated(
-        &self,
-        film: &Film<'_>,
-        cameras: impl Iterator<Item = Config>,
-        size: Size,
-        options: Options,
-    ) -> Result<u32, Failure> {
-        let mut output = Output::open(&self.out, options)?;
-        let side = |pixels| u32::try_from(pixels).map_err(|_| "too large a picture for a PNG".to_owned());
-        let text = |error: png::EncodingError| error.to_string();
-        let mut encoder = png::Encoder::new(&mut output, side(size.width())?, side(size.height())?);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_animated(self.frames, 0).map_err(text)?;
-        encoder.set_frame_delay(1, self.rate).map_err(text)?;
-        let mut writer = encoder.write_header().map_err(text)?;
-        for (frame, config) in (0..).zip(cameras) {
-            let picture = film.frame(frame, &config)?.ok_or(Failure::Interrupted)?;
-            writer.write_image_data(picture.pixels.as_flattened()).map_err(text)?;
-        }
-        writer.finish().map_err(text)?;
-        output.commit()?;
-        Ok(self.frames)
-    }
-
-    /// Writes each frame into a file of its own, if the folder does not have it whole. Returns how many frames were
-    /// rendered.
-    fn write_folder(
-        &self,
-        film: &Film<'_>,
-        cameras: impl Iterator<Item = Config>,
-        (about, size): (&About, Size),
-        options: Options,
-    ) -> Result<u32, Failure> {
-        let name = terminal::name(&self.out);
-        fs::create_dir_all(&self.out).map_err(|error| format!("{name}: {error}"))?;
-        let about = serde_json::to_string_pretty(about).map_err(|error| error.to_string())?;
-        let place = self.out.join(ABOUT);
-        let frames = || (0..self.frames).map(|frame| self.out.join(format!("{frame:04}.png")));
-        match fs::exists(&place).map_err(|error| format!("{name}: {error}"))? {
-            true if cpu::internals::input::reader::read_text(&place, 1 << 16).ok().as_ref() != Some(&about) => {
-                return Err(format!("{name}: it has frames of another animation; choose another folder").into());
-            }
-            true => {}
-            false => {
-                if let Some(old) = frames().find(|path| path.exists()) {
-                    let remedy = format!("no {ABOUT} tells its animation; choose another folder, or delete its frames");
-                    return Err(format!("{}: {remedy}", terminal::name(&old)).into());
-                }
-                Output::open(&place, options)?.fill(|file| file.write_all(about.as_bytes()))?;
-            }
-        }
-        let is_whole = |old: Picture| (old.width, old.height) == (size.width(), size.height());
-        let mut rendered = 0;
-        for ((frame, path), config) in (0..).zip(frames()).zip(cameras) {
-            if path.exists() && Picture::read(&path).is_ok_and(is_whole) {
-                film.bar.inc(size.height() as u64);
-                continue;
-            }
-            let Some(picture) = film.frame(frame, &config)? else {
-                let message = format!("{name} has {frame} of {} frames; the same command goes on", self.frames);
-                return Err(Failure::Kept { message, interrupted: true });
-            };
-            Output::open(&path, options)?.fill(|file| picture.write_png(file))?;
-            rendered += 1;
-        }
-        Ok(rendered)
-    }
 }
 
-/// What all frames have in common.
+/// The frames, with what they have in common.
 struct Film<'a> {
     scene: &'a Scene,
     scatter: ScatterName,
-    bar: &'a ProgressBar,
+    /// The configuration of each frame.
+    cameras: Vec<Config>,
+    size: Size,
+    bar: ProgressBar,
     interrupt: Interrupt,
 }
 
 impl Film<'_> {
     /// Renders a frame. Returns `None` if a signal stopped it.
-    fn frame(&self, frame: u32, config: &Config) -> Result<Option<Picture>, Failure> {
-        let prepared = Prepared::<Aos>::new(config, self.scene, self.scatter.into());
+    fn frame(&self, frame: usize) -> Result<Option<Picture>, Failure> {
+        let prepared = Prepared::<Aos>::new(&self.cameras[frame], self.scene, self.scatter.into());
         let prepared = prepared.map_err(|error| format!("frame {frame}: {error}"))?;
         let (image, rows) = engine::render_rows(&prepared, None, |_, _, _| {
             self.bar.inc(1);
@@ -237,22 +170,56 @@ impl Film<'_> {
         })?;
         Ok((rows == prepared.size.height()).then(|| Picture::of(&image)).transpose()?)
     }
-}
 
-/// Returns `vector`, turned by `angle` in radians about `axis`, which has length one (Rodrigues' formula).
-fn turned(vector: Vec3, axis: Vec3, angle: f64) -> Vec3 {
-    let (sin, cos) = angle.sin_cos();
-    vector * cos + axis.cross(vector) * sin + axis * (axis.dot(vector) * (1.0 - cos))
-}
+    /// Writes all frames into the file `out`. Returns their number.
+    fn write_animated(&self, out: &Path, rate: u16, options: Options) -> Result<usize, Failure> {
+        let mut output = Output::open(out, options)?;
+        let text = |error: png::EncodingError| error.to_string();
+        let mut encoder = picture::png_encoder(&mut output, [self.size.width(), self.size.height()])?;
+        encoder.set_animated(self.cameras.len() as u32, 0).map_err(text)?;
+        encoder.set_frame_delay(1, rate).map_err(text)?;
+        let mut writer = encoder.write_header().map_err(text)?;
+        for frame in 0..self.cameras.len() {
+            let picture = self.frame(frame)?.ok_or(Failure::Interrupted)?;
+            writer.write_image_data(picture.pixels.as_flattened()).map_err(text)?;
+        }
+        writer.finish().map_err(text)?;
+        output.commit()?;
+        Ok(self.cameras.len())
+    }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_vector_turns_about_its_axis() {
-        let (axis, right) = (Vec3::new(0.0, 0.0, 1.0), std::f64::consts::FRAC_PI_2);
-        let turned = turned(Vec3::new(2.0, 0.0, 5.0), axis, right);
-        assert!((turned - Vec3::new(0.0, 2.0, 5.0)).length() < 1e-15, "{turned:?}");
+    /// Writes each frame into a file of its own, if the folder does not have it whole. Returns how many frames were
+    /// rendered.
+    fn write_folder(&self, folder: &Path, about: &About, options: Options) -> Result<usize, Failure> {
+        let name = terminal::name(folder);
+        fs::create_dir_all(folder).map_err(|error| format!("{name}: {error}"))?;
+        let about = serde_json::to_string_pretty(about).map_err(|error| error.to_string())?;
+        let place = folder.join(ABOUT);
+        let frames: Vec<_> = (0..self.cameras.len()).map(|frame| folder.join(format!("{frame:04}.png"))).collect();
+        if fs::exists(&place).map_err(|error| format!("{name}: {error}"))? {
+            if cpu::internals::input::reader::read_text(&place, 1 << 16).ok().as_ref() != Some(&about) {
+                return Err(format!("{name}: it has frames of another animation; choose another folder").into());
+            }
+        } else if let Some(old) = frames.iter().find(|path| path.exists()) {
+            let remedy = format!("no {ABOUT} tells its animation; choose another folder, or delete its frames");
+            return Err(format!("{}: {remedy}", terminal::name(old)).into());
+        } else {
+            Output::open(&place, options)?.fill(|file| file.write_all(about.as_bytes()))?;
+        }
+        let is_whole = |old: Picture| (old.width, old.height) == (self.size.width(), self.size.height());
+        let mut rendered = 0;
+        for (frame, path) in frames.iter().enumerate() {
+            if path.exists() && Picture::read(path).is_ok_and(is_whole) {
+                self.bar.inc(self.size.height() as u64);
+                continue;
+            }
+            let Some(picture) = self.frame(frame)? else {
+                let message = format!("{name} has {frame} of {} frames; the same command goes on", frames.len());
+                return Err(Failure::Kept { message, interrupted: true });
+            };
+            Output::open(path, options)?.fill(|file| picture.write_png(file))?;
+            rendered += 1;
+        }
+        Ok(rendered)
     }
 }

@@ -11,7 +11,7 @@ use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Command};
 use cpu::internals::{InstructionSet, Prepared, render_linear};
 use cpu::{Aos, Config, Error, Renderable, Scene, Soa};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use measure::clock::{own_seconds, peak_memory};
 use output::{Options, Output};
 
@@ -182,7 +182,8 @@ impl Arguments {
         let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(explain)?;
         let output = Output::open(&sources::output(&self.out), options)?;
         let (before, start) = (own_seconds(), Instant::now());
-        let bar = if self.quiet { ProgressBar::hidden() } else { progress(prepared.size.height()) };
+        let rows = prepared.size.height();
+        let bar = if self.quiet { ProgressBar::hidden() } else { terminal::progress(rows, "rows") };
         let (picture, rows) = make(&prepared, &bar)?;
         bar.finish_and_clear();
         let (width, height) = match &picture {
@@ -265,19 +266,6 @@ fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: us
         (Some(_), Some(rows)) => Ok(rows),
         _ => Err(format!("--crop goes beyond the picture of {width} x {height} pixels")),
     }
-}
-
-/// Returns a progress bar on standard error. It shows nothing if standard error is not a terminal.
-pub(super) fn progress(rows: usize) -> ProgressBar {
-    const TEMPLATE: &str = "{wide_bar} {percent:>3} %  {per_sec}  {eta} left";
-    let style = ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::with_draw_target(Some(rows as u64), ProgressDrawTarget::stderr()).with_style(style.with_key(
-        "per_sec",
-        |state: &indicatif::ProgressState, out: &mut dyn std::fmt::Write| {
-            // An error is ignored: it means that the bar cannot be shown.
-            let _ = write!(out, "{:.0} rows/s", state.per_sec());
-        },
-    ))
 }
 
 #[cfg(test)]

@@ -37,9 +37,8 @@ impl Transform {
     /// Returns the rotation about `axis` by an angle in degrees.
     #[must_use]
     pub fn rotate(axis: Vec3, degrees: f64) -> Self {
-        let (axis, (sine, cosine)) = (axis.unit(), degrees.to_radians().sin_cos());
-        let turned = |v: Vec3| v * cosine + axis.cross(v) * sine + axis * (axis.dot(v) * (1.0 - cosine));
-        Self::new(Self::IDENTITY.columns.map(turned), Vec3::ZERO)
+        let turn = |vector| turned(vector, axis.unit(), degrees.to_radians());
+        Self::new(Self::IDENTITY.columns.map(turn), Vec3::ZERO)
     }
 
     /// Returns the transform of a 4 x 4 matrix, column by column, or `None` if the last row is not 0 0 0 1.
@@ -127,4 +126,10 @@ impl Transform {
         let is_square = cosines.iter().all(|cosine| cosine.abs() < ERROR);
         (if (mean - 1.0).abs() < 1e-12 { 1.0 } else { mean }, is_equal && is_square)
     }
+}
+
+/// Returns `vector`, turned by `angle` in radians about `axis`, which has length one (Rodrigues' formula).
+pub fn turned(vector: Vec3, axis: Vec3, angle: f64) -> Vec3 {
+    let (sine, cosine) = angle.sin_cos();
+    vector * cosine + axis.cross(vector) * sine + axis * (axis.dot(vector) * (1.0 - cosine))
 }
