@@ -3,8 +3,8 @@
 //! A checkpoint is a line of JSON (`Header`), the words of both random streams, the bytes of all finished rows, and
 //! the SHA-256 digest of all this.
 
-use std::fmt::{self, Debug, Display, Write as _};
-use std::io::{self, BufWriter, Write};
+use std::fmt::Display;
+use std::io;
 use std::path::Path;
 
 use cpu::internals::Streams;
@@ -14,6 +14,7 @@ use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use crate::picture::with_room;
 use crate::{Failure, terminal};
 
 /// Largest size in bytes of the header and the streams.
@@ -38,8 +39,9 @@ impl Origin {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scatter: scatter.to_string(),
-            config_sha256: digest_of(config),
-            scene_sha256: digest_of(scene),
+            // Two inputs with the same meaning have the same text.
+            config_sha256: digest::sha256(generator::write::config(config).as_bytes()),
+            scene_sha256: digest::sha256(generator::write::scene(scene).as_bytes()),
         }
     }
 
@@ -58,23 +60,6 @@ impl Origin {
             (true, false) => Err("it is of another scene".to_owned()),
         }
     }
-}
-
-/// Returns the digest of a checked input: two texts with the same meaning have the same digest.
-fn digest_of(value: &impl Debug) -> String {
-    struct Text(Sha256);
-
-    impl fmt::Write for Text {
-        fn write_str(&mut self, text: &str) -> fmt::Result {
-            self.0.update(text);
-            Ok(())
-        }
-    }
-
-    let mut text = Text(Sha256::new());
-    // Writing to a digest never fails. The text of a number has all its digits.
-    let _ = write!(text, "{value:?}");
-    digest::hexadecimal(&text.0.finalize())
 }
 
 /// The first line of a checkpoint.
@@ -150,48 +135,28 @@ impl Checkpoint {
     /// Replaces the file at `path` by the checkpoint of the first `rows` rows of `image`, completely or not at all.
     ///
     /// # Errors
-    /// An error of the file.
+    /// An error of the file, or of memory.
     pub fn write(
         (path, options): (&Path, Options),
         origin: &Origin,
         (rows, image): (usize, &impl Image),
         streams: &mut Streams<'_>,
-    ) -> Result<(), output::Error> {
+    ) -> Result<(), Failure> {
         let mut words = Vec::new();
         streams.visit(|word| words.extend(word.to_le_bytes()));
         let size = image.size();
         let (origin, width, height) = (origin.clone(), size.width(), size.height());
         let header = Header { format: FORMAT, origin, width, height, rows, words: words.len() / 8 };
-        Output::open(path, options)?.fill(|file| {
-            let mut file = BufWriter::with_capacity(1 << 16, Summed { file, digest: Sha256::new() });
-            serde_json::to_writer(&mut file, &header)?;
-            file.write_all(b"\n")?;
-            file.write_all(&words)?;
-            for index in 0..rows * width {
-                let Rgb { red, green, blue } = image.pixel(index);
-                file.write_all(&[red, green, blue])?;
-            }
-            let Summed { file, digest } = file.into_inner().map_err(io::IntoInnerError::into_error)?;
-            file.write_all(&digest.finalize())
-        })
-    }
-}
-
-/// A file, with the digest of all that was written to it.
-struct Summed<'a> {
-    file: &'a mut dyn Write,
-    digest: Sha256,
-}
-
-impl Write for Summed<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let count = self.file.write(bytes)?;
-        self.digest.update(&bytes[..count]);
-        Ok(count)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+        let mut bytes = with_room(MOST_BEFORE_PIXELS as usize + 3 * rows * width)?;
+        serde_json::to_writer(&mut bytes, &header).map_err(io::Error::from)?;
+        bytes.push(b'\n');
+        bytes.extend(words);
+        for index in 0..rows * width {
+            let Rgb { red, green, blue } = image.pixel(index);
+            bytes.extend([red, green, blue]);
+        }
+        bytes.extend(Sha256::digest(&bytes));
+        Ok(Output::open(path, options)?.fill(|file| file.write_all(&bytes))?)
     }
 }
 

@@ -131,7 +131,7 @@ impl Run {
             && (ends || keep.written.elapsed() >= keep.every)
         {
             let result = Checkpoint::write((&keep.path, keep.options), &keep.origin, (row, image), streams);
-            keep.failed = result.err().map(Failure::from);
+            keep.failed = result.err();
             // A full disk may have room again a minute later, so the run goes on. A finished picture needs no
             // checkpoint.
             let is_error = ends && row < self.rows;
