@@ -1,6 +1,6 @@
 //! Finds the disks that close cylinders. Cylinders of pbrt and Mitsuba are open, and ours are closed.
 
-use cpu::Shape;
+use cpu::{Shape, Vec3};
 
 use super::world::World;
 
@@ -10,7 +10,9 @@ const ERROR: f64 = 1e-5;
 /// Notes cylinders that two disks do not close, and disks that close none.
 pub fn close_cylinders(world: &mut World) {
     let disks = &mut world.disks;
-    disks.sort_by(|one, other| one.center.x.total_cmp(&other.center.x));
+    // The disks near a place are found along a direction that no rows of a scene are likely to have.
+    let along = |place: Vec3| place.dot(Vec3::new(0.61, 0.53, 0.59));
+    disks.sort_by(|one, other| along(one.center).total_cmp(&along(other.center)));
     let mut closes = vec![false; disks.len()];
     let cylinders = world.scene.objects.iter().filter_map(|object| match object.shape {
         Shape::Cylinder(cylinder) => Some((cylinder, object.material)),
@@ -20,8 +22,8 @@ pub fn close_cylinders(world: &mut World) {
         let near = ERROR * (cylinder.radius + cylinder.axis.length() + cylinder.center.length());
         let mut is_cap = |half: f64| {
             let end = cylinder.center + cylinder.axis * half;
-            let first = disks.partition_point(|disk| disk.center.x < end.x - near);
-            let cap = (first..disks.len()).take_while(|&at| disks[at].center.x <= end.x + near).find(|&at| {
+            let first = disks.partition_point(|disk| along(disk.center) < along(end) - near);
+            let cap = (first..disks.len()).take_while(|&at| along(disks[at].center) <= along(end) + near).find(|&at| {
                 let disk = &disks[at];
                 let is_there = !closes[at] && (disk.center - end).length() <= near && disk.material == material;
                 let cosine = disk.normal.unit().dot(cylinder.axis.unit()).abs();

@@ -87,7 +87,10 @@ fn set_size(config: &mut Config, [width, height]: [u64; 2]) {
     // The height is rounded down, so the last ratio, which is in the middle of those that give it, always does.
     let simple =
         (1..=MOST.min(height)).map(|part| [(u128::from(width) * u128::from(part) / u128::from(height)) as u64, part]);
-    for ratio in simple.filter(|ratio| ratio[0] > 0).chain([[2 * width, 2 * height + 1]]) {
+    for ratio in simple
+        .filter(|ratio| ratio[0] > 0)
+        .chain([[width.saturating_mul(2), height.saturating_mul(2).saturating_add(1)]])
+    {
         config.aspect_ratio = ratio;
         if config.image_size().is_ok_and(|size| (size.width() as u64, size.height() as u64) == (width, height)) {
             return;

@@ -1,6 +1,6 @@
 //! Collects what a conversion leaves out or approximates, with the file and the lines, and reports faults in a file.
 
-use std::collections::HashMap;
+use indexmap::IndexMap;
 
 use crate::{Failure, terminal};
 
@@ -15,10 +15,8 @@ pub type Fault = (Place, String);
 pub struct Notes {
     /// The names of the files that are read, for messages.
     pub files: Vec<String>,
-    /// Each text with the file, and the lines to which it applies.
-    found: Vec<(usize, String, Vec<usize>)>,
-    /// The position in `found` of each file and text.
-    positions: HashMap<(usize, String), usize>,
+    /// The lines of a file to which each text applies.
+    found: IndexMap<(usize, String), Vec<usize>>,
 }
 
 impl Notes {
@@ -30,12 +28,7 @@ impl Notes {
 
     /// Adds a note about the line `place`. Notes of one text about several lines are printed as one.
     pub fn add(&mut self, (file, line): Place, text: impl Into<String>) {
-        let text = text.into();
-        let position = *self.positions.entry((file, text.clone())).or_insert(self.found.len());
-        match self.found.get_mut(position) {
-            Some((_, _, lines)) => lines.push(line),
-            None => self.found.push((file, text, vec![line])),
-        }
+        self.found.entry((file, text.into())).or_default().push(line);
     }
 
     /// Returns the notes as lines of text: file, line, what has no match and what is done instead.
@@ -43,7 +36,7 @@ impl Notes {
     pub fn to_lines(&self) -> Vec<String> {
         /// Number of further lines that a note names.
         const MOST: usize = 5;
-        let line = |(file, text, lines): &(usize, String, Vec<usize>)| {
+        let line = |((file, text), lines): (&(usize, String), &Vec<usize>)| {
             let others = &lines[1..];
             let named: Vec<_> = others.iter().take(MOST).map(usize::to_string).collect();
             let more = match others.len() {

@@ -91,23 +91,13 @@ impl Plugin {
     /// Returns the whole number of a parameter, or `default` if it is missing.
     ///
     /// # Errors
-    /// Those of [`Plugin::numbers`], and a fault if the number is not whole or not from `least` to 2^31.
+    /// A fault if it is not written with digits alone, or not from `least` to 2^64 - 1.
     pub fn whole(&self, name: &str, default: u64, least: u64) -> Result<u64, Fault> {
-        let value = self.real(name, default as f64)?;
-        let most = f64::from(1_u32 << 31);
-        if value.fract() != 0.0 || value < least as f64 || value > most {
-            let text = format!("[{name}] must be a whole number from {least} to {most}, and is {value}");
-            return Err((self.place_of(name), text));
-        }
-        Ok(value as u64)
-    }
-
-    /// Returns the three numbers of a parameter as a point or a vector.
-    ///
-    /// # Errors
-    /// Those of [`Plugin::numbers`].
-    pub fn vector(&self, name: &str, default: [f64; 3]) -> Result<Vec3, Fault> {
-        Ok(self.numbers(name, default)?.into())
+        let Some(param) = self.param(name) else { return Ok(default) };
+        let number = if let [word] = &param.words[..] { word.parse().ok() } else { None };
+        let text =
+            || format!("[{name}] must be one whole number, at least {least}, and is [{}]", param.words.join(" "));
+        number.filter(|&number| number >= least).ok_or_else(|| (param.place, text()))
     }
 
     /// Returns the colour of a parameter: three numbers, one number, or `#rrggbb`. A texture or a spectrum has no

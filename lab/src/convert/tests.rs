@@ -161,137 +161,95 @@ fn a_scene_of_mitsuba_is_read_with_notes_on_what_has_no_match() {
          cylinder: 0 2 1 1 0 2 0 m1\n"
     );
     let expected = [
+        "a.xml:25: <texture> in <scene> has no match; left out",
         "a.xml:3: an unlimited depth has no match; 100 is taken",
         "a.xml:14: <medium> in <shape> has no match; left out",
         "a.xml:14: a <ref> to something else than a bsdf has no match; left out",
         "a.xml:17: diffusion and roughness blur by different rules; the diffusion is taken as 2 alpha",
         "a.xml:21: <emitter> in <shape> has no match; left out",
         "a.xml:23: shape obj has no match; left out",
-        "a.xml:25: <texture> has no match; left out",
         "a.xml:15: an open cylinder has no match; ours, with two caps, takes its place",
         "a.xml:19: a disk that closes no cylinder has no match; left out",
     ];
     assert_eq!(notes, expected);
 }
 
+/// Returns the name of a file, its text and the expected message of each line of `table`: these three, separated by ` => `.
+/// A text for Mitsuba is put into a scene. Its line ends are written as `\n`.
+fn rows(table: &str) -> impl Iterator<Item = [String; 3]> {
+    let row = |line: &str| {
+        let [name, text, expected] = line.split(" => ").collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let text = text.trim().replace("\\n", "\n");
+        let is_part =
+            name.ends_with(".xml") && !["<scene>", "<!DOCTYPE", "<a/>"].iter().any(|tag| text.starts_with(tag));
+        let text = if is_part { format!("<scene>\n{text}\n</scene>") } else { text };
+        [name.trim().to_owned(), text, expected.to_owned()]
+    };
+    table.trim().lines().map(row)
+}
+
+const LOSSES: &str = r##"
+a.pbrt => \nCamera "perspective"\nCamera "perspective" => a.pbrt:2: another camera follows this one, which is left out
+a.pbrt => Camera "perspective"\n"float screenwindow" [2 -2 1 -1] => a.pbrt:2: [screenwindow] is not symmetrical, or it is
+a.pbrt => Camera "perspective"\n"float screenwindow" [-1 3 -1 1] => a.pbrt:2: [screenwindow] is not symmetrical, or it is
+a.pbrt => \nCamera "perspective" "float screenwindow" [-1 1 -1 1] => a.pbrt:2: [screenwindow] is not as wide as the pict
+a.pbrt => Camera "realistic"\n"string lensfile" "a" => a.pbrt:2: [lensfile] of Camera realistic has no match; left out
+a.pbrt => Camera "perspective"\nMaterial "conductor" "texture roughness" "t" => a.pbrt:2: texture [roughness] has no match; 0
+a.xml => <sensor type='perspective'/>\n<sensor type='thinlens'/> => a.xml:3: a sensor that is not
+a.xml => <sensor type='perspective'/>METAL => a.xml:2: the metal [Cr] has no match
+a.xml => <sensor type='perspective'/><bsdf type='twosided'>METAL\nMETAL</bsdf> => a.xml:3: a second bsdf in a twosided one
+a.xml => <sensor type='perspective'/><bsdf type='roughconductor'>\nTEXTURE</bsdf> => a.xml:3: texture [alpha] has no match; 0.1
+"##;
+
 #[test]
 fn nothing_is_lost_without_a_note() {
-    let film = r#"Film "rgb" "integer xresolution" 200 "integer yresolution" 100 "#;
-    let camera = |params: &str| format!("{film}\nCamera \"perspective\" {params}");
-    let in_scene = |text: &str| format!("<scene>\n{text}\n</scene>");
     let metal = "<bsdf type='conductor'><string name='material' value='Cr'/></bsdf>";
-    let alpha = "<texture type='bitmap' name='alpha'/>";
-    let cases = [
-        ("a.pbrt", camera("Camera \"perspective\""), "a.pbrt:2: another camera follows this one, which is left out"),
-        (
-            "a.pbrt",
-            camera("\"float screenwindow\" [2 -2 1 -1]"),
-            "a.pbrt:2: [screenwindow] is not symmetrical, or it is",
-        ),
-        (
-            "a.pbrt",
-            camera("\"float screenwindow\" [-1 3 -1 1]"),
-            "a.pbrt:2: [screenwindow] is not symmetrical, or it is",
-        ),
-        (
-            "a.pbrt",
-            camera("\"float screenwindow\" [-1 1 -1 1]"),
-            "a.pbrt:2: [screenwindow] is not as wide as the picture",
-        ),
-        (
-            "a.pbrt",
-            "Camera \"realistic\"\n\"string lensfile\" \"a\"".to_owned(),
-            "a.pbrt:2: [lensfile] of Camera realistic has no match; left out",
-        ),
-        (
-            "a.pbrt",
-            camera("\nMaterial \"conductor\" \"texture roughness\" \"t\""),
-            "a.pbrt:3: texture [roughness] has no match; 0 takes its place",
-        ),
-        ("a.xml", in_scene("<sensor type='perspective'/>\n<sensor type='thinlens'/>"), "a.xml:3: a sensor that is not"),
-        ("a.xml", in_scene(&format!("<sensor type='perspective'/>{metal}")), "a.xml:2: the metal [Cr] has no match"),
-        (
-            "a.xml",
-            in_scene(&format!("<sensor type='perspective'/><bsdf type='twosided'>{metal}\n{metal}</bsdf>")),
-            "a.xml:3: a second bsdf in a twosided one has no match",
-        ),
-        (
-            "a.xml",
-            in_scene(&format!("<sensor type='perspective'/><bsdf type='roughconductor'>\n{alpha}</bsdf>")),
-            "a.xml:3: texture [alpha] has no match; 0.1 takes its place",
-        ),
-    ];
-    for (name, text, expected) in cases {
-        let (_, _, notes) = read(name, text.as_bytes()).expect(&text);
-        assert!(notes.iter().any(|note| note.starts_with(expected)), "{notes:?}");
+    let losses = LOSSES.replace("METAL", metal).replace("TEXTURE", "<texture type='bitmap' name='alpha'/>");
+    for [name, text, expected] in rows(&losses) {
+        let (_, _, notes) = read(&name, text.as_bytes()).expect(&text);
+        assert!(notes.iter().any(|note| note.starts_with(&expected)), "{notes:?}");
     }
     // What is left out is not used.
-    let scene = in_scene(
-        "<emitter type='constant'><float name='scale' value='.5'/><integer name='radiance' value='1'/></emitter>
-         <shape type='cylinder'/><shape type='disk'><float name='radius' value='3'/></shape>
-         <shape type='disk'><transform name='to_world'><translate z='1'/></transform></shape>",
-    );
+    let scene = "<scene><emitter type='constant'><float name='scale' value='.5'/><integer name='radiance' value='1'/>
+         </emitter><shape type='cylinder'/><shape type='disk'><float name='radius' value='3'/></shape>
+         <shape type='disk'><transform name='to_world'><translate z='1'/></transform></shape></scene>";
     let (config, _, notes) = read("a.xml", scene.as_bytes()).expect("it is a scene");
     assert!(config.ends_with("light_color: 1 1 1\n"), "{config}");
     assert!(["closes", "integer"].iter().all(|word| !notes.join("\n").contains(word)), "{notes:?}");
 }
 
+const FAULTS: &str = r##"
+a.pbrt => WorldBegin\nShape "sphere" "float radius" 1e999 => a.pbrt:2: [1e999] is not a finite number; write
+a.pbrt => Translate 1 nan 0 => a.pbrt:1: [nan] is not
+a.pbrt => \n\nShape "sphere => a.pbrt:3: a text begins here; close it
+a.pbrt => Shape "sphere" "radius" 1 => a.pbrt:1: [radius] is no parameter; write a type
+a.pbrt => Shape "sphere" "float radius" [ 1 => a.pbrt:1: the file ends here
+a.pbrt => Shape "sphere" "float radius" -1 => a.pbrt:1: Shape sphere needs a finite place
+a.pbrt => AttributeBegin\nShape "sphere" => a.pbrt:2: the file ends here, and a AttributeBegin
+a.pbrt => AttributeEnd => a.pbrt:1: no AttributeBegin
+a.pbrt => CoordSysTransform "world" => a.pbrt:1: CoordSysTransform: nothing of the name [world]
+a.pbrt => \nInclude "none.pbrt" => a.pbrt:2: [none.pbrt] cannot be read
+a.pbrt => Include "a.pbrt" => a.pbrt:1: more than 1000 files are included
+a.pbrt => WorldBegin CoordSysTransform "world" Shape "curve" => a.pbrt:1: nothing in this file has a match
+a.pbrt => LookAt 0 0 0 0 0 0 0 1 0\nCamera "perspective" => a.pbrt:2: the camera's position
+a.pbrt => \nCamera "perspective" "float fov" 180 => a.pbrt:2: the field of view is 180 degrees
+a.pbrt => Sampler "sobol"\n"integer pixelsamples" 3e9 => a.pbrt:2: [pixelsamples] must be one whole number, at least 1, and
+a.pbrt => Material "dielectric"\n"float eta" 0 => a.pbrt:2: the refractive index must be a number above 0
+a.xml => <scene>\n<shape></scene> => a.xml:2: this is not correct XML
+a.xml => <!DOCTYPE x [<!ENTITY a "b">]><scene/> => a.xml:1: a document type is not supported
+a.xml => <a/> => a.xml:1: the file is no scene of Mitsuba
+a.xml => <shape type='sphere'><ref id='x'/></shape> => a.xml:2: no bsdf of the scene has the id [x]
+a.xml => <shape type='$x'/> => a.xml:2: $x has no value; add <default name="x"
+a.xml => <shape type='sphere'>\n<float name='radius' value='inf'/></shape> => a.xml:3: [inf] is
+a.xml => <bsdf type='diffuse'>\n<rgb name='reflectance' value='#fff'/></bsdf> => a.xml:3: [reflectance] is no colour; write
+a.xml => <shape/> => a.xml:2: <shape> needs the attribute type
+"##;
+
 #[test]
 fn a_wrong_file_is_refused_with_its_line_and_a_remedy() {
-    let in_scene = |text: &str| format!("<scene>\n{text}\n</scene>");
-    let cases = [
-        (
-            "a.pbrt",
-            "WorldBegin\nShape \"sphere\" \"float radius\" 1e999".to_owned(),
-            "a.pbrt:2: [1e999] is not a finite number; write",
-        ),
-        ("a.pbrt", "Translate 1 nan 0".to_owned(), "a.pbrt:1: [nan] is not"),
-        ("a.pbrt", "\n\nShape \"sphere".to_owned(), "a.pbrt:3: a text begins here; close it"),
-        ("a.pbrt", "Shape \"sphere\" \"radius\" 1".to_owned(), "a.pbrt:1: [radius] is no parameter; write a type"),
-        ("a.pbrt", "Shape \"sphere\" \"float radius\" [ 1".to_owned(), "a.pbrt:1: the file ends here"),
-        ("a.pbrt", "Shape \"sphere\" \"float radius\" -1".to_owned(), "a.pbrt:1: Shape sphere needs a finite place"),
-        ("a.pbrt", "AttributeBegin\nShape \"sphere\"".to_owned(), "a.pbrt:2: the file ends here, and a AttributeBegin"),
-        ("a.pbrt", "AttributeEnd".to_owned(), "a.pbrt:1: no AttributeBegin"),
-        ("a.pbrt", "NamedMaterial \"x\"".to_owned(), "a.pbrt:1: NamedMaterial: nothing of the name [x]"),
-        ("a.pbrt", "\nInclude \"none.pbrt\"".to_owned(), "a.pbrt:2: [none.pbrt] cannot be read"),
-        ("a.pbrt", "Include \"a.pbrt\"".to_owned(), "a.pbrt:1: more than 1000 files are included"),
-        ("a.pbrt", "Shape \"curve\"".to_owned(), "a.pbrt:1: nothing in this file has a match"),
-        ("a.pbrt", "LookAt 0 0 0 0 0 0 0 1 0\nCamera \"perspective\"".to_owned(), "a.pbrt:2: the camera's position"),
-        (
-            "a.pbrt",
-            "\nCamera \"perspective\" \"float fov\" 180".to_owned(),
-            "a.pbrt:2: the field of view is 180 degrees",
-        ),
-        ("a.xml", "<scene>\n<shape></scene>".to_owned(), "a.xml:2: this is not correct XML"),
-        ("a.xml", "<!DOCTYPE x [<!ENTITY a \"b\">]><scene/>".to_owned(), "a.xml:1: a document type is not supported"),
-        ("a.xml", "<a/>".to_owned(), "a.xml:1: the file is no scene of Mitsuba"),
-        (
-            "a.xml",
-            in_scene("<shape type='sphere'><ref id='x'/></shape>"),
-            "a.xml:2: no bsdf of the scene has the id [x]",
-        ),
-        ("a.xml", in_scene("<shape type='$x'/>"), "a.xml:2: $x has no value; add <default name=\"x\""),
-        ("a.xml", in_scene("<shape type='sphere'>\n<float name='radius' value='inf'/></shape>"), "a.xml:3: [inf] is"),
-        (
-            "a.xml",
-            in_scene("<bsdf type='diffuse'>\n<rgb name='reflectance' value='#fff'/></bsdf>"),
-            "a.xml:3: [reflectance] is no colour; write #rrggbb",
-        ),
-        (
-            "a.pbrt",
-            "Sampler \"sobol\"\n\"integer pixelsamples\" 3e9".to_owned(),
-            "a.pbrt:2: [pixelsamples] must be a whole number from 1 to 2147483648, and",
-        ),
-        (
-            "a.pbrt",
-            "Material \"dielectric\"\n\"float eta\" 0".to_owned(),
-            "a.pbrt:2: the refractive index must be a number above 0",
-        ),
-        ("a.xml", in_scene("<shape/>"), "a.xml:2: <shape> needs the attribute type"),
-    ];
-    for (name, text, expected) in cases {
-        let message = read(name, text.as_bytes()).expect_err(&text);
-        assert!(message.starts_with(expected), "{message}");
+    for [name, text, expected] in rows(FAULTS) {
+        let message = read(&name, text.as_bytes()).expect_err(&text);
+        assert!(message.starts_with(&expected), "{message}");
     }
 }
 

@@ -35,7 +35,8 @@ impl Tokens {
         let text = read_text(path, MAX_BYTES - self.bytes)
             .map_err(|error| (place, format!("[{}] cannot be read: {error}", path.display())))?;
         let start = self.rest.len();
-        let (mut rest, mut line) = (&text[..], 1);
+        // A byte order mark is no part of the text.
+        let (mut rest, mut line) = (text.trim_start_matches('\u{feff}'), 1);
         while let Some(first) = rest.chars().next() {
             let is_end = |letter: char| letter.is_whitespace() || "[]\"#".contains(letter);
             let length = match first {

@@ -120,24 +120,15 @@ impl World {
         };
         let shape = match plugin.kind() {
             "sphere" => {
-                let center = to_world.point(plugin.vector("center", [0.0; 3])?);
+                let center = to_world.point(plugin.numbers("center", [0.0; 3])?.into());
                 Shape::Sphere(Sphere { center, radius: scaled(to_world, 3) })
             }
             "cylinder" => {
-                let is_mitsuba = plugin.name.starts_with("shape");
-                let start =
-                    plugin.vector("p0", [0.0, 0.0, plugin.real("zmin", if is_mitsuba { 0.0 } else { -1.0 })?])?;
-                let end = plugin.vector("p1", [0.0, 0.0, plugin.real("zmax", 1.0)?])?;
+                let zmin = plugin.real("zmin", if plugin.name.starts_with("shape") { 0.0 } else { -1.0 })?;
+                let start = Vec3::from(plugin.numbers("p0", [0.0, 0.0, zmin])?);
+                let end = Vec3::from(plugin.numbers("p1", [0.0, 0.0, plugin.real("zmax", 1.0)?])?);
                 let (axis, middle) = (end - start, (start + end) / 2.0);
-                let inner = if (axis.x, axis.y) == (0.0, 0.0) {
-                    Transform {
-                        columns: [Transform::IDENTITY.columns[0], Transform::IDENTITY.columns[1], axis],
-                        ..Transform::translate(middle)
-                    }
-                } else {
-                    Transform::along(axis, middle)
-                };
-                let placed = to_world.then_inner(&inner);
+                let placed = to_world.then_inner(&Transform::along(axis, middle));
                 self.cylinders.push(plugin.place);
                 Shape::Cylinder(Cylinder { center: placed.origin, radius: scaled(&placed, 2), axis: placed.columns[2] })
             }

@@ -23,40 +23,41 @@ pub struct Source<'a> {
     pub sky: Option<&'a str>,
 }
 
-/// Adds what the format cannot hold to `notes`, whose files 0 and 1 have the texts `config` and `scene`.
-pub fn note(source: &Source<'_>, is_pbrt: bool, [config, scene]: [&str; 2], notes: &mut Notes) {
+/// Adds what the format cannot hold to `notes`, whose files 0 and 1 have the texts `texts`.
+pub fn note(source: &Source<'_>, is_pbrt: bool, texts: [&str; 2], notes: &mut Notes) {
+    /// Returns the lines that begin with one of `tags`.
     fn lines<'a>(text: &'a str, tags: &'a [&str]) -> impl Iterator<Item = usize> + 'a {
         let first = |line: &'a str| line.split_ascii_whitespace().next().unwrap_or_default();
         (1..).zip(text.lines()).filter(move |(_, line)| tags.contains(&first(line))).map(|(number, _)| number)
     }
     let default = Config::default();
     let seeds = |config: &Config| [config.material_rng_seed, config.ray_rng_seed];
-    if source.config.gamma != default.gamma {
-        lines(config, &["gamma:"])
-            .last()
-            .into_iter()
-            .for_each(|line| notes.add((0, line), "gamma has no match; left out"));
+    let lost = [
+        (source.config.gamma != default.gamma, &["gamma:"][..], "gamma has no match; left out"),
+        (
+            seeds(source.config) != seeds(&default),
+            &["material_rng_seed:", "ray_rng_seed:"],
+            "seeds of random numbers have no match; left out",
+        ),
+    ];
+    for (_, tags, text) in lost.into_iter().filter(|(is_lost, ..)| *is_lost) {
+        lines(texts[0], tags).for_each(|line| notes.add((0, line), text));
     }
-    if seeds(source.config) != seeds(&default) {
-        let text = "seeds of random numbers have no match; left out";
-        lines(config, &["material_rng_seed:", "ray_rng_seed:"]).for_each(|line| notes.add((0, line), text));
+    for (material, line) in source.scene.materials.iter().zip(lines(texts[1], &["matte:", "metal:", "refractive:"])) {
+        let differs = match *material {
+            Matte { .. } => [Some(MATTE), None],
+            Refractive { .. } => [Some(GLASS), None],
+            Metal { diffusion, .. } => [is_pbrt.then_some(CONDUCTOR), (diffusion > 0.0).then_some(ROUGH)],
+        };
+        differs.into_iter().flatten().for_each(|text| notes.add((1, line), text));
     }
-    for (material, line) in source.scene.materials.iter().zip(lines(scene, &["matte:", "metal:", "refractive:"])) {
-        match *material {
-            Matte { .. } => notes.add((1, line), MATTE),
-            Refractive { .. } => notes.add((1, line), GLASS),
-            Metal { diffusion, .. } => {
-                let differs = [(is_pbrt, CONDUCTOR), (diffusion > 0.0, ROUGH)];
-                differs.iter().filter(|(differs, _)| *differs).for_each(|(_, text)| notes.add((1, line), *text));
-            }
-        }
-    }
-    let radii = source.scene.objects.iter().filter_map(|object| match object.shape {
-        Shape::Cylinder(cylinder) => Some(cylinder.radius),
+    let cylinders = source.scene.objects.iter().filter_map(|object| match object.shape {
+        Shape::Cylinder(cylinder) => Some(cylinder),
         Shape::Sphere(_) => None,
     });
-    let sides = radii.zip(lines(scene, &["cylinder:"])).filter(|(radius, _)| *radius != 1.0);
-    sides.for_each(|(_, line)| notes.add((1, line), SIDE));
+    for (_, line) in cylinders.zip(lines(texts[1], &["cylinder:"])).filter(|(cylinder, _)| cylinder.radius != 1.0) {
+        notes.add((1, line), SIDE);
+    }
 }
 
 /// Returns the scene in the format of pbrt-v4.
