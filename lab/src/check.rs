@@ -63,8 +63,8 @@ impl Report {
         let bar = terminal::progress(cases.len(), "cases");
         let mut outcomes = Vec::new();
         for case in cases {
-            outcomes
-                .push(case.run(program, &folder.join(&case.name), limits).map_err(|error| error.about(&case.name))?);
+            let outcome = case.run(program, &folder.join(&case.name), limits);
+            outcomes.push(outcome.map_err(|error| error.about(&case.name))?);
             bar.inc(1);
         }
         bar.finish_and_clear();
@@ -78,9 +78,8 @@ impl Report {
             if program.place != Path::new(".") {
                 command = format!("cd {} && {command}", terminal::quoted([program.place.as_os_str()]));
             }
-            let (case_name, group) = (case.name.clone(), case.group);
-            let mut checked =
-                Checked { case: case_name, group, faults: Vec::new(), equal: false, difference: None, command };
+            let (name, group, faults) = (case.name.clone(), case.group, Vec::new());
+            let mut checked = Checked { case: name, group, faults, equal: false, difference: None, command };
             match outcome {
                 Err(faults) => checked.faults = faults,
                 Ok(compared) => checked.judge(case, &compared[convention], convention, &place)?,

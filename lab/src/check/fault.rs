@@ -43,35 +43,33 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Returns the name of the fault, and the section of the rule that it breaks. A limit of the check is no rule, and
+    /// the rules on messages depend on the case.
+    const fn about(self) -> (Words, Option<&'static str>) {
+        match self {
+            Self::Crash => (["crash", "el programa aborta"], Some("1.4")),
+            Self::TimeOut => (["over the limit of time", "supera el límite de tiempo"], None),
+            Self::OverMemory => (["over the limit of memory", "supera el límite de memoria"], None),
+            Self::WrongStatus => (["wrong exit status", "código de salida incorrecto"], Some("1.4")),
+            Self::WrongMessage => (["wrong message", "mensaje incorrecto"], None),
+            Self::OutputChanged => (["an error changed OUT", "un error ha cambiado OUT"], Some("1.4")),
+            Self::NoPicture => (["no picture", "no hay imagen"], Some("1.1")),
+            Self::UnreadablePicture => (["unreadable picture", "imagen ilegible"], Some("5.3")),
+            Self::WrongSize => (["picture of a wrong size", "imagen de otro tamaño"], Some("3.2")),
+            Self::WrongPicture => (["wrong picture", "imagen incorrecta"], Some("12")),
+        }
+    }
+
     /// Returns the name of the fault.
     #[must_use]
     pub const fn words(self) -> Words {
-        match self {
-            Self::Crash => ["crash", "el programa aborta"],
-            Self::TimeOut => ["over the limit of time", "supera el límite de tiempo"],
-            Self::OverMemory => ["over the limit of memory", "supera el límite de memoria"],
-            Self::WrongStatus => ["wrong exit status", "código de salida incorrecto"],
-            Self::WrongMessage => ["wrong message", "mensaje incorrecto"],
-            Self::OutputChanged => ["an error changed OUT", "un error ha cambiado OUT"],
-            Self::NoPicture => ["no picture", "no hay imagen"],
-            Self::UnreadablePicture => ["unreadable picture", "imagen ilegible"],
-            Self::WrongSize => ["picture of a wrong size", "imagen de otro tamaño"],
-            Self::WrongPicture => ["wrong picture", "imagen incorrecta"],
-        }
+        self.about().0
     }
 
     /// Returns the fault of a case. A wrong message breaks the rule in the section `message` of the specification.
     #[must_use]
     pub fn fault(self, message: &'static str, expected: impl Into<String>, found: impl Into<String>) -> Fault {
-        let section = match self {
-            Self::TimeOut | Self::OverMemory => None,
-            Self::Crash | Self::WrongStatus | Self::OutputChanged => Some("1.4"),
-            Self::WrongMessage => Some(message),
-            Self::NoPicture => Some("1.1"),
-            Self::UnreadablePicture => Some("5.3"),
-            Self::WrongSize => Some("3.2"),
-            Self::WrongPicture => Some("12"),
-        };
+        let section = if self == Self::WrongMessage { Some(message) } else { self.about().1 };
         Fault { kind: self, section, expected: expected.into(), found: found.into() }
     }
 }

@@ -1,8 +1,8 @@
 //! Runs a program on one case, and finds what is wrong.
 
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::fs;
+use std::path::Path;
 
 use super::cases::{Case, Expected};
 use super::drawn::Drawn;
@@ -26,26 +26,13 @@ pub struct Comparison {
     pub difference: Difference,
 }
 
-/// What lies at OUT.
-#[derive(Debug, PartialEq)]
-enum Found {
-    Nothing,
-    File(Vec<u8>),
-    /// A folder, a pipe, a link, or a file that is too large or cannot be read.
-    Other,
-}
-
-impl Found {
-    fn at(out: &Path) -> Self {
-        match out.symlink_metadata() {
-            Err(_) => Self::Nothing,
-            // A program may leave a pipe or a link to a device, which have no end.
-            Ok(metadata) if metadata.is_file() && metadata.len() <= MAX_FILE_BYTES => {
-                fs::read(out).map_or(Self::Other, Self::File)
-            }
-            Ok(_) => Self::Other,
-        }
-    }
+/// What a run of a program left.
+struct Left {
+    end: End,
+    /// What it printed on standard output and on standard error.
+    printed: [Vec<u8>; 2],
+    /// The bytes of OUT, if there is something. A folder, a pipe, a link, or a file that is too large has none.
+    out: Option<Vec<u8>>,
 }
 
 /// Names of the arguments of a case. More names follow where there are too many arguments.
@@ -64,22 +51,23 @@ impl Case {
     /// # Errors
     /// A file cannot be written, the program cannot be started, or [`Failure::Interrupted`].
     pub fn run(&self, program: &Job, folder: &Path, limits: &Limits) -> Result<Outcome, Failure> {
+        let start = |old| self.start(program, folder, limits, old);
         match &self.expected {
             Expected::Refusal(message) => {
                 // The message must be right without an old file and with one.
-                let faults = self.refused(program, folder, limits, None, message.as_deref())?;
+                let faults = self.refused(start(None)?, None, message.as_deref());
                 if !faults.is_empty() {
                     return Ok(Err(faults));
                 }
-                Ok(Err(self.refused(program, folder, limits, Some("old\n"), message.as_deref())?))
+                Ok(Err(self.refused(start(Some("old\n"))?, Some("old\n"), message.as_deref())))
             }
-            Expected::Picture(_) => Ok(self.drawn(program, folder, limits)?.map(Box::new).map_err(|fault| vec![fault])),
+            Expected::Picture(_) => Ok(self.drawn(start(None)?)?.map_err(|fault| vec![fault])),
         }
     }
 
-    /// Writes the files of the case into `folder`, and `old` as OUT. Returns the path of OUT. A program may have
-    /// replaced or removed any of it in an earlier run.
-    fn prepare(&self, folder: &Path, old: Option<&str>) -> io::Result<PathBuf> {
+    /// Writes the files of the case into `folder`, and `old` as OUT, and runs `program` once. A program may have
+    /// replaced or removed any of the files in an earlier run.
+    fn start(&self, program: &Job, folder: &Path, limits: &Limits, old: Option<&str>) -> Result<Left, Failure> {
         fs::create_dir_all(folder)?;
         let out = folder.join(ARGUMENTS[2]);
         let _ = fs::remove_file(&out);
@@ -88,36 +76,29 @@ impl Case {
             content.as_ref().map_or(Ok(()), |content| fs::write(folder.join(name), content))?;
         }
         old.map_or(Ok(()), |old| fs::write(&out, old))?;
-        Ok(out)
+        let run = supervise::run(&self.command(program, folder), &program.place, folder, limits)?;
+        let printed = PRINTED.map(|name| start_of(&folder.join(name)));
+        // A program may leave a pipe or a link to a device, which have no end.
+        let is_file = |metadata: fs::Metadata| metadata.is_file() && metadata.len() <= MAX_FILE_BYTES;
+        let is_readable = out.symlink_metadata().map(is_file).ok();
+        let bytes = is_readable.map(|it| if it { fs::read(&out).unwrap_or_default() } else { Vec::new() });
+        Ok(Left { end: run.end, printed, out: bytes })
     }
 
-    /// Runs a program that must refuse the case and leave OUT as it was.
-    fn refused(
-        &self,
-        program: &Job,
-        folder: &Path,
-        limits: &Limits,
-        old: Option<&str>,
-        message: Option<&[u8]>,
-    ) -> Result<Vec<Fault>, Failure> {
-        let out = self.prepare(folder, old)?;
-        let run = supervise::run(&self.command(program, folder), &program.place, folder, limits)?;
-        let mut faults: Vec<_> = self.ended(run.end, 1).into_iter().collect();
-        let [printed, said] = PRINTED.map(|name| start_of(&folder.join(name)));
+    /// Returns the faults of a program that had to refuse the case and to leave OUT as it was.
+    fn refused(&self, left: Left, old: Option<&str>, message: Option<&[u8]>) -> Vec<Fault> {
+        let mut faults: Vec<_> = self.ended(left.end, 1).into_iter().collect();
+        let [printed, said] = &left.printed;
         let is_right = message.map_or(said.starts_with(b"Error: "), |message| said == message);
-        if !is_right && matches!(run.end, End::Status(_)) {
-            let expected = message.map_or("Error: ...".to_owned(), shown);
-            let found = if said.is_empty() && !printed.is_empty() {
-                format!("{} (stdout)", shown(&printed))
-            } else {
-                shown(&said)
-            };
-            faults.push(Kind::WrongMessage.fault(self.section, expected, found));
+        if !is_right && matches!(left.end, End::Status(_)) {
+            let is_elsewhere = said.is_empty() && !printed.is_empty();
+            let found = if is_elsewhere { format!("{} (stdout)", shown(printed)) } else { shown(said) };
+            faults.push(Kind::WrongMessage.fault(self.section, message.map_or("Error: ...".to_owned(), shown), found));
         }
-        if Found::at(&out) != old.map_or(Found::Nothing, |old| Found::File(old.into())) {
+        if left.out.as_deref() != old.map(str::as_bytes) {
             faults.push(Kind::OutputChanged.fault(self.section, "", ""));
         }
-        Ok(faults)
+        faults
     }
 
     /// Returns the fault of a run that did not end with the exit status `expected`.
@@ -132,17 +113,14 @@ impl Case {
         Some(kind.fault(self.section, wanted, found))
     }
 
-    /// Runs a program that must write the picture of the case, and compares the picture.
-    fn drawn(&self, program: &Job, folder: &Path, limits: &Limits) -> Result<Result<[Comparison; 2], Fault>, Failure> {
-        let out = self.prepare(folder, None)?;
-        let run = supervise::run(&self.command(program, folder), &program.place, folder, limits)?;
-        if let Some(mut fault) = self.ended(run.end, 0) {
-            let said = shown(&start_of(&folder.join(PRINTED[1])));
-            let separator = if fault.found.is_empty() || said.is_empty() { "" } else { ": " };
-            fault.found += &format!("{separator}{said}");
+    /// Compares the picture that a program wrote with those of the case.
+    fn drawn(&self, left: Left) -> Result<Result<Box<[Comparison; 2]>, Fault>, Failure> {
+        if let Some(mut fault) = self.ended(left.end, 0) {
+            let details = [std::mem::take(&mut fault.found), shown(&left.printed[1])];
+            fault.found = details.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(": ");
             return Ok(Err(fault));
         }
-        let Found::File(bytes) = Found::at(&out) else {
+        let Some(bytes) = left.out.filter(|bytes| !bytes.is_empty()) else {
             return Ok(Err(Kind::NoPicture.fault(self.section, "", "")));
         };
         let picture = match Picture::parse(&bytes) {
@@ -161,7 +139,7 @@ impl Case {
             let difference = Difference::between(&expected.picture, &picture)?;
             Ok::<_, Failure>(Comparison { is_equal: expected.digest == digest, difference })
         };
-        Ok(Ok([compare(&expected[0])?, compare(&expected[1])?]))
+        Ok(Ok(Box::new([compare(&expected[0])?, compare(&expected[1])?])))
     }
 }
 

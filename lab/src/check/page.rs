@@ -22,8 +22,6 @@ const GROUPS: [(Group, Words); 4] = [
     (Group::Pictures, ["pictures", "imágenes"]),
     (Group::Course, ["the course's pictures", "imágenes de la asignatura"]),
 ];
-const TITLE: Words = ["Check of {}", "Comprobación de {}"];
-const PASSED: Words = ["{} of {}", "{} de {}"];
 const EQUAL: Words = [
     "{} of {} pictures have the bytes of the specification, with the scatter vectors of {}",
     "{} de {} imágenes tienen los bytes de la especificación, con los vectores de dispersión {}",
@@ -38,22 +36,14 @@ const NO_COURSE: Words = [
 ];
 const RULES_ARE: Words =
     ["Rules are sections of docs/specification.md", "Las reglas son secciones de docs/specification.md"];
-const RULE: Words = ["rule {}", "regla {}"];
-const LIMIT: Words = ["a limit of this check", "un límite de esta comprobación"];
-const EXPECTED: Words = ["expected: {}", "esperado: {}"];
-const FOUND: Words = ["found: {}", "obtenido: {}"];
-const NOTHING: Words = ["nothing", "nada"];
-const REPEAT: Words = ["repeat: {}", "repetir: {}"];
-const FAILED: Words = ["What failed", "Qué ha fallado"];
-const WRONG: Words = ["Wrong pictures", "Imágenes incorrectas"];
-const SUMMARY: Words = ["Summary", "Resumen"];
 
 impl Report {
     /// Returns the number of passed cases of each group, in words.
     fn summary(&self, language: Language) -> Vec<Vec<String>> {
         let row = |(group, words): &(Group, Words)| {
             let [passed, all] = self.passed(*group).map(|count| count.to_string());
-            (all != "0").then(|| vec![language.say(*words, &[]), language.say(PASSED, &[&passed, &all])])
+            (all != "0")
+                .then(|| vec![language.say(*words, &[]), language.say(["{} of {}", "{} de {}"], &[&passed, &all])])
         };
         GROUPS.iter().filter_map(row).collect()
     }
@@ -93,20 +83,20 @@ impl Report {
     pub fn page(&self, language: Language, folder: &Path) -> String {
         let mut body = String::new();
         self.write_page(&mut body, language, "", folder);
-        html::document(language, &language.say(TITLE, &[&self.program]), &body)
+        html::document(language, &language.say(["Check of {}", "Comprobación de {}"], &[&self.program]), &body)
     }
 
     /// Appends the report to the body of a page. Its headings begin with `start`.
     pub fn write_page(&self, body: &mut String, language: Language, start: &str, folder: &Path) {
         let title = |words| format!("{start}{}", language.say(words, &[]));
-        html::table(body, &title(SUMMARY), &["", ""], self.summary(language).into_iter());
+        html::table(body, &title(["Summary", "Resumen"]), &["", ""], self.summary(language).into_iter());
         self.notes(language).iter().for_each(|note| html::paragraph(body, &format!("{note}.")));
         let rows = self.failed().map(|checked| vec![checked.case.clone(), lines(checked, language).join("\n")]);
-        html::table(body, &title(FAILED), &["", ""], rows);
+        html::table(body, &title(["What failed", "Qué ha fallado"]), &["", ""], rows);
         let is_wrong = |fault: &Fault| fault.kind == Kind::WrongPicture;
         for (index, checked) in self.failed().filter(|checked| checked.faults.iter().any(is_wrong)).enumerate() {
             if index == 0 {
-                html::heading(body, &title(WRONG));
+                html::heading(body, &title(["Wrong pictures", "Imágenes incorrectas"]));
             }
             let address = |name: &str| Some(data_uri(&fs::read(folder.join(&checked.case).join(name)).ok()?));
             let pictures = PICTURES.iter().zip(CAPTIONS).filter_map(|(name, caption)| {
@@ -120,9 +110,9 @@ impl Report {
 /// Returns the rule that a fault breaks, in words.
 fn rule(fault: &Fault, language: Language) -> String {
     let Some((number, title)) = RULES.iter().find(|(number, _)| Some(*number) == fault.section) else {
-        return language.say(LIMIT, &[]);
+        return language.say(["a limit of this check", "un límite de esta comprobación"], &[]);
     };
-    language.say(RULE, &[&format!("{number} {}", language.say(*title, &[]))])
+    language.say(["rule {}", "regla {}"], &[&format!("{number} {}", language.say(*title, &[]))])
 }
 
 /// Returns the faults of a case, what was expected and found, and the command that repeats it.
@@ -130,11 +120,13 @@ fn lines(checked: &Checked, language: Language) -> Vec<String> {
     let mut lines = Vec::new();
     for fault in &checked.faults {
         lines.push(format!("{} ({})", language.say(fault.kind.words(), &[]), rule(fault, language)));
-        let nothing = language.say(NOTHING, &[]);
+        let nothing = language.say(["nothing", "nada"], &[]);
         let found = if fault.found.is_empty() && !fault.expected.is_empty() { &nothing } else { &fault.found };
-        let details = [(EXPECTED, &fault.expected), (FOUND, found)].into_iter().filter(|(_, text)| !text.is_empty());
+        let details = [(["expected: {}", "esperado: {}"], &fault.expected), (["found: {}", "obtenido: {}"], found)]
+            .into_iter()
+            .filter(|(_, text)| !text.is_empty());
         lines.extend(details.map(|(words, text)| format!("\u{2003}{}", language.say(words, &[text]))));
     }
-    lines.push(language.say(REPEAT, &[&checked.command]));
+    lines.push(language.say(["repeat: {}", "repetir: {}"], &[&checked.command]));
     lines
 }
