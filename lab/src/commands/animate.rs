@@ -19,17 +19,9 @@ use crate::interrupt::Interrupt;
 use crate::picture::{self, Picture};
 use crate::{Failure, sources, terminal};
 
-/// Examples, shown after the help of `animate`.
-const EXAMPLES: &str = "\
-Examples:
-  render-lab animate config.txt scene.txt turn.png --frames 48 --set image_width=320
-  render-lab animate config.txt scene.txt frames/ --frames 250      # frames/0000.png, ...; again: goes on
-  render-lab animate from.txt scene.txt flight.png --to to.txt
-  ffmpeg -framerate 25 -i frames/%04d.png turn.mp4";
-
 /// Options of `animate`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../../help/animate.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Configuration file: the first camera
     config: PathBuf,

@@ -17,19 +17,7 @@ use crate::{Failure, terminal};
 
 /// Options of `check`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab check target/release/render-aos
-  render-lab check --language es --html check.html --keep /tmp/check build/render-soa
-  RENDER_REFERENCE_DIR=/course/cases render-lab check --seconds 900 build/render-soa
-  render-lab check --json python3 render.py | jq '.cases[] | select(.faults != [])'
-
-The program is run as PROGRAM ARG.. CONFIG SCENE OUT.ppm: with wrong numbers of arguments, with wrong files, and for \
-small pictures. A picture is right if the course accepts it: the largest difference from the expected picture is \
-below 150, and the RMSE below 10. The expected picture has the scatter vectors of the statement or of the published \
-pictures, whichever fit more of the program's pictures. The program is not confined: run only what you trust.
-
-Exit status: 0 all passed, 1 something failed, 2 an error")]
+#[command(after_help = include_str!("../../help/check.txt").trim_ascii_end())]
 pub struct Arguments {
     /// The program, and arguments before CONFIG
     #[arg(required = true, trailing_var_arg = true, allow_hyphen_values = true, value_names = ["PROGRAM", "ARG"])]

@@ -16,25 +16,9 @@ use crate::picture::floats::{Floats, GAMMA};
 use crate::picture::kind::Kind;
 use crate::{sources, terminal};
 
-/// Examples, limits and exit statuses, shown after the help of `compare`.
-const EXAMPLES: &str = "\
-Examples:
-  render-lab compare mine.ppm theirs.ppm
-  render-lab compare mine.png theirs.ppm --heatmap where.png
-  render-lab compare a.ppm b.ppm --heatmap where.png --signed      # which of the two is brighter
-  render-lab compare a.ppm b.ppm --heatmap 1.png --max 20          # one scale for several heat maps
-  render-aos config.txt scene.txt /dev/stdout | render-lab compare - theirs.ppm
-  render-lab compare a.ppm b.ppm --json | jq .rmse
-  render-lab compare a.exr b.png --html compare.html               # slider, blinking, zoom and values
-
-Limits:
-  A picture has at most 67108864 pixels, its file at most 1073741824 bytes; both pictures are held in memory
-
-Exit status: 0 accepted (maximum < 150 and RMSE < 10), 1 not accepted, 2 an error";
-
 /// Options of `compare`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../../help/compare.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Picture, PPM, PNG, PFM, NPY or EXR; - is standard input. Numbers are compared as they are if both pictures have
     /// them, and otherwise as linear light for the gamma 2.2

@@ -24,24 +24,10 @@ use crate::picture::kind::Kind;
 use crate::supervise::above_zero;
 use crate::{Failure, sources, terminal};
 
-/// Examples, shown after the help of `convert`.
-const EXAMPLES: &str = "\
-Examples:
-  render-lab convert picture.ppm picture.png
-  render-lab convert linear.exr picture.png --gamma 2.4
-  render-lab convert depth.npy depth.pfm
-  render-lab convert room.pbrt config.txt scene.txt
-  render-lab convert scenes/grid/config.txt scenes/grid/scene.txt grid.xml
-
-Scenes:
-  .pbrt is pbrt-v4, and .xml is Mitsuba 3. Spheres, cylinders, materials, camera and sky are
-  converted. The lines that have no match are listed on standard error, with what is done instead.
-  A sky of two colours becomes a picture in the file OUT.pbrt.exr or OUT.xml.exr";
-
 /// Options of `convert`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = EXAMPLES,
+    after_help = include_str!("../../help/convert.txt").trim_ascii_end(),
     override_usage = "render-lab convert [OPTIONS] PICTURE OUT\n       \
                       render-lab convert SCENE.pbrt|SCENE.xml CONFIG SCENE\n       \
                       render-lab convert CONFIG SCENE OUT.pbrt|OUT.xml"

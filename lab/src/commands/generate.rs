@@ -8,17 +8,9 @@ use output::Output;
 
 use crate::{Failure, sources, terminal};
 
-/// Examples, shown after the help of `generate`.
-const EXAMPLES: &str = "\
-Examples:
-  render-lab generate config.txt scene.txt --seed 7 --objects 500
-  render-lab generate config.txt scene.txt --arrangement grid --objects 101 --matte 3 --metal 2
-  render-lab generate config.txt scene.txt --cylinders 1 --refractive 0
-  render-lab generate /dev/null - --objects 9 | render-lab inspect -";
-
 /// Options of `generate`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../../help/generate.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Configuration file to write; - is standard output
     config: PathBuf,

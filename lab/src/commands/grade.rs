@@ -15,22 +15,7 @@ use crate::{Failure, terminal};
 
 /// Options of `grade`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab grade students --html grades.html --csv grades.csv
-  render-lab grade students --language es --keep /tmp/files --rounds 9
-
-Each folder in FOLDER with a program render-aos, render-soa or render (in it, or in its build, bin or \
-target/release) is checked as by `check`. Programs with the right pictures are measured in turn. The file grade.toml \
-in FOLDER may name programs, commands that build them, scenes and weights; docs/files.md has its format.
-
-Points: each part has 0 to 10, and the total is their weighted mean. The default weights are those of the \
-statement's section 7 that a machine can measure, performance 20 and energy 20, and its 10 for tests: pictures 7, \
-messages 3. The reference time of a scene, by default the median of all programs, has 5 points, and its zero, by \
-default four times the reference, none. Without a meter of energy (RAPL), energy does not count. Programs are not \
-confined: run only what you trust.
-
-Exit status: 0 graded, 2 an error")]
+#[command(after_help = include_str!("../../help/grade.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Folder with the programs
     folder: PathBuf,

@@ -14,16 +14,9 @@ use serde::Serialize;
 
 use crate::{Failure, sources};
 
-/// Examples, shown after the help of `inspect`.
-const EXAMPLES: &str = "\
-Examples:
-  render-lab inspect scenes/grid/scene.txt
-  render-lab inspect config.txt scene.txt --json
-  generator | render-lab inspect -";
-
 /// Options of `inspect`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES, allow_missing_positional = true)]
+#[command(after_help = include_str!("../../help/inspect.txt").trim_ascii_end(), allow_missing_positional = true)]
 pub struct Arguments {
     /// Configuration file; the defaults count without one
     config: Option<PathBuf>,

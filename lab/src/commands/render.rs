@@ -29,26 +29,9 @@ use crate::terminal;
 use stages::Stages;
 use taken::Taken;
 
-/// Examples, shown after the help of `render`.
-const EXAMPLES: &str = "\
-Examples:
-  render-lab render scenes/grid/config.txt scenes/grid/scene.txt grid.png
-  render-lab render config.txt scene.txt out.ppm --set samples_per_pixel=500 --set gamma=2
-  render-lab render config.txt scene.txt part.png --crop 100,40,64,64
-  render-lab render config.txt scene.txt out.ppm --json --count
-  render-lab render config.txt scene.txt - --quiet | pnmtojpeg > out.jpg
-  render-lab render config.txt scene.txt depth.png --show depth
-  render-lab render config.txt scene.txt linear.exr
-  render-lab render config.txt scene.txt out.png --checkpoint long.rlc   # later: the same with --resume long.rlc
-
-Keys of --set: render-lab help config. The bytes are those of render-aos and render-soa.
-
-Limits:
-  A picture has at most 1073741824 pixels, a file at most 1073741824 bytes, a line at most 1048576";
-
 /// Options of `render`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../../help/render.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Configuration file; - is standard input
     config: PathBuf,

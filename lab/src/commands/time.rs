@@ -12,15 +12,7 @@ use crate::{Failure, supervise, terminal};
 
 /// Options of `time`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab time './render-aos c.txt s.txt a.ppm' './render-soa c.txt s.txt b.ppm'
-  render-lab time --rounds 15 --json 'make -s test' > new.json && render-lab bench diff old.json new.json
-
-Each argument is one command, which sh runs. All commands run once in each round, and each round starts with another \
-one. A time is the median of its rounds; in parentheses stand the bounds of the true median, with a confidence of at \
-least 95 % from six rounds on. User time includes that of sh, about half a millisecond, and is coarse below 50 ms: \
-repeat a short command in a loop. A command that fails is an error.")]
+#[command(after_help = include_str!("../../help/time.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Commands, each in quotes
     #[arg(required = true, value_name = "COMMAND")]

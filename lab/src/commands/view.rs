@@ -14,15 +14,7 @@ use crate::{Failure, sources, terminal};
 
 /// Options of `view`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  web/build
-  render-lab view scenes/materials/config.txt scenes/materials/scene.txt --open
-  render-lab view config.txt scene.txt --port 9000 --site /srv/page
-
-The page shows the two files, and loads them again when they change. It writes only a camera into the configuration,
-when you press its button. The address that is printed has a secret. Only this machine can reach the page, and only a
-browser that has opened this address. Ctrl+C ends it.")]
+#[command(after_help = include_str!("../../help/view.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Configuration file
     config: PathBuf,

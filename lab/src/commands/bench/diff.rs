@@ -10,15 +10,7 @@ use crate::{Failure, terminal};
 
 /// Options of `bench diff`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab bench diff old.json new.json
-  render-lab bench diff old.json new.json --least 5 --json | jq .slower
-
-The records are those of bench and of time --json. A case has changed if the bounds of its two medians do not meet. \
-The ratio is new / old, with what these bounds allow.
-
-Exit status: 0 nothing became slower, 1 a case became slower, 2 an error")]
+#[command(after_help = include_str!("../../../help/bench-diff.txt").trim_ascii_end())]
 pub struct Arguments {
     /// The older record
     old: PathBuf,
