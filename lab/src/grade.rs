@@ -25,7 +25,7 @@ const BUILD: f64 = 600.0;
 const TIMED: &str = "timed-";
 
 /// What a program did, and its points.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Graded {
     /// Its name.
     pub program: String,
@@ -38,7 +38,7 @@ pub struct Graded {
     /// The weighted mean of the points.
     pub total: f64,
     /// The reasons why there is no report, or no time of a scene.
-    pub problem: String,
+    pub problems: Vec<String>,
 }
 
 /// All programs, with the names of the scenes whose time was measured.
@@ -54,6 +54,21 @@ pub struct Grades {
 const GROUPS: [[Group; 2]; 2] = [[Group::Arguments, Group::Messages], [Group::Pictures, Group::Course]];
 
 impl Graded {
+    /// Returns the value, or keeps the message of an error as a problem: one program may not end the grading of all.
+    ///
+    /// # Errors
+    /// [`Failure::Interrupted`].
+    fn keep<T>(&mut self, result: Result<T, Failure>) -> Result<Option<T>, Failure> {
+        match result {
+            Ok(value) => Ok(Some(value)),
+            Err(Failure::Interrupted) => Err(Failure::Interrupted),
+            Err(failure) => {
+                self.problems.extend(failure.message());
+                Ok(None)
+            }
+        }
+    }
+
     /// Returns the number of passed cases of the groups, and the number of all.
     fn passed(&self, groups: [Group; 2]) -> [usize; 2] {
         let counts = self.report.iter().flat_map(|report| groups.map(|group| report.passed(group)));
@@ -71,33 +86,30 @@ impl Grades {
         let file = File::read(folder)?;
         let scenes = timed_scenes(folder, &file)?;
         let mut programs = Vec::new();
+        // The jobs of each program that render the scenes.
         let mut jobs: Vec<Vec<Option<Job>>> = Vec::new();
         for program in &file.program {
-            let job = program.job(folder);
-            let place = kept.join(&program.name);
+            let (job, place) = (program.job(folder), kept.join(&program.name));
+            let mut graded = Graded { program: program.name.clone(), ..Graded::default() };
             let built = program.build_job(folder).map_or(Ok(()), |build| built(&build, &place));
-            let report = built.and_then(|()| Report::of(&job, cases, limits, &place));
-            let mut problem = String::new();
-            let report = kept_or_problem(report, &mut problem)?;
+            graded.report = graded.keep(built.and_then(|()| Report::of(&job, cases, limits, &place)))?;
             let mut ready = Vec::new();
             for scene in &scenes {
-                let timed = |report| timed_job(scene, &job, report, &place, limits);
-                let timed = report.as_ref().map_or(Ok(None), timed);
-                ready.push(kept_or_problem(timed, &mut problem)?.flatten());
+                let convention = graded.report.as_ref().map(|report| report.convention);
+                let job = convention.map_or(Ok(None), |convention| timed_job(scene, &job, convention, &place, limits));
+                ready.push(graded.keep(job)?.flatten());
             }
             jobs.push(ready);
-            let (program, times) = (program.name.clone(), vec![None; scenes.len()]);
-            programs.push(Graded { program, report, times, points: [None; 4], total: 0.0, problem });
+            programs.push(graded);
         }
-        for scene in 0..scenes.len() {
-            let (places, ready): (Vec<_>, Vec<_>) =
-                jobs.iter().enumerate().filter_map(|(place, jobs)| Some((place, jobs[scene].clone()?))).unzip();
-            for (place, timed) in places.into_iter().zip(rounds.measure(&ready, limits, |_| Ok(()))?) {
-                let graded = &mut programs[place];
-                match timed {
-                    Ok(timed) => graded.times[scene] = Some(timed),
-                    Err(message) => add(&mut graded.problem, &format!("{}: {message}", scene_name(&scenes[scene]))),
-                }
+        for (index, scene) in scenes.iter().enumerate() {
+            let ready: Vec<_> = jobs.iter().filter_map(|jobs| jobs[index].clone()).collect();
+            let mut timed = rounds.measure(&ready, limits, |_| Ok(()))?.into_iter();
+            for (graded, jobs) in programs.iter_mut().zip(&jobs) {
+                let timed = jobs[index].as_ref().and_then(|_| timed.next()).transpose();
+                let timed = timed.map_err(|message| format!("{}: {message}", scene_name(scene)).into());
+                let timed = graded.keep(timed)?;
+                graded.times.push(timed.flatten());
             }
         }
         points::add(&mut programs, &file);
@@ -108,27 +120,6 @@ impl Grades {
 /// Returns the name of a scene without the start of its folder's name.
 fn scene_name(scene: &Case) -> &str {
     scene.name.strip_prefix(TIMED).unwrap_or(&scene.name)
-}
-
-/// Adds a reason to `problem`.
-fn add(problem: &mut String, reason: &str) {
-    let separator = if problem.is_empty() { "" } else { "; " };
-    *problem += &format!("{separator}{reason}");
-}
-
-/// Returns the value, or adds the message of an error to `problem`: one program may not end the grading of all.
-///
-/// # Errors
-/// [`Failure::Interrupted`].
-fn kept_or_problem<T>(result: Result<T, Failure>, problem: &mut String) -> Result<Option<T>, Failure> {
-    match result {
-        Ok(value) => Ok(Some(value)),
-        Err(Failure::Interrupted) => Err(Failure::Interrupted),
-        Err(failure) => {
-            add(problem, &failure.message().unwrap_or_default());
-            Ok(None)
-        }
-    }
 }
 
 /// Builds a program.
@@ -169,12 +160,12 @@ fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
 fn timed_job(
     scene: &Case,
     program: &Job,
-    report: &Report,
+    convention: usize,
     kept: &Path,
     limits: &Limits,
 ) -> Result<Option<Job>, Failure> {
     let place = kept.join(&scene.name);
     let outcome = scene.run(program, &place, limits).map_err(|error| error.about(scene_name(scene)))?;
-    let is_right = outcome.is_ok_and(|compared| compared[report.convention].difference.accepted);
+    let is_right = outcome.is_ok_and(|compared| compared[convention].difference.accepted);
     Ok(is_right.then(|| Job { words: scene.command(program, &place), ..program.clone() }))
 }

@@ -12,7 +12,7 @@ use std::io::Read;
 use std::os::unix::process::{CommandExt, ExitStatusExt, parent_id};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::mpsc::{self, RecvTimeoutError, TryRecvError};
+use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use measure::clock::{peak_memory, peak_memory_of_children, seconds_of_children};
@@ -186,23 +186,24 @@ impl Limits {
         let own_memory = peak_memory();
         let mut child = command.spawn().map_err(unknown)?;
         let group = Pid::from_raw(child.id().cast_signed());
-        let (ended, end) = mpsc::channel();
-        let (status, wall, (broken, seen)) = std::thread::scope(|scope| {
-            let interrupt = &interrupt;
-            let watcher = scope.spawn(move || {
-                let broken = self.broken(start, interrupt, &end);
-                if end.try_recv() == Err(TryRecvError::Empty) {
-                    // The program may have left its group.
-                    let _ = kill(group, Signal::SIGKILL);
-                }
+        let (send, ended) = mpsc::channel();
+        std::thread::spawn(move || send.send((child.wait(), start.elapsed().as_secs_f64())));
+        let (parent, mut broken, mut seen) = (parent_id(), None, 0.0);
+        let (status, wall) = loop {
+            if let Ok(ended) = ended.recv_timeout(TICK) {
+                break ended;
+            }
+            seen = memory_below(Pid::this()).max(seen);
+            let limits =
+                [(start.elapsed().as_secs_f64() > self.seconds, End::TimeOut), (seen > self.memory, End::OverMemory)];
+            broken = broken.or(limits.into_iter().find(|(is_broken, _)| *is_broken).map(|(_, end)| end));
+            if broken.is_some() || interrupt.flow().is_break() || parent_id() != parent {
+                // The program may have left its group.
+                let _ = kill(group, Signal::SIGKILL);
                 let _ = killpg(group, Signal::SIGKILL);
-                broken
-            });
-            let status = child.wait();
-            let wall = start.elapsed().as_secs_f64();
-            drop(ended);
-            (status, wall, watcher.join().unwrap_or_default())
-        });
+            }
+        };
+        let _ = killpg(group, Signal::SIGKILL);
         end_all();
         let joules = energy.and_then(|(meter, before)| meter.joules_since(&before));
         interrupt.check()?;
@@ -217,24 +218,5 @@ impl Limits {
         let by_itself = || status.code().map_or_else(|| End::Signal(status.signal().unwrap_or(0)), End::Status);
         let end = broken.or((memory > self.memory).then_some(End::OverMemory)).unwrap_or_else(by_itself);
         Ok(Run { end, user: seconds_of_children(), wall, memory, joules })
-    }
-
-    /// Waits until the program has ended, which the closing of `end` tells, or until it has to be ended. Returns the
-    /// limit that it has broken, and the largest memory that was seen, in MB.
-    fn broken(&self, start: Instant, interrupt: &Interrupt, end: &mpsc::Receiver<()>) -> (Option<End>, f64) {
-        let (parent, mut seen) = (parent_id(), 0.0);
-        while let Err(RecvTimeoutError::Timeout) = end.recv_timeout(TICK) {
-            seen = memory_below(Pid::this()).max(seen);
-            if start.elapsed().as_secs_f64() > self.seconds {
-                return (Some(End::TimeOut), seen);
-            }
-            if seen > self.memory {
-                return (Some(End::OverMemory), seen);
-            }
-            if interrupt.flow().is_break() || parent_id() != parent {
-                break;
-            }
-        }
-        (None, seen)
     }
 }

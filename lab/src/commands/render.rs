@@ -186,9 +186,7 @@ impl Arguments {
             user_seconds,
             nanoseconds_per_primary_ray: (primary_rays > 0).then(|| user_seconds * 1e9 / primary_rays as f64),
             peak_memory_bytes: peak_memory(),
-            rays: None,
-            hits: None,
-            nanoseconds_per_ray: None,
+            ..Taken::default()
         })
     }
 

@@ -81,47 +81,47 @@ impl File {
     /// The file is wrong, or there are no programs.
     pub fn read(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join("grade.toml");
-        let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(&path));
-        let text =
-            if path.exists() { fs::read_to_string(&path).map_err(|error| explain(&error))? } else { String::new() };
-        let mut file: Self = toml::from_str(&text).map_err(|error| explain(&error))?;
-        let Weights { messages, pictures, time, energy } = file.points;
+        let explain = |error: String| format!("{}: {error}", terminal::name(&path));
+        let text = if path.exists() { fs::read_to_string(&path) } else { Ok(String::new()) };
+        let text = text.map_err(|error| explain(error.to_string()))?;
+        let mut file: Self = toml::from_str(&text).map_err(|error| explain(error.to_string()))?;
+        let name = terminal::name(folder);
+        if file.program.is_empty() {
+            file.program = found(folder).map_err(|error| format!("{name}: {error}"))?;
+        }
+        file.check().map_err(explain)?;
+        if file.program.is_empty() {
+            let names = NAMES.join(", ");
+            return Err(format!("{name}: no folder in it has a program {names}, and no grade.toml names one").into());
+        }
+        Ok(file)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let Weights { messages, pictures, time, energy } = self.points;
         let weights = [messages, pictures, time, energy];
         if !weights.iter().all(|&weight| (0.0..1e9).contains(&weight)) || messages + pictures + time <= 0.0 {
-            return Err(explain(&"[points]: the weights must not be negative, and one besides energy above 0").into());
+            return Err("[points]: the weights must not be negative, and one besides energy above 0".to_owned());
         }
-        for Timed { name, reference, zero, .. } in &file.scene {
+        for Timed { name, reference, zero, .. } in &self.scene {
             let ordered = [Some(0.0), *reference, *zero, Some(1e9)].into_iter().flatten().is_sorted_by(|a, b| a < b);
             if !ordered || (zero.is_some() && reference.is_none()) {
                 let advice = "reference must be above 0, and zero above reference, which it needs";
-                return Err(explain(&format!("scene [{}]: {advice}", terminal::name(Path::new(name)))).into());
+                return Err(format!("scene [{}]: {advice}", terminal::name(Path::new(name))));
             }
         }
-        if file.program.is_empty() {
-            file.program = found(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
-        }
-        if file.program.is_empty() {
-            let names = NAMES.join(", ");
-            return Err(format!(
-                "{}: no folder in it has a program {names}, and no grade.toml names one",
-                terminal::name(folder)
-            )
-            .into());
-        }
         // The names are names of folders too.
-        let programs = file.program.iter().map(|program| ("program", &program.name));
+        let programs = self.program.iter().map(|program| ("program", &program.name));
         let mut known = HashSet::new();
-        for named in programs.chain(file.scene.iter().map(|scene| ("scene", &scene.name))) {
+        for named in programs.chain(self.scene.iter().map(|scene| ("scene", &scene.name))) {
             let (what, name) = named;
             if name.is_empty() || name.contains('/') || name.starts_with('.') || !known.insert(named) {
                 let advice = "a name must be unique, not empty, without / and without a point at its start";
-                return Err(explain(&format!("{what} [{}]: {advice}", terminal::name(Path::new(name)))).into());
+                return Err(format!("{what} [{}]: {advice}", terminal::name(Path::new(name))));
             }
         }
-        if let Some(program) = file.program.iter().find(|program| program.command.is_empty()) {
-            return Err(explain(&format!("program [{}]: its command is empty", program.name)).into());
-        }
-        Ok(file)
+        let empty = self.program.iter().find(|program| program.command.is_empty());
+        empty.map_or(Ok(()), |program| Err(format!("program [{}]: its command is empty", program.name)))
     }
 }
 

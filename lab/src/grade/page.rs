@@ -11,8 +11,6 @@ use crate::report::style::{for_screen, seconds, short};
 
 use super::{GROUPS, Graded, Grades};
 
-const TITLE: Words = ["Grades", "Calificaciones"];
-const TABLE: Words = ["Points and measurements", "Puntos y medidas"];
 const COLUMNS: [Words; 8] = [
     ["program", "programa"],
     ["points of 10", "puntos sobre 10"],
@@ -24,8 +22,6 @@ const COLUMNS: [Words; 8] = [
     ["pictures", "imágenes"],
 ];
 const UNITS: [&str; 3] = ["s", "MB", "J"];
-const PROBLEM: Words = ["problem", "problema"];
-const NO_METER: Words = ["no meter", "sin medidor"];
 const TIME: Words = ["user time of a picture", "tiempo de usuario de una imagen"];
 const MEMORY: Words = ["memory in MB", "memoria en MB"];
 
@@ -35,8 +31,9 @@ impl Grades {
     pub fn rows(&self, language: Language) -> Vec<Vec<String>> {
         let figures = self.scenes.iter().flat_map(|scene| UNITS.map(|unit| format!("{scene}: {unit}")));
         let columns = COLUMNS.map(|words| language.say(words, &[])).into_iter();
-        let head = columns.chain(figures).chain([language.say(PROBLEM, &[])]).collect();
-        let measured = |figure: Option<f64>| figure.map_or_else(|| language.say(NO_METER, &[]), short);
+        let head = columns.chain(figures).chain([language.say(["problem", "problema"], &[])]).collect();
+        let measured =
+            |figure: Option<f64>| figure.map_or_else(|| language.say(["no meter", "sin medidor"], &[]), short);
         let row = |graded: &Graded| {
             let points = graded.points.map(|points| measured(points.map(|points| (100.0 * points).round() / 100.0)));
             let passed = GROUPS.map(|groups| graded.passed(groups)).map(|[passed, all]| format!("{passed}/{all}"));
@@ -48,7 +45,7 @@ impl Grades {
                 }
             });
             let start = [graded.program.clone(), format!("{:.2}", graded.total)];
-            start.into_iter().chain(points).chain(passed).chain(figures).chain([graded.problem.clone()]).collect()
+            start.into_iter().chain(points).chain(passed).chain(figures).chain([graded.problems.join("; ")]).collect()
         };
         std::iter::once(head).chain(self.programs.iter().map(row)).collect()
     }
@@ -62,7 +59,12 @@ impl Grades {
         let mut body = String::new();
         let rows = self.rows(language);
         let head: Vec<_> = rows[0].iter().map(String::as_str).collect();
-        html::table(&mut body, &language.say(TABLE, &[]), &head, rows[1..].iter().cloned());
+        html::table(
+            &mut body,
+            &language.say(["Points and measurements", "Puntos y medidas"], &[]),
+            &head,
+            rows[1..].iter().cloned(),
+        );
         let charts = [
             self.chart(TIME[language as usize], seconds, |timed| {
                 [timed.median.median, timed.median.low, timed.median.high]
@@ -77,7 +79,7 @@ impl Grades {
                 report.write_page(&mut body, language, &format!("{}: ", graded.program), &kept.join(&graded.program));
             }
         }
-        Ok(html::document(language, &language.say(TITLE, &[]), &body))
+        Ok(html::document(language, &language.say(["Grades", "Calificaciones"], &[]), &body))
     }
 
     /// Returns a chart of dots with a row for each program that has the figure, and a series for each scene.

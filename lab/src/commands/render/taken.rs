@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// The time, the memory and the rays of one rendering.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Taken {
     pub width: usize,
     pub height: usize,
@@ -52,17 +52,9 @@ mod tests {
     #[test]
     fn a_time_that_was_not_counted_is_not_shown() {
         let taken = |nanoseconds| Taken {
-            width: 1,
-            height: 1,
-            samples_per_pixel: None,
-            primary_rays: 1,
-            seconds: 1.0,
-            user_seconds: 0.0,
             nanoseconds_per_primary_ray: Some(nanoseconds),
-            peak_memory_bytes: 1,
-            rays: Some(1),
-            hits: Some(1),
             nanoseconds_per_ray: Some(nanoseconds),
+            ..Taken::default()
         };
         let [none, some] = [0.0, 2.0].map(|nanoseconds| taken(nanoseconds).to_string());
         assert!(!none.contains(" ns "), "{none}");
