@@ -34,6 +34,14 @@ impl Place {
     }
 }
 
+/// Returns the path to which `path` leads.
+///
+/// # Errors
+/// The error of the system, for example because no file exists there.
+pub fn follow(path: &Path) -> io::Result<PathBuf> {
+    fs::canonicalize(path)
+}
+
 /// A temporary file in the folder of the file that it will replace. It is removed when this value is dropped, but not
 /// when a signal ends the process.
 #[derive(Debug)]

@@ -175,6 +175,18 @@ pub fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     }
 }
 
+/// Returns the path that an output to `path` gets, without links. Two outputs with one target would be one file. The
+/// file need not exist.
+#[must_use]
+pub fn target(path: &Path) -> PathBuf {
+    let path = place::follow(path).unwrap_or_else(|_| path.to_owned());
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (fs::canonicalize(folder), path.file_name()) {
+        (Ok(folder), Some(name)) => folder.join(name),
+        _ => path,
+    }
+}
+
 fn is_same_file(one: &Path, other: &Path) -> bool {
     match (fs::metadata(one), fs::metadata(other)) {
         #[cfg(unix)]

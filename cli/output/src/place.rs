@@ -66,7 +66,7 @@ fn is_stdout(path: &Path) -> bool {
 /// # Errors
 /// An error if there are too many links, or if a link belongs to another user and may not be followed
 /// ([`Folder::read_link`]). Any other error is found when the file is created, so it is ignored here.
-fn follow(path: &Path) -> io::Result<PathBuf> {
+pub fn follow(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MAX_LINKS {
         let (false, Ok(name)) = (is_stdout(&target), file_name(&target)) else { return Ok(target) };

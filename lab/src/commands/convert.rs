@@ -63,7 +63,8 @@ impl Arguments {
                 let parsed = Config::parse(texts[0].as_bytes()).and_then(|_| Scene::parse(texts[1].as_bytes()));
                 let refused = |error| format!("the result would be no valid scene, so it is not written: {error}");
                 parsed.map_err(|error| world.notes.failure(((0, 1), refused(error))))?;
-                write_all(&world.inputs, outs.iter().zip(texts.map(String::into_bytes)), options)?;
+                let [config, scene] = texts.map(String::into_bytes);
+                write_all(&world.inputs, &[(&outs[0], config), (&outs[1], scene)], options)?;
                 world.notes.print();
                 Ok(())
             }
@@ -104,7 +105,7 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
         outs.push((&sky, bytes));
     }
     outs.push((out, text.into_bytes()));
-    write_all(&inputs.map(PathBuf::clone), outs.into_iter(), options)?;
+    write_all(&inputs.map(PathBuf::clone), &outs, options)?;
     notes.print();
     if has_picture {
         terminal::note(&format!("{}: holds the picture of the sky", terminal::name(&sky)));
@@ -114,44 +115,26 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
 
 /// Writes several files. All are written completely before the first of them gets its name, so none is changed if one
 /// of them cannot be written.
-fn write_all<'a>(
-    inputs: &[PathBuf],
-    files: impl Iterator<Item = (&'a PathBuf, Vec<u8>)>,
-    options: Options,
-) -> Result<(), Failure> {
+fn write_all(inputs: &[PathBuf], files: &[(&PathBuf, Vec<u8>)], options: Options) -> Result<(), Failure> {
     let inputs: Vec<_> = inputs.iter().map(PathBuf::as_path).collect();
-    let mut outs: Vec<(PathBuf, &PathBuf, Output, Vec<u8>)> = Vec::new();
-    for (path, bytes) in files {
-        let target = target(path);
-        if let Some((_, other, ..)) = outs.iter().find(|(other, ..)| *other == target) {
+    let target = |path: &PathBuf| output::target(&sources::output(path));
+    let (mut regular, mut others) = (Vec::new(), Vec::new());
+    for (index, (path, bytes)) in files.iter().enumerate() {
+        if let Some((other, _)) = files[..index].iter().find(|(other, _)| target(other) == target(path)) {
             let [one, other] = [other, path].map(|path| sources::output_name(path));
             return Err(format!("[{one}] and [{other}] are one file; the outputs need a file each").into());
         }
         output::refuse_inputs(path, &inputs)?;
-        outs.push((target, path, Output::open(&sources::output(path), options)?, bytes));
+        let output = Output::open(&sources::output(path), options)?;
+        let is_regular = fs::metadata(sources::output(path)).map_or(true, |metadata| metadata.is_file());
+        if is_regular { &mut regular } else { &mut others }.push((path, output, bytes));
     }
-    let is_file = |path: &Path| fs::metadata(sources::output(path)).map_or(true, |metadata| metadata.is_file());
-    let (mut files, others): (Vec<_>, Vec<_>) = outs.into_iter().partition(|(_, path, ..)| is_file(path));
-    for (_, path, output, bytes) in &mut files {
-        output.write_all(bytes).map_err(|cause| output::Error { path: path.clone(), cause })?;
+    for (path, output, bytes) in &mut regular {
+        output.write_all(bytes).map_err(|cause| output::Error { path: path.to_path_buf(), cause })?;
     }
     // A pipe is closed before the next one is opened, because its reader may wait for that.
-    for (_, _, output, bytes) in others {
-        output.fill(|file| file.write_all(&bytes))?;
+    for (_, output, bytes) in others {
+        output.fill(|file| file.write_all(bytes))?;
     }
-    files.into_iter().try_for_each(|(_, _, output, _)| Ok(output.commit()?))
-}
-
-/// Returns the path to which `path` leads, for comparison. The file need not exist.
-fn target(path: &Path) -> PathBuf {
-    /// Largest number of links that are followed, as in Linux.
-    const MAX_LINKS: usize = 40;
-    let mut path = sources::output(path);
-    for _ in 0..MAX_LINKS {
-        let Ok(next) = fs::read_link(&path) else { break };
-        path = path.with_file_name(next);
-    }
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let parent = parent.canonicalize().unwrap_or_else(|_| parent.to_owned());
-    parent.join(path.file_name().unwrap_or_default())
+    regular.into_iter().try_for_each(|(_, output, _)| Ok(output.commit()?))
 }
