@@ -77,7 +77,7 @@ fn a_folder_without_the_page_is_refused_with_the_remedy() {
     assert!(
         message(&folder).ends_with("does not have the page; build it with web/build, or name its folder with --site")
     );
-    fs::write(folder.file("index.html"), "<!doctype html>").expect("the folder is writable");
+    folder.write("index.html", "<!doctype html>");
     assert!(message(&folder).contains("is of another version; build it with web/build"));
 }
 

@@ -1,7 +1,5 @@
 //! Tests of `render-lab compare`.
 
-use std::fs;
-
 use lab::picture::Picture;
 use test_support::folder::Folder;
 
@@ -11,9 +9,9 @@ const BLACK: &str = "P3\n2 2\n255\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n";
 
 /// Writes a black picture, and a picture that differs from it only in the third pixel. Returns their paths.
 fn pair(folder: &Folder, third: &str) -> [String; 2] {
-    fs::write(folder.file("a.ppm"), BLACK).expect("the folder is writable");
+    folder.write("a.ppm", BLACK);
     let other = format!("P3\n2 2\n255\n0 0 0\n0 0 0\n{third}\n0 0 0\n");
-    fs::write(folder.file("b.ppm"), other).expect("the folder is writable");
+    folder.write("b.ppm", other);
     ["a.ppm", "b.ppm"].map(|name| folder.name(name))
 }
 
@@ -61,7 +59,7 @@ fn the_heatmap_is_bright_where_pictures_differ() {
     // The ending of its name decides the format of a heat map too.
     printed(&["compare", &a, &b, "--heatmap", &folder.name("map.ppm")]);
     assert_eq!(Picture::read(&folder.file("map.ppm")).ok(), Picture::read(&folder.file("map.png")).ok());
-    assert!(fs::read(folder.file("map.ppm")).expect("it was written").starts_with(b"P3"));
+    assert!(folder.read("map.ppm").starts_with(b"P3"));
     assert!(
         complaint(&["compare", &a, &b, "--heatmap", &folder.name("map.jpg")]).contains("cannot be written as .jpg")
     );
@@ -71,7 +69,7 @@ fn the_heatmap_is_bright_where_pictures_differ() {
 fn what_cannot_be_compared_is_an_error() {
     let folder = Folder::new();
     let [a, _] = pair(&folder, "0 0 0");
-    fs::write(folder.file("c.ppm"), "P3\n1 1\n255\n0 0 0\n").expect("the folder is writable");
+    folder.write("c.ppm", "P3\n1 1\n255\n0 0 0\n");
     assert!(complaint(&["compare", &a, &folder.name("c.ppm")]).contains("different sizes: 2 x 2 and 1 x 1"));
     assert!(complaint(&["compare", &a, "README.md"]).starts_with("Error: README.md: neither PPM"));
     assert!(complaint(&["compare", &a, "/nowhere"]).starts_with("Error: /nowhere: "));

@@ -65,9 +65,9 @@ fn counts_are_those_of_a_scene_known_by_hand() {
     let folder = Folder::new();
     // The camera is inside a mirror, so every ray hits it until the maximum depth. 4 x 4 pixels with 3 samples and
     // depth 5 give 240 rays.
-    fs::write(folder.file("scene"), "metal: m 1 1 1 0\nsphere: 0 0 0 50 m\n").expect("the folder is writable");
+    folder.write("scene", "metal: m 1 1 1 0\nsphere: 0 0 0 50 m\n");
     let config = "image_width: 4\naspect_ratio: 1 1\nsamples_per_pixel: 3\nmax_depth: 5\n";
-    fs::write(folder.file("config"), config).expect("the folder is writable");
+    folder.write("config", config);
     let [config, scene, out] = ["config", "scene", "out.ppm"].map(|name| folder.name(name));
     let json = printed(&["render", &config, &scene, &out, "--count", "--json"]);
     let taken: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
@@ -195,13 +195,13 @@ fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
         taken["rendered"].as_u64()
     };
     assert_eq!(animate(&out, &[]), Some(4));
-    let first = fs::read(folder.file("frames/0000.png")).expect("it was written");
+    let first = folder.read("frames/0000.png");
     assert!(Picture::parse(&first) == Picture::parse(&expected(Scatter::Statement)), "the first frame is the picture");
-    let third = fs::read(folder.file("frames/0002.png")).expect("it was written");
+    let third = folder.read("frames/0002.png");
     fs::remove_file(folder.file("frames/0001.png")).expect("it is ours");
-    fs::write(folder.file("frames/0002.png"), &third[..100]).expect("it is ours");
+    folder.write("frames/0002.png", &third[..100]);
     assert_eq!(animate(&out, &[]), Some(2));
-    assert!(fs::read(folder.file("frames/0002.png")).expect("it was written") == third);
+    assert!(folder.read("frames/0002.png") == third);
     let other = complaint(&["animate", CONFIG, SCENE, &out, "--frames", "5"]);
     assert!(other.contains("it has frames of another animation"), "{other}");
     fs::remove_file(folder.file("frames/animation.json")).expect("it was written");
@@ -210,8 +210,8 @@ fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
     let dash = complaint(&["animate", CONFIG, SCENE, "-"]);
     assert!(dash.contains("no standard output (-)"), "{dash}");
     // The third of five frames is halfway between two opposite cameras, at their target.
-    fs::write(folder.file("from"), "camera_position: 0 0 -9\n").expect("the folder is writable");
-    fs::write(folder.file("to"), "camera_position: 0 0 9\n").expect("the folder is writable");
+    folder.write("from", "camera_position: 0 0 -9\n");
+    folder.write("to", "camera_position: 0 0 9\n");
     let [from, to, new] = ["from", "to", "new"].map(|name| folder.name(name));
     let through = complaint(&["animate", &from, SCENE, &new, "--to", &to, "--frames", "5"]);
     assert!(through.contains("frame 2: ") && !fs::exists(&new).expect("the folder is ours"), "{through}");

@@ -61,7 +61,7 @@ fn as_many_repeats_as_the_limit_are_taken_and_one_more_is_refused_in_little_memo
     for (name, values) in [("full", MAX_VALUES), ("over", MAX_VALUES + 1), ("half", half), ("more", half + 1)] {
         fs::write(folder.file(name), repeated(values)).expect("the folder is writable");
     }
-    fs::write(folder.file("huge"), repeated(8_000_000)).expect("the folder is writable");
+    folder.write("huge", repeated(8_000_000));
     for line in ["bench merge --out all.json full", "bench merge --out all.json half half", "report full --out report"]
     {
         accepted(&folder, line);

@@ -58,7 +58,7 @@ fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
     assert!(said.contains("\ns.txt:1: diffusion and") && said.contains("\ns.txt:3: the normal of our"), "{said}");
     assert!(folder.names().contains(&"o.xml.exr".to_owned()), "the sky");
     assert!(said.ends_with("o.xml.exr: holds the picture of the sky\n"), "{said}");
-    fs::write(folder.file("wrong.pbrt"), "\nTranslate 1").expect("the folder is writable");
+    folder.write("wrong.pbrt", "\nTranslate 1");
     let message = complaint(&["convert", &folder.name("wrong.pbrt"), &config, &scene]);
     assert_eq!(
         message,
@@ -73,26 +73,22 @@ fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
         assert!(complaint(&["convert", &other, one, two]).contains("are one file; the outputs need a file each"));
     }
     // Included files and the picture of the sky are inputs too.
-    fs::write(folder.file("include.pbrt"), "Include \"inner.inc\"").expect("the folder is writable");
-    fs::write(folder.file("inner.inc"), "Shape \"sphere\"").expect("the folder is writable");
+    folder.write("include.pbrt", "Include \"inner.inc\"");
+    folder.write("inner.inc", "Shape \"sphere\"");
     for (from, input) in [(&other, &sky), (&folder.name("include.pbrt"), &folder.name("inner.inc"))] {
         let before = fs::read(input).expect("it is there");
         assert!(complaint(&["convert", from, input, &new]).contains("it is the same file as the input"), "{input}");
         assert!(complaint(&["convert", from, &new, input]).contains("it is the same file as the input"), "{input}");
         assert!(fs::read(input).is_ok_and(|after| after == before) && !folder.file("new.txt").exists());
     }
-    fs::write(
-        folder.file("far.pbrt"),
-        "Material \"conductor\" \"float roughness\" 1e308 \"bool remaproughness\" false",
-    )
-    .expect("the folder is writable");
+    folder.write("far.pbrt", "Material \"conductor\" \"float roughness\" 1e308 \"bool remaproughness\" false");
     let message = complaint(&["convert", &folder.name("far.pbrt"), &new, &scene]);
     assert!(message.contains("far.pbrt:1: ") && !folder.file("new.txt").exists(), "{message}");
     // A sky of one pixel has its colour.
-    fs::write(folder.file("one.ppm"), "P3 1 1 255 255 255 255").expect("the folder is writable");
-    fs::write(folder.file("one.pbrt"), "LightSource \"infinite\" \"string filename\" \"one.ppm\"").expect("it is");
+    folder.write("one.ppm", "P3 1 1 255 255 255 255");
+    folder.write("one.pbrt", "LightSource \"infinite\" \"string filename\" \"one.ppm\"");
     let sky = "<scene><emitter type='envmap'><string name='filename' value='one.ppm'/></emitter></scene>";
-    fs::write(folder.file("one.xml"), sky).expect("the folder is writable");
+    folder.write("one.xml", sky);
     for from in ["one.pbrt", "one.xml"] {
         assert!(run(&["convert", &folder.name(from), &folder.name("one.c"), &folder.name("one.s")]).status.success());
         let config = Config::read(&folder.file("one.c")).expect("it is valid");

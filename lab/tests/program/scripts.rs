@@ -59,12 +59,12 @@ fn programs_with_deny(fetch: i32, check: i32) -> Folder {
     for name in ["awk", "mktemp", "rm", "timeout"] {
         std::os::unix::fs::symlink(format!("/usr/bin/{name}"), folder.file(name)).expect("the folder is writable");
     }
-    fs::write(folder.file("cargo"), "#!/bin/sh\nexec \"cargo-$1\" \"$@\"\n").expect("the folder is writable");
+    folder.write("cargo", "#!/bin/sh\nexec \"cargo-$1\" \"$@\"\n");
     let deny = format!(
         "#!/bin/sh\ncase \"$*\" in\n\"deny fetch db\") echo reason >&2; exit {fetch};;\n\
          *\" check --disable-fetch advisories\") exit {check};;\n*) exit 99;;\nesac\n"
     );
-    fs::write(folder.file("cargo-deny"), deny).expect("the folder is writable");
+    folder.write("cargo-deny", deny);
     folder
 }
 
