@@ -2,18 +2,18 @@
 //! `cpu` and the plain parser of `tests/fuzz` try many more values.
 
 use format::hint::Kind;
-use format::refused::ALL;
+use format::refused;
 
 use crate::bench::Bench;
 
 #[test]
 fn every_wrong_line_is_refused_with_its_message() {
-    for refused in ALL {
+    for refused in refused::all() {
         let [config, scene] = refused.files();
         let more = ["\n \t\ngamma: 1.8\n", "image_width: 4\r\n\r\n"];
         let above = if refused.kind == Kind::Config { &more[..] } else { &[] };
         for above in [""].iter().chain(above) {
-            Bench::new([above.as_bytes(), &config].concat(), &scene).refuses(refused.message);
+            Bench::new([above.as_bytes(), &config].concat(), &scene).refuses(refused.message.as_bytes());
         }
     }
 }

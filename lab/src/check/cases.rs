@@ -109,9 +109,9 @@ fn messages() -> impl Iterator<Item = Case> {
     let refusal = |name: &str, section, files, message| {
         case(name.to_owned(), Group::Messages, section, files, Expected::Refusal(message))
     };
-    let stated = refused::ALL.iter().filter(|refused| refused.is_stated).enumerate();
+    let stated = refused::all().into_iter().filter(|refused| refused.is_stated).enumerate();
     let lines = stated.map(move |(index, refused)| {
-        let message = [b"Error: ", refused.message, b"\n"].concat();
+        let message = format!("Error: {}\n", refused.message).into_bytes();
         let name = format!("message-{:02}", index + 1);
         refusal(&name, refused.section(), refused.files().map(Some), Some(message))
     });
