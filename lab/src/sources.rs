@@ -281,39 +281,8 @@ mod tests {
     #[test]
     fn what_is_not_seen_and_what_people_often_write_is_named_with_its_remedy() {
         // A text, the start of the message, and a part of its last line.
-        let cases = [
-            "\u{feff}gamma: 1 -> F:1:1: a byte order mark (U+FEFF) stands here -> save the file as UTF-8",
-            "\0g\0a: -> F:1:1: a zero byte (U+0000) -> PowerShell's > writes UTF-16",
-            "gamma:\u{a0}2.2 -> F:1:7: a no-break space (U+00A0) -> write a space instead",
-            "camera_target: 1\u{202f}2 3 -> F:1:17: a no-break space (U+202F) -> write a space instead",
-            "gamma: 2\u{200b} -> F:1:9: a zero-width space (U+200B) -> delete it",
-            "gamma: 8\rmax_depth: 1 -> F:1:9: a carriage return (U+000D) -> CR alone ends none",
-            "matte: a 1 1 1\rmatte: b 1 1 1 -> F:1:15: a carriage return (U+000D) -> CR alone ends none",
-            "matte: a\u{a0}1 1 1 -> F:1:9: a no-break space (U+00A0) -> write a space instead",
-            "matte: a\u{ad} 1 1 1\nsphere: 0 0 0 1 a -> F:2:17: no material [a] -> [a\\u{ad}]? It has a character without width",
-            "gamma: 2,2 -> F:1:8: gamma: [2,2] is not -> a decimal point, not a comma: gamma: 2.2",
-            "camera_north: 0,5, 1,5, -1 -> F:1:15: -> a decimal point, not a comma: camera_north: 0.5 1.5 -1",
-            "camera_north: 0,0,-10 -> F:1:15: -> by blanks alone: camera_north: 0 0 -10",
-            "camera_north: (0, 0, 1) // up -> F:1:15: -> by blanks alone: camera_north: 0 0 1",
-            "aspect_ratio: 16:9 -> F:1:15: -> by blanks alone: aspect_ratio: 16 9",
-            "image_width: 1e3 -> F:1:14: image_width: [1e3] is not written with digits alone -> : image_width: 1000",
-            "field_of_view: 90deg -> F:1:16: -> the number without its unit: field_of_view: 90",
-            "field_of_view: 1.5rad -> F:1:16: -> the line is: field_of_view: number in (0, 180)",
-            "camera_north: 0 \u{2212}1 0 -> F:1:17: -> the minus sign is -: camera_north: 0 -1 0",
-            "background_dark_color: 255 128 0 -> F:1:24: -> from 0 to 1, not to 255: background_dark_color: 1 0.502 0",
-            "matte: a 255 0 0 -> F:1:10: -> not to 255: matte: a 1 0 0",
-            "# colours -> F:1:1: there is no configuration key [#] -> no comments, so leave it out",
-            "gamma: 2 # of a screen -> F:1:10: -> no comments, so leave it out: gamma: 2",
-            "gamma=2 -> F:1:1: -> a colon follows the key, and a blank the colon: gamma: 2",
-            "gamma: 1e309 -> F:1:8: gamma: [1e309] is too large: at most 1.797e308 -> the line is: gamma: number > 0",
-            "gamma: 1e-400 -> F:1:8: gamma: [1e-400] is so near to 0 that it is rounded to it -> gamma: number > 0",
-            "max_depth: 18446744073709551616 -> F:1:12: max_depth: [18446744073709551616] is too large: at most 1844674407 -> >",
-            "matte: 1 1 1 -> F:1:13: matte: the name before the numbers is missing -> matte: name r g b",
-            "sphere: 0 1 0 a -> F:1:15: sphere: there are 3 numbers before the name [a], and 4 are needed -> x y z radius",
-            "sphere: 0 1 0 1 1 a -> F:1:19: sphere: there are 5 numbers before the name [a], and 4 are needed -> x y z radius",
-        ];
-        for case in cases {
-            let [text, start, end] = case.split(" -> ").collect::<Vec<_>>()[..] else { panic!("{case}") };
+        let cases: Vec<[String; 3]> = serde_json::from_str(include_str!("sources/cases.json")).expect("it is JSON");
+        for [text, start, end] in &cases {
             let is_scene = text.starts_with("matte") || text.starts_with("sphere");
             let message = about(text, if is_scene { Kind::Scene } else { Kind::Config });
             let last = message.lines().next_back().unwrap_or_default();
