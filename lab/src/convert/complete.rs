@@ -5,7 +5,7 @@ use cpu::{Config, Shape, Vec3};
 
 use super::caps;
 use super::notes::{Fault, Place};
-use super::world::{Over, View, World};
+use super::world::{View, World};
 
 /// Sets the values of the configuration that depend on several plugins, and notes what is missing.
 ///
@@ -38,20 +38,10 @@ pub fn complete(world: &mut World) -> Result<(), Fault> {
 
 fn set_camera(world: &mut World, view: &View) {
     let [width, height] = world.film.map(|side| side as f64);
-    // The half height of the picture, where the field of view reaches to 1.
-    let top = match view.over {
-        Over::Window([right, top]) => {
-            if (right / top * height / width - 1.0).abs() > 1e-3 {
-                world.notes.add(view.place, "[screenwindow] is not as wide as the picture; its height is taken");
-            }
-            top
-        }
-        Over::Height => 1.0,
-        Over::Shorter if width >= height => 1.0,
-        Over::Longer if width <= height => 1.0,
-        Over::Width | Over::Shorter | Over::Longer => height / width,
-        Over::Diagonal => height / width.hypot(height),
-    };
+    if view.window.is_some_and(|[right, top]| (right / top * height / width - 1.0).abs() > 1e-3) {
+        world.notes.add(view.place, "[screenwindow] is not as wide as the picture; its height is taken");
+    }
+    let top = view.window.map_or_else(|| (view.top)(height / width), |[_, top]| top);
     let half = (view.fov.to_radians() / 2.0).tan() * top;
     let config = &mut world.config;
     config.field_of_view = if top == 1.0 { view.fov } else { 2.0 * half.atan().to_degrees() };

@@ -13,7 +13,7 @@ use super::notes::Fault;
 use super::plugin::shown;
 use super::sky::Layout;
 use super::tokens::MAX_BYTES;
-use super::world::{Over, View, World};
+use super::world::{View, World};
 use values::is_parameter;
 
 /// The depth that takes the place of an unlimited one.
@@ -124,19 +124,20 @@ impl Reader<'_> {
                 for child in self.nested(node, &["film", "sampler"]) {
                     self.element(child)?;
                 }
-                let over = match plugin.text("fov_axis").unwrap_or("x") {
-                    "x" => Over::Width,
-                    "y" => Over::Height,
-                    "diagonal" => Over::Diagonal,
-                    "smaller" => Over::Shorter,
-                    "larger" => Over::Longer,
+                let top: fn(f64) -> f64 = match plugin.text("fov_axis").unwrap_or("x") {
+                    "x" => |ratio| ratio,
+                    "y" => |_| 1.0,
+                    "diagonal" => |ratio| ratio / ratio.hypot(1.0),
+                    "smaller" => |ratio| ratio.max(1.0),
+                    "larger" => |ratio| ratio.min(1.0),
                     other => {
                         return Err((place, format!("[{other}] is no fov_axis; x, y, diagonal, smaller or larger is")));
                     }
                 };
                 // Without a field of view, Mitsuba takes that of a lens of 50 mm before a film that is 36 mm wide.
                 let fov = plugin.real("fov", 2.0 * 0.36_f64.atan().to_degrees())?;
-                self.world.view = Some(View { place, to_world: self.to_world(node)?, x_is_right: false, fov, over });
+                let to_world = self.to_world(node)?;
+                self.world.view = Some(View { place, to_world, x_is_right: false, fov, top, window: None });
             }
             "film" => {
                 self.world.film = [plugin.whole("width", 768, 1)?, plugin.whole("height", 576, 1)?];

@@ -13,7 +13,7 @@ use super::plugin::{Plugin, shown};
 use super::sky::Layout;
 use super::tokens::Tokens;
 use super::transform::Transform;
-use super::world::{Over, View, World};
+use super::world::{View, World};
 
 /// What attribute blocks save and restore.
 #[derive(Clone, Copy)]
@@ -142,22 +142,21 @@ impl Reader<'_> {
                 let view = self.view.filter(|(after, _)| *after == transform).map(|(_, view)| view);
                 let to_world = Transform { view, ..transform.inverse() };
                 self.systems.insert("camera".to_owned(), to_world);
-                let over = match plugin.param("screenwindow") {
-                    None => Over::Shorter,
-                    Some(param) => {
-                        let [left, right, bottom, top] = plugin.numbers("screenwindow", [0.0; 4])?;
-                        if left != -right || bottom != -top || left > right || bottom > top {
-                            let text = "[screenwindow] is not symmetrical, or it is flipped; its size is taken";
-                            world.notes.add(param.place, text);
-                        }
-                        if left == right || bottom == top {
-                            return Err((param.place, "[screenwindow] needs a width and a height".to_owned()));
-                        }
-                        Over::Window([right - left, top - bottom].map(|side| side.abs() / 2.0))
+                let mut window = None;
+                if let Some(param) = plugin.param("screenwindow") {
+                    let [left, right, bottom, top] = plugin.numbers("screenwindow", [0.0; 4])?;
+                    if left != -right || bottom != -top || left > right || bottom > top {
+                        let text = "[screenwindow] is not symmetrical, or it is flipped; its size is taken";
+                        world.notes.add(param.place, text);
                     }
-                };
-                let fov = plugin.real("fov", 90.0)?;
-                let view = View { place: plugin.place, to_world, x_is_right: true, fov, over };
+                    if left == right || bottom == top {
+                        return Err((param.place, "[screenwindow] needs a width and a height".to_owned()));
+                    }
+                    window = Some([right - left, top - bottom].map(|side| side.abs() / 2.0));
+                }
+                let (place, fov) = (plugin.place, plugin.real("fov", 90.0)?);
+                // The field of view is that of the shorter side.
+                let view = View { place, to_world, x_is_right: true, fov, top: |ratio| ratio.max(1.0), window };
                 if let Some(before) = world.view.replace(view) {
                     world.notes.add(before.place, "another camera follows this one, which is left out");
                 }

@@ -14,23 +14,6 @@ use super::transform::Transform;
 use crate::picture::any::Any;
 use crate::picture::floats::{Floats, GAMMA};
 
-/// The direction in the picture over which a camera's field of view extends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Over {
-    /// From left to right.
-    Width,
-    /// From bottom to top.
-    Height,
-    /// From bottom to top, if the picture's right and upper edges were at 1 and not at these lengths from its middle.
-    Window([f64; 2]),
-    /// The shorter side.
-    Shorter,
-    /// The longer side.
-    Longer,
-    /// The diagonal.
-    Diagonal,
-}
-
 /// A camera as the file has it.
 #[derive(Debug)]
 pub struct View {
@@ -42,8 +25,11 @@ pub struct View {
     pub x_is_right: bool,
     /// The field of view in degrees.
     pub fov: f64,
-    /// Its direction.
-    pub over: Over,
+    /// Returns the half height of the picture where the field of view reaches to 1, for the picture's height divided by
+    /// its width.
+    pub top: fn(f64) -> f64,
+    /// The picture's right and upper edge, as lengths from its middle, if the file gives them.
+    pub window: Option<[f64; 2]>,
 }
 
 /// A disk. Two of them close a cylinder.
