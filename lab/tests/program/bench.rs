@@ -100,7 +100,9 @@ fn what_cannot_be_measured_joined_or_shown_is_an_error() {
     assert!(complaint(&["bench", "error", "--out", "/nowhere/e.json"]).contains("/nowhere/e.json"));
     let out = folder.name("out.json");
     assert!(complaint(&["bench", "merge", "--out", &out, "README.md"]).starts_with("Error: README.md: "));
-    assert!(complaint(&["report", "README.md", "--out", &folder.name("r")]).starts_with("Error: README.md: "));
+    let message = complaint(&["report", "README.md", "--out", &folder.name("r")]);
+    let start = "Error: README.md: not the JSON that `render-lab bench ... --out FILE` writes: ";
+    assert!(message.starts_with(start), "{message}");
     assert!(folder.names().is_empty());
 }
 

@@ -85,13 +85,7 @@ fn what_is_wrong_is_said_and_the_old_file_stays() {
     assert_eq!(error, format!("Error: --set gamma=0: {wanted}\n"));
     let error = complaint(&["render", CONFIG, SCENE, &out, "--set", "image_width=100000000"]);
     assert!(error.starts_with("Error: --set image_width=100000000: the image is too large"), "{error}");
-    let error = complaint(&["render", CONFIG, SCENE, &folder.name("out.jpg")]);
-    assert!(
-        error.ends_with(
-            "out.jpg: a picture cannot be written as .jpg; its name must end in .ppm, .png, .pfm, .npy or .exr\n"
-        ),
-        "{error}"
-    );
+    assert!(complaint(&["render", CONFIG, SCENE, &folder.name("out.jpg")]).contains("cannot be written as .jpg"));
     let error = complaint(&["render", "/nowhere", SCENE, &out]);
     assert!(error.starts_with("Error: Cannot read file [/nowhere]: "), "{error}");
     let error = complaint(&["render", CONFIG, SCENE, "/nowhere/out.png"]);

@@ -17,15 +17,6 @@ fn endless_results_are_refused() {
     }
 }
 
-#[test]
-fn what_is_no_measurement_is_refused_with_the_command_that_makes_one() {
-    let message = complaint(&["report", "README.md", "--out", "out"]);
-    assert!(
-        message.starts_with("Error: README.md: not the JSON that `render-lab bench ... --out FILE` writes: "),
-        "{message}"
-    );
-}
-
 /// Returns the JSON text of results with many repeats of one picture, and exactly `values` JSON values.
 fn repeated(values: usize) -> String {
     let text = serde_json::json!({
