@@ -11,7 +11,7 @@ const ERROR: f64 = 1e-5;
 pub fn close_cylinders(world: &mut World) {
     let disks = &mut world.disks;
     // The disks near a place are found along a direction that no rows of a scene are likely to have.
-    let along = |place: Vec3| place.dot(Vec3::new(0.61, 0.53, 0.59));
+    let along = |place: Vec3| place.dot(Vec3::new(0.6, 0.53, 0.59));
     disks.sort_by(|one, other| along(one.center).total_cmp(&along(other.center)));
     let mut closes = vec![false; disks.len()];
     let cylinders = world.scene.objects.iter().filter_map(|object| match object.shape {

@@ -69,18 +69,15 @@ fn set_camera(world: &mut World, view: &View) {
     }
 }
 
-/// Sets the width and the simplest ratio of sides that gives the height.
+/// Sets the width and the simplest ratio of sides, if that gives the height.
 fn set_size(config: &mut Config, [width, height]: [u64; 2]) {
-    /// Largest second number of a ratio that is tried.
-    const MOST: u64 = 1000;
+    let (mut divisor, mut rest) = (width, height);
+    while rest > 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
     config.image_width = width;
-    // The height is rounded down, so the last ratio, which is in the middle of those that give it, always does.
-    let simple =
-        (1..=MOST.min(height)).map(|part| [(u128::from(width) * u128::from(part) / u128::from(height)) as u64, part]);
-    for ratio in simple
-        .filter(|ratio| ratio[0] > 0)
-        .chain([[width.saturating_mul(2), height.saturating_mul(2).saturating_add(1)]])
-    {
+    // The height is rounded down, so the second ratio, which is in the middle of those that give it, always does.
+    for ratio in [[width / divisor, height / divisor], [width.saturating_mul(2), height.saturating_mul(2) | 1]] {
         config.aspect_ratio = ratio;
         if config.image_size().is_ok_and(|size| (size.width() as u64, size.height() as u64) == (width, height)) {
             return;
