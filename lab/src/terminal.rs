@@ -62,12 +62,9 @@ pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
 /// Returns `words` as a command that a user can copy into a shell: unusual words are quoted.
 #[must_use]
 pub fn quoted<'a>(words: impl IntoIterator<Item = &'a OsStr>) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
-    let word = |word: &OsStr| match name(Path::new(word)) {
-        word if !word.is_empty() && word.chars().all(is_plain) => word,
-        word => format!("'{}'", word.replace('\'', "'\\''")),
-    };
-    words.into_iter().map(word).collect::<Vec<_>>().join(" ")
+    let words: Vec<_> = words.into_iter().map(|word| name(Path::new(word))).collect();
+    // The only error is a zero byte, which a name for messages does not have.
+    shlex::try_join(words.iter().map(String::as_str)).unwrap_or_default()
 }
 
 /// Returns the name of a file for messages, with all control characters escaped, including line ends.
@@ -101,6 +98,6 @@ mod tests {
     #[test]
     fn a_command_can_be_copied() {
         let words = ["a b", "it's", "./x", ""].map(OsStr::new);
-        assert_eq!(quoted(words), r"'a b' 'it'\''s' ./x ''");
+        assert_eq!(quoted(words), r#"'a b' "it's" ./x ''"#);
     }
 }
