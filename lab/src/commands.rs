@@ -28,3 +28,11 @@ use crate::{Failure, terminal};
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     terminal::print(&serde_json::to_string_pretty(value).map_err(|error| error.to_string())?)
 }
+
+/// Writes `value` to standard output: as JSON if `json` is true, and otherwise as `text`.
+///
+/// # Errors
+/// An error if standard output cannot be written.
+pub fn print_as(json: bool, value: &impl Serialize, text: impl FnOnce() -> String) -> Result<(), Failure> {
+    if json { print_json(value) } else { terminal::print(&text()) }
+}

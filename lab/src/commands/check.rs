@@ -80,11 +80,7 @@ impl Arguments {
         if let Some(output) = html {
             output.fill(|file| file.write_all(report.page(language, &folder).as_bytes()))?;
         }
-        if self.json {
-            super::print_json(&report)?
-        } else {
-            terminal::print(&report.text(language))?
-        }
+        super::print_as(self.json, &report, || report.text(language))?;
         if report.is_passed() {
             return Ok(());
         }

@@ -62,6 +62,6 @@ impl Arguments {
         // The commands that repeat a case need its files.
         let is_passed = |graded: &Graded| graded.report.as_ref().is_some_and(Report::is_passed);
         temporary.filter(|_| !grades.programs.iter().all(is_passed)).map(TempDir::keep);
-        if self.json { super::print_json(&grades) } else { terminal::print(&terminal::table(&rows)) }
+        super::print_as(self.json, &grades, || terminal::table(&rows))
     }
 }

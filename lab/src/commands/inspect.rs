@@ -82,12 +82,7 @@ impl Arguments {
         let config = self.config.as_ref().map_or(Ok(Config::default()), |path| sources::config(path, &[]))?;
         let scene = sources::scene(&self.scene)?;
         let inspection = Inspection::of(&config, &scene)?;
-        if self.json {
-            super::print_json(&inspection)?;
-        } else {
-            crate::terminal::print(&inspection.to_string())?;
-        }
-        Ok(())
+        super::print_as(self.json, &inspection, || inspection.to_string())
     }
 }
 
