@@ -16,9 +16,10 @@ fn every_scene_comes_back_from_both_formats_with_the_same_numbers() {
         .map(|entry| ["config.txt", "scene.txt"].map(|name| entry.as_ref().expect("it is there").path().join(name)))
         .collect();
     assert!(inputs.len() >= 6);
-    // An upright picture, and a sky of one colour.
+    // An upright picture, a sky of one colour, and the largest counts.
     let [upright, scene] = [folder.file("upright.txt"), inputs[0][1].clone()];
-    let text = "image_width: 90\naspect_ratio: 9 16\nfield_of_view: 33\nbackground_dark_color: 1 1 1\n";
+    let most = "samples_per_pixel: 18446744073709551615\nmax_depth: 18446744073709551615\n";
+    let text = format!("image_width: 90\naspect_ratio: 9 16\nfield_of_view: 33\nbackground_dark_color: 1 1 1\n{most}");
     fs::write(&upright, text).expect("the folder is writable");
     inputs.push([upright, scene]);
     for [config, scene] in inputs {
