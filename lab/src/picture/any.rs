@@ -7,7 +7,7 @@ use cpu::internals::input::reader::Input;
 
 use super::floats::{self, Floats};
 use super::kind::Kind;
-use super::{MAX_FILE_BYTES, Picture, exr};
+use super::{MAX_FILE_BYTES, Picture, exr, ppm};
 use crate::format::unseen;
 use crate::{Failure, terminal};
 
@@ -38,7 +38,7 @@ impl Any {
     pub fn parse(bytes: &[u8]) -> Result<Self, String> {
         match Kind::of_bytes(bytes) {
             Some(Kind::Png) => super::from_png(bytes).map(Self::Bytes),
-            Some(Kind::Ppm) => super::from_ppm(bytes).map(Self::Bytes),
+            Some(Kind::Ppm) => ppm::parse(bytes).map(Self::Bytes),
             Some(Kind::Pfm) => floats::from_pfm(bytes).map(Self::Floats),
             Some(Kind::Npy) => floats::from_npy(bytes).map(Self::Floats),
             Some(Kind::Exr) => exr::parse(bytes).map(Self::Floats),
