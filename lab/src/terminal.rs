@@ -50,8 +50,8 @@ pub fn table(rows: &[Vec<String>]) -> String {
     rows.iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Returns a progress bar of `steps` steps on standard error, with their name `what`. It shows nothing if standard error
-/// is not a terminal.
+/// Returns a progress bar of `steps` steps on standard error, with their name `what`. It shows nothing if standard
+/// error is not a terminal.
 #[must_use]
 pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
     let style = ProgressStyle::with_template("{wide_bar} {pos} of {len} {msg}  {per_sec}  {eta} left");

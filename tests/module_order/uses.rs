@@ -111,7 +111,7 @@ pub fn read(folder: &Path, module: &Module, sources: &mut Sources) {
         let below = [module.clone(), vec![name.clone()]].concat();
         if path.is_dir() {
             read(&path, &below, sources);
-        } else {
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
             let is_root = module.is_empty() && ["lib", "main"].contains(&name.as_str());
             let key = if is_root { Vec::new() } else { below };
             sources.insert(key, std::fs::read_to_string(&path).expect("a source is text"));

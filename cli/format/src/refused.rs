@@ -42,8 +42,8 @@ impl Refused {
     }
 }
 
-/// Returns all wrong lines, from `refused.txt`. A line of that file has the kind of the input file and perhaps `unstated`,
-/// the wrong line, and the message.
+/// Returns all wrong lines, from `refused.txt`. A line of that file has the kind of the input file and perhaps
+/// `unstated`, the wrong line, and the message.
 ///
 /// # Panics
 /// If a line of `refused.txt` has not these three parts.
