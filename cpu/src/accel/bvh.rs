@@ -47,8 +47,8 @@ pub struct Bvh<B> {
     margins: [f32; 3],
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
-    /// The numbers of the giants and tiny objects, which are not in the tree: spheres, and cylinders. `None` if there are
-    /// none, and if the dominant sphere is no giant.
+    /// The numbers of the giants and tiny objects, which are not in the tree: spheres, and cylinders. `None` if there
+    /// are none, and if the dominant sphere is no giant.
     pub(super) apart: Option<[Range<ObjectId>; 2]>,
     pub(super) isolated: Isolated,
     /// Whether there are sphere leaves: nodes with only spheres have bounding spheres instead of boxes.
@@ -75,7 +75,7 @@ impl<B: Boxes> Bvh<B> {
         let Tree { mut nodes, mut spheres, mut cylinders, has_sphere_leaves } = tree;
         // The builder planned it for the objects of the tree, without the dominant sphere, which is added below.
         let collapsed_root = CollapsedRoot::new(&mut nodes, spheres.len() + cylinders.len())?;
-        // The dominant sphere is behind all spheres of the tree, and the objects apart are behind all others of their kind.
+        // The dominant sphere is behind all spheres of the tree. The objects apart are behind all others of their kind.
         let dominant = DominantSphere(dominant.0.map(|id| {
             spheres.push(id);
             spheres.len() as ObjectId - 1

@@ -5,8 +5,8 @@ use crate::accel::bvh::{Bvh, boxes::Boxes, node::Kind};
 use crate::accel::{bounds::Bounds, object::ObjectId, stack};
 
 impl<B: Boxes> Bvh<B> {
-    /// Calls `visit` with the dominant sphere, the objects apart, and every object for which `may_reach` accepts the object's
-    /// box and the boxes of all nodes above it.
+    /// Calls `visit` with the dominant sphere, the objects apart, and every object for which `may_reach` accepts the
+    /// object's box and the boxes of all nodes above it.
     pub(crate) fn visit(&self, mut may_reach: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
         let mut pending = Vec::with_capacity(stack::CAPACITY);
         pending.push(0);
