@@ -1,6 +1,6 @@
 //! Compares each acceleration structure with the one that intersects every object.
 
-use crate::accel::bvh::{Bvh, MOST_WIDE, sphere_leaf::LEAST_OBJECTS};
+use crate::accel::bvh::{Bvh, MOST_WIDE, farthest_for, sphere_leaf::LEAST_OBJECTS};
 use crate::accel::choice::Accel;
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
@@ -258,6 +258,14 @@ fn a_scene_of_extreme_magnitudes_intersects_every_object() {
         let plain = Accel::new(&mut objects(count, 3.0, 1), &extent).expect("it fits");
         assert!(matches!(plain, Accel::EveryObject));
     }
+}
+
+#[test]
+fn the_largest_lambda_of_a_closer_box_exceeds_that_of_a_hit() {
+    for lambda in [1e-3, 1.0, 1.999_999_99, 1e9] {
+        assert!(f64::from(farthest_for(lambda)) > lambda * (1.0 + 2e-8), "{lambda}");
+    }
+    assert_eq!(farthest_for(f64::INFINITY), f32::INFINITY);
 }
 
 #[test]

@@ -233,6 +233,7 @@ mod tests {
 
     #[test]
     fn a_box_is_culled_by_the_margin_of_its_farthest_corner() {
+        assert_eq!(margin_of_box(2.0, Vec3::new(1.0, 2.0, 3.0)), 12.0);
         // The box lies 1/2 beyond the plane, and reaches to a distance of about 10^6.
         let bounds = Bounds { low: [0.5, -1e6, 0.0], high: [1.0, 0.5, 0.0] };
         let may_overlap = |margin| box_may_overlap(&bounds, Vec3::ZERO, &[RIGHT, RIGHT], margin);

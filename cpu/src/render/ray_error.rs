@@ -82,6 +82,9 @@ mod tests {
 
     #[test]
     fn a_camera_without_a_window_in_front_has_no_bound() {
+        let (front, _) = camera("camera_position: 0 0 -10\ncamera_target: 0 0 0\n");
+        let behind = Camera { delta_x: front.delta_y, delta_y: front.delta_x, ..front };
+        assert!((distance_of_window(&front) - 10.0).abs() < 1e-12 && distance_of_window(&behind) < -9.0);
         let (camera, size) = camera("");
         for origin in [camera.position, camera.position * 2.0 - camera.origin, Vec3::splat(f64::NAN)] {
             assert_eq!(RayError::new(&Camera { origin, ..camera }, size).turn, f64::INFINITY, "{origin:?}");
