@@ -2,7 +2,8 @@
 //!
 //! The formulas of `cpu` are generic over their number. Here they run over a number that carries bounds in place of a
 //! value: of its exact size and of its rounding error, as polynomials of the magnitudes of the inputs. So no formula is
-//! written a second time, and what the code leaves out is missing here too.
+//! written a second time, and what the code leaves out is missing here too. Only the comparisons with which an argument
+//! by hand begins are written again, and the code must make exactly these.
 
 pub mod background;
 pub mod bounded;

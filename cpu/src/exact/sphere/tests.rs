@@ -35,6 +35,18 @@ fn a_tangent_is_in_doubt_and_resolved_to_the_last_bit() {
 }
 
 #[test]
+fn a_near_root_that_rounding_may_have_made_too_small_is_uncertain() {
+    let large = sphere([0.5999232797220704, -0.5567519213587497, -0.02379883261257265], 313605.6517245435);
+    let ray = ray(
+        [-50868.01104692802, 181221.71932926742, -250837.37428897855],
+        [-0.27851123377901166, -0.527934471228203, 0.746327422872379],
+    );
+    assert_eq!(filtered(&large, &ray), Decision::Uncertain);
+    // The other root is 588451.4.
+    assert!(intersect(&large, &ray).is_some_and(|lambda| lambda < 0.01));
+}
+
+#[test]
 fn the_limit_itself_counts_and_the_number_below_does_not() {
     // 1.001 is not an f64: its neighbours put the surface on either side of the limit.
     let wall = |center: f64| sphere([center, 0.0, 0.0], 1.0);

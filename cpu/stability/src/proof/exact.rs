@@ -4,8 +4,10 @@ use cpu::internals::exact::compensated_roots::{ACCURACY_OF_C, CONDITION_LIMIT, E
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_compensated::ERROR_OF_CAP;
 use cpu::internals::exact::cylinder_parts::{self, SHARE_OF_WHOLE};
-use cpu::internals::exact::{error_bound::Limits, error_bound::UNDERFLOW, sphere_filter};
+use cpu::internals::exact::error_bound::{HEADROOM, Limits, NUMERATOR_WEIGHT, UNDERFLOW};
+use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
+use cpu::internals::math::real::Real;
 use cpu::internals::render::hit_lanes::DISCRIMINANT_ERROR;
 
 use super::bounded::{Bounded, Operation, begin, compared, forget_later};
@@ -61,9 +63,11 @@ pub fn rows() -> Vec<Row> {
     rows.push(compensated::plane());
     // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
     let steep = cylinder_parts::STEEPNESS.sqrt() * cylinder.limits.condition_limit;
-    let constant = cylinder.limits.lambda_error() / U;
-    let (what, file) = ("a of a steep ray and a side", cylinder.file);
-    rows.push(Row { what, file, constant, need: cylinder.a * steep, unit: "u a" });
+    for (what, of, need) in
+        [("a of a sphere", &sphere, sphere.a), ("a of a steep ray and a side", &cylinder, cylinder.a * steep)]
+    {
+        rows.push(Row { what, file: of.file, constant: of.limits.lambda_error() / U, need, unit: "u a" });
+    }
     let (what, file, constant) = ("all rays miss, in lanes", "render/hit_lanes.rs", DISCRIMINANT_ERROR / U);
     rows.push(Row { what, file, constant, need: cylinder.discriminant, unit: "u M" });
     let of_parts = parts::rows(side_lambda);
@@ -110,9 +114,8 @@ fn long_cylinder(of_a: f64) -> [Row; 3] {
     let margin = limits.error_of_size();
     begin(Arithmetic::F64, margin);
     let run = || {
-        let [_, h, c, discriminant] = cylinder(true);
-        let [error, _] = *compared().iter().find(|pair| pair[1] == -discriminant).expect("a filter compares it");
-        ([h, c, discriminant], error)
+        let [a, h, c, discriminant] = cylinder(true);
+        ([h, c, discriminant], error_of(limits, [a, h, discriminant]))
     };
     // `m^2` is at most `2 |d'|^2 S^2 (|d|^2 S^2 + |d'|^2 |O - C|^2)`.
     let [_, twice] = root_of_long(run().1);
@@ -205,21 +208,45 @@ fn quadratic(limits: Limits, file: &'static str, run: impl Fn() -> [Bounded; 4])
     begin(Arithmetic::F64, margin);
     let [a, h, c, discriminant] = run();
     let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
-    let pairs = compared();
-    let [error, _] = pairs.iter().find(|pair| pair[1] == -discriminant).expect("a filter compares the discriminant");
+    let error = error_of(limits, [a, h, discriminant]);
     let relative = |number: Bounded, size: &Polynomial| IN_SCALE.relative(&number.bounds().error, size, margin);
     let c = enlarged(&c.bounds().error);
     let constant = error.bounds().size.coefficient(&Polynomial::constant(1.0));
     assert_eq!(constant, UNDERFLOW, "the error bound covers underflow");
     Quadratic {
         limits,
-        constant: added(*error, &size, margin, U),
+        constant: added(error, &size, margin, U),
         file,
         a: relative(a, &squared(DIRECTION)),
         h: relative(h, &length(DIRECTION).times(&length(TO_CENTER))),
         c: [TO_CENTER, RADIUS].map(|family| c.coefficient(&squared(family))),
         discriminant: relative(discriminant, &size),
     }
+}
+
+/// Returns the bound `E` of the error with which the code compares the discriminant.
+///
+/// # Panics
+/// If the code does not compare both roots as [`Quadratic`] takes them: with `E`, with the least lambda in range and
+/// with the condition limit.
+fn error_of(limits: Limits, [a, h, discriminant]: [Bounded; 3]) -> Bounded {
+    let (pairs, of) = (compared(), Bounded::of);
+    let [error, _] = *pairs.iter().find(|pair| pair[1] == -discriminant).expect("a filter compares the discriminant");
+    let Operation::Sum(product, _) = error.operation() else { panic!("it is no sum") };
+    let ([size, _], share, root) = (factors_of(product), 1.0 / limits.condition_limit, discriminant.sqrt());
+    let (least, margin) = (of(LAMBDA_MIN), of(LAMBDA_MIN * limits.lambda_error()));
+    for numerator in [h - root, h + root] {
+        let terms =
+            (size * of(share / HEADROOM) + of(UNDERFLOW)) + numerator * numerator * of(NUMERATOR_WEIGHT * share);
+        for (what, pair) in [
+            ("whether a root is too small", [error, (a * (least - margin) - numerator) * root]),
+            ("whether a root is in range", [least + margin, numerator / a]),
+            ("whether a root is accurate", [terms, root * numerator]),
+        ] {
+            assert!(pairs.contains(&pair), "the code does not decide {what} as the proof takes it");
+        }
+    }
+    error
 }
 
 /// Runs the formulas of a sphere. Returns `a`, `h`, `c` and the discriminant.
@@ -233,7 +260,8 @@ pub fn sphere() -> [Bounded; 4] {
     [a, h, view.c, discriminant]
 }
 
-/// Runs the formulas of the side of a cylinder. Returns `a`, `h`, `c` and the discriminant.
+/// Runs the formulas of the side of a cylinder. Returns `a`, `h`, `c` and the discriminant, where `h` has the sign that
+/// it has for a sphere.
 pub fn cylinder(is_long: bool) -> [Bounded; 4] {
     let (ray, record) = (ray(), record());
     is(ray.origin - record.center, TO_CENTER);
@@ -242,5 +270,5 @@ pub fn cylinder(is_long: bool) -> [Bounded; 4] {
     let view = record.seen_from(ray.origin);
     let (a, h, discriminant) = record.quadratic(&view, ray.direction);
     _ = SideLanes::new(&record, &view, &ray, is_long);
-    [a, h, view.c, discriminant]
+    [a, -h, view.c, discriminant]
 }

@@ -27,6 +27,10 @@ impl Quadratic {
     /// `sqrt(D) <= |d| r` and `sqrt(D) <= sqrt(M)`, up to the error of `D`, which adds less than 10^-5. The error of
     /// `h` times `sqrt(D)` is at most `e |d|^2 |O - C| r <= e M / 2`. The error of the root times `sqrt(D)` is at most
     /// that of `D`, and one rounding. The rounding of the difference is at most `|h| sqrt(D) + D <= (1/2 + 1) M`.
+    ///
+    /// This needs `D >= 0`. If `D < 0`, there is no hit, and a root that is too small is the right answer. The
+    /// comparison itself rounds twice, and the computed `M` has an error of some 10 u. The constants exceed the needs
+    /// by more than that.
     #[must_use]
     pub fn numerator(&self) -> f64 {
         self.discriminant + 1.0 + self.h / 2.0 + 1.5
