@@ -102,8 +102,11 @@ impl<T: MulAdd> Quadratic<T> {
     }
 
     /// Whether the ray certainly leaves the surface: it starts near the surface and moves away from the middle, so both
-    /// roots are below [`LAMBDA_MIN`]. This needs no discriminant. As `h` is negative, `w / a` is a negative root. The
-    /// other one is at most `|c| / |h|`, because `w` is at least `|h|`.
+    /// roots are below [`LAMBDA_MIN`]. This needs no discriminant. The direction must be in scale.
+    ///
+    /// The error of `h` is at most `4 u CONDITION_LIMIT |h|`, so the exact `h` is negative too, and `w / a` is a
+    /// negative root. The other root is at most `|c| / |h|`, because `w` is at least `|h|`. If `terms_of_h` underflows,
+    /// the sign of `h` is not known, but then every lambda is below 2^-200.
     #[inline(always)]
     pub fn leaves(&self) -> T::Mask {
         let (backward, size) = (self.h.less(T::of(0.0)), self.h.abs());

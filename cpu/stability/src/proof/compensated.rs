@@ -3,7 +3,7 @@
 //! Underflow is left out, and bounded apart (`underflow.rs`).
 
 use cpu::Ray;
-use cpu::internals::exact::compensated_roots::{self, CONDITION_LIMIT, Discriminant, ERROR_OF_C};
+use cpu::internals::exact::compensated_roots::{self, ACCURACY_OF_C, CONDITION_LIMIT, Discriminant, ERROR_OF_C};
 use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
 use cpu::internals::exact::cylinder_parts::LEAST_EXTENT;
 use cpu::internals::exact::error_bound::{LONGEST, SHORTEST, UNDERFLOW};
@@ -79,11 +79,38 @@ fn covered(number: Bounded) -> f64 {
     number.bounds().size.coefficient(&Polynomial::constant(1.0))
 }
 
+/// Returns the bound of the error of `c`, and the least lambda, lowered, as the code must compute them.
+fn error_of_c_and_least(quadratic: &Roots) -> [Bounded; 2] {
+    let of = Bounded::of;
+    let least = of(LAMBDA_MIN) - of(LAMBDA_MIN * sphere_filter::LIMITS.lambda_error());
+    [quadratic.terms_of_c * of(ERROR_OF_C * U * U) + of(UNDERFLOW), least]
+}
+
+/// Returns the comparisons by which roots are accurate or too small, as docs/accuracy.md takes them, for this
+/// discriminant. Each comes with its purpose.
+fn of_roots(quadratic: &Roots, of: Discriminant<Bounded>) -> [(&'static str, [Bounded; 2]); 5] {
+    let &Roots { a, h, c, terms_of_h, .. } = quadratic;
+    let ([error, least], root, limit) =
+        (error_of_c_and_least(quadratic), of.value.sqrt(), Bounded::of(CONDITION_LIMIT));
+    let w = h.abs() + root;
+    [
+        ("whether `h` is accurate", [terms_of_h, w * limit]),
+        ("whether the root is accurate", [of.size, root * w * limit]),
+        ("whether `c` is accurate", [error * Bounded::of(1.0 / (ACCURACY_OF_C * U)), c.abs()]),
+        ("whether the small root is too small", [c.abs() + error, w * least]),
+        ("whether the large root is too small", [w, a * least]),
+    ]
+}
+
 /// Returns the constant and the need of a discriminant with this value and size, which is compared with its error.
 fn of_discriminant(quadratic: &Roots, of: Discriminant<Bounded>, size: &Polynomial, need: f64) -> [f64; 2] {
     let from = compared().len();
     _ = quadratic.roots(of);
-    let errors = compared().split_off(from).into_iter().filter(|pair| pair[1] == of.value || pair[1] == -of.value);
+    let pairs = compared().split_off(from);
+    for (what, pair) in of_roots(quadratic, of) {
+        assert!(pairs.contains(&pair), "the code does not decide {what} as the proof takes it");
+    }
+    let errors = pairs.into_iter().filter(|pair| pair[1] == of.value || pair[1] == -of.value);
     let constants = errors.map(|[error, _]| {
         assert_eq!(covered(error), UNDERFLOW, "the error of a discriminant covers underflow");
         added(error, size, SPHERE_MARGIN, U)
@@ -267,15 +294,25 @@ pub fn sphere_rows() -> ([Row; 3], Row, f64) {
 }
 
 /// Returns the row of the bound of lambda for rays that leave a sphere: `|c| / |h|` is compared with the least lambda.
-/// `of_h` is the need of `h`, and the rest are roundings: of `c`, of the sum with its error, and of the product.
+/// `of_h` is the need of `h`, and 6 is enough for the roundings of `c`, of the sum with its error, of the product and
+/// of the least lambda, and for the limit, 1e-3 - 2^-63.
+///
+/// If `S = q + R^2` or `a S` underflows, the sign of `h` may be wrong. Then every lambda is at most `sqrt(2 S / a)`,
+/// below 2^-200, and the ray misses.
 pub fn leaves(of_h: f64) -> Row {
     for margin in [ERROR_OF_C * U * U, LAMBDA_MIN * sphere_filter::LIMITS.lambda_error()] {
         begin(WITHOUT_UNDERFLOW, margin);
         let (_, terms, _) = sphere();
         let from = compared().len();
         _ = terms.quadratic.leaves();
-        let sides: Vec<_> = compared().split_off(from).into_iter().map(hardens).collect();
+        let pairs = compared().split_off(from);
+        let sides: Vec<_> = pairs.iter().copied().map(hardens).collect();
         assert_eq!(sides, [Some(0), Some(0), Some(1)], "a margin is not used, or on the wrong side");
+        let ([error, least], Roots { h, c, terms_of_h, .. }) =
+            (error_of_c_and_least(&terms.quadratic), terms.quadratic);
+        let [zero, limit] = [0.0, CONDITION_LIMIT].map(Bounded::of);
+        let expected = [[h, zero], [terms_of_h, h.abs() * limit], [c.abs() + error, h.abs() * least]];
+        assert_eq!(pairs, expected, "the code decides in another way than the proof takes");
     }
     let (what, constant) = ("lambda of a ray that leaves a sphere", sphere_filter::LIMITS.lambda_error() / U);
     Row { what, file: ROOTS, constant, need: of_h * CONDITION_LIMIT + 6.0, unit: "u lambda" }
