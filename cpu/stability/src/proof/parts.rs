@@ -7,13 +7,12 @@ use cpu::internals::accel::isolated::SEPARATION;
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_parts::{LEAST_EXTENT, LIMITS, Plane};
 use cpu::internals::exact::order::is_certainly_closer;
-use cpu::internals::geometry::cylinder::CylinderRecord;
+use cpu::internals::geometry::{cylinder::CylinderRecord, ray::LAMBDA_MIN};
 use cpu::internals::math::real::Real;
 
 use super::bounded::{Bounded, begin, compared};
 use super::bounds::Arithmetic;
-use super::direction::hardens;
-
+use super::direction::{growth, hardens};
 use super::polynomial::{LENGTH, Polynomial};
 use super::row::{
     IN_SCALE, Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, sum, uses_of_margin,
@@ -88,9 +87,12 @@ fn isolated(of_lambda: f64) -> Row {
     Row { what, file, constant: SEPARATION * 1e9, need, unit: "10^-9 L" }
 }
 
-/// Returns the smallest of what the code adds to these numbers.
-fn least_added(numbers: &[Bounded], size: &Polynomial, margin: f64) -> f64 {
-    numbers.iter().map(|&number| added(number, size, margin, U)).fold(f64::MAX, f64::min)
+/// Returns the least that the code adds in the comparisons in which the margin takes part. There must be `count` of
+/// them.
+fn least_added(count: usize, size: &Polynomial, margin: f64) -> f64 {
+    assert_eq!(uses_of_margin(), count, "the code does not use the margin in all comparisons");
+    let numbers = compared().into_iter().flatten().filter(|&number| growth(number) != Some(0));
+    numbers.map(|number| added(number, size, margin, U)).fold(f64::MAX, f64::min)
 }
 
 /// Returns the constant and the need of a ray's slope along the axis, relative to `|d|_1`.
@@ -100,9 +102,12 @@ fn slope() -> [f64; 2] {
     _ = Plane::new(&record, &ray, record.top);
     // The slope is compared with the limit of parallel rays from both sides, and with the distance of the plane.
     assert_eq!(uses_of_margin(), 3, "the code compares the slope");
-    let ([[steep, _], [parallel, _]], size) = (first(0), components(DIRECTION));
+    let ([[steep, _], [parallel, _], [_, behind]], size) = (first(0), components(DIRECTION));
     let need = relative_to_sizes(&steep.raw().error, 8.0 * U, slice::from_ref(&size), IN_SCALE.direction);
-    [least_added(&[steep, parallel], &size, 8.0 * U), need]
+    let sizes =
+        [(steep, 1.0), (parallel, 1.0), (behind, LAMBDA_MIN)].map(|(number, of)| (number, size.clone().scaled(of)));
+    let constants = sizes.map(|(number, size)| added(number, &size, 8.0 * U, U));
+    [constants.into_iter().fold(f64::MAX, f64::min), need]
 }
 
 /// Returns `N` pairs of numbers that were compared.
@@ -138,10 +143,10 @@ fn plane(of_slope: f64) -> ([f64; 2], f64) {
     (row, (1.0 / ((1.0 - x) * (1.0 - y)) - 1.0) / U + 1.0)
 }
 
-/// Returns the constants and the needs of two margins, relative to `lambda |d|_1` and to `X`: `run` gives the numbers
-/// to which the margins are added, and an error that they cover. `split` is a vector that is not longer than `lambda
-/// |d| + X`.
-fn margins(split: u8, run: impl Fn() -> (Vec<Bounded>, Polynomial)) -> [[f64; 2]; 2] {
+/// Returns the constants and the needs of two margins, relative to `lambda |d|_1` and to `X`: `run` gives the number of
+/// comparisons in which the margins take part, and an error that they cover. `split` is a vector that is not longer
+/// than `lambda |d| + X`.
+fn margins(split: u8, run: impl Fn() -> (usize, Polynomial)) -> [[f64; 2]; 2] {
     let moved = |direction: Polynomial| length(LAMBDA).times(&direction);
     let fixed = sum(&[components(CENTER), length(HALF_HEIGHT), length(RADIUS)]);
     let sizes = [
@@ -156,8 +161,8 @@ fn margins(split: u8, run: impl Fn() -> (Vec<Bounded>, Polynomial)) -> [[f64; 2]
     ];
     let pair = [(MOVED, moved(components(DIRECTION))), (FIXED, fixed)].map(|(margin, size)| {
         begin(Arithmetic::F64, margin * U);
-        let (numbers, error) = run();
-        (least_added(&numbers, &size, margin * U), factors(&error, margin * U, &sizes, LEAST_EXTENT))
+        let (count, error) = run();
+        (least_added(count, &size, margin * U), factors(&error, margin * U, &sizes, LEAST_EXTENT))
     });
     let need = |factors: &[f64], from: usize| factors[..2].iter().chain(&factors[from..from + 3]).sum();
     [[pair[0].0, pair[1].0], [need(&pair[0].1, 2), need(&pair[1].1, 5)]]
@@ -184,10 +189,9 @@ fn height(of_side: f64) -> [[f64; 2]; 2] {
             accepted(numerator / a, of_side);
         }
         _ = SideLanes::new(&record, &view, &ray, false);
-        // The comparison of `c` and four of the root come before those of the height, at the entry and at the exit.
-        let ([[along, within], _, [beyond, _]], exit) = (first(5), first::<3>(13));
-        let error = along.bounds().error.plus(&within.bounds().error);
-        (vec![within, beyond, exit[0][1], exit[2][0]], error)
+        // One comparison of `c` and four of the root come first. Entry and exit have four of the height each.
+        let [[along, within]] = first(5);
+        (8, along.bounds().error.plus(&within.bounds().error))
     })
 }
 
@@ -206,7 +210,7 @@ fn disc(of_cap: f64) -> [[f64; 2]; 2] {
         let plane = Plane::new(&record, &ray, record.top);
         let from = compared().len() + 1;
         _ = plane.disc(&record, &ray);
-        let [[_, within], [beyond, _]] = first(from);
-        (vec![within, beyond], point.plus(&rounding).plus(&within.raw().error))
+        let [[_, within]] = first(from);
+        (2, point.plus(&rounding).plus(&within.raw().error))
     })
 }
