@@ -172,10 +172,11 @@ fn rays_are_tested_against_a_small_part_of_many_objects() {
         assert!(rays > 20 && tests < rays * objects as u64 / 4, "{tests} tests by {rays} rays of {objects} objects");
         assert_eq!(skipped(Counter::NodeVisits) > 0, has_tree);
         assert_eq!(skipped(Counter::UnfilteredTests), 0);
-        // The added grain of dust is too small for conservative tests, so every ray tests every object.
-        let extreme = count("", &format!("{text}sphere: 0 9 0 1e-9 m\n"));
-        assert_eq!(extreme(Counter::SphereTests), extreme(Counter::PathRays) * (objects as u64 + 1));
-        assert_eq!(extreme(Counter::UnfilteredTests), extreme(Counter::SphereTests));
+        // The added grain of dust is too small for conservative tests, so it is apart, and every ray tests it.
+        let dusty = count("", &format!("{text}sphere: 0 9 0 1e-9 m\n"));
+        let (rays, tests) = (dusty(Counter::PathRays), dusty(Counter::SphereTests));
+        assert!(tests < rays * (objects as u64 / 4 + 1), "{tests} tests by {rays} rays of {objects} objects and dust");
+        assert_eq!(dusty(Counter::UnfilteredTests), rays);
     }
 }
 
@@ -203,8 +204,11 @@ fn the_last_ray_of_a_path_is_not_tested_where_it_starts_inside_an_object() {
         [Counter::PathRays, Counter::Hits, Counter::SphereTests, Counter::LastRaysSkipped].map(counted)
     };
     let [path_rays, hits, tests, skipped] = rays(room);
-    assert!(skipped > SAMPLES / 2 && tests + skipped == hits - SAMPLES, "{tests} and {skipped} of {hits}");
-    assert_eq!(rays(&format!("{room}{GLASS}sphere: 0 200 0 1 g\n")), [path_rays, hits, hits - SAMPLES, 0]);
+    // A ray that is not tested ahead may be tested although it escapes.
+    let (least, most) = (hits - SAMPLES, hits - SAMPLES + SAMPLES / 20);
+    assert!(skipped > SAMPLES / 2 && (least..most).contains(&(tests + skipped)), "{tests} and {skipped} of {hits}");
+    let [glassy_rays, glassy_hits, _, glassy_skipped] = rays(&format!("{room}{GLASS}sphere: 0 200 0 1 g\n"));
+    assert_eq!([glassy_rays, glassy_hits, glassy_skipped], [path_rays, hits, 0]);
 }
 
 #[test]
