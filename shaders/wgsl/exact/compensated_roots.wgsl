@@ -59,8 +59,22 @@ fn compensated_near(quadratic: CompensatedQuadratic) -> CompensatedDiscriminant 
     return CompensatedDiscriminant(quadratic.h * quadratic.h - quadratic.a * quadratic.c, size);
 }
 
+// Quadratic::error_of_c: returns the bound of the error of `c` that is not relative to `c`. The factor is 64 * 2^-106.
+fn compensated_error_of_c(quadratic: CompensatedQuadratic) -> real {
+    return quadratic.terms_of_c * real(7.888609052210118e-31) + ERROR_UNDERFLOW;
+}
+
+// Quadratic::leaves: returns whether both roots certainly are below LAMBDA_MIN, because the ray starts near the surface
+// and moves away from the middle. The condition limit is 4,096.
+fn compensated_leaves(quadratic: CompensatedQuadratic) -> bool {
+    let size = abs(quadratic.h);
+    let h_is_accurate = quadratic.terms_of_h < size * real(4096.0);
+    let c = abs(quadratic.c) + compensated_error_of_c(quadratic);
+    return quadratic.h < real(0.0) && h_is_accurate && c < size * exact_sphere_limits().least;
+}
+
 // Quadratic::roots: returns what is certain about the roots with this discriminant. The constants are the condition
-// limit 4,096, 64 times 2^-106, and the reciprocal of 4,096 times 2^-53.
+// limit 4,096, and the reciprocal of 4,096 times 2^-53.
 fn compensated_roots(quadratic: CompensatedQuadratic, discriminant: CompensatedDiscriminant) -> CompensatedRoots {
     let limits = exact_sphere_limits();
     let zero = real(0.0);
@@ -72,7 +86,7 @@ fn compensated_roots(quadratic: CompensatedQuadratic, discriminant: CompensatedD
     let error = size * limits.error + ERROR_UNDERFLOW;
     let h_is_accurate = quadratic.terms_of_h < w * real(4096.0);
     let root_is_accurate = error < discriminant.value && size < root * w * real(4096.0);
-    let error_of_c = quadratic.terms_of_c * real(7.888609052210118e-31) + ERROR_UNDERFLOW;
+    let error_of_c = compensated_error_of_c(quadratic);
     let c_is_accurate = error_of_c * real(2199023255552.0) < c;
     // A zero `h` counts as positive: a ray from the middle has two roots of the same size.
     let backward = h < zero;

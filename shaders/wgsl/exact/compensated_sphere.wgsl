@@ -52,6 +52,9 @@ fn exact_terms_hit(terms: ExactTerms, discriminant: CompensatedDiscriminant) -> 
 // compensated: returns the hit, if rounding certainly has not changed it.
 fn exact_sphere_compensated(sphere: SphereRecord, ray: Ray) -> Decision {
     let terms = exact_terms(sphere, ray);
+    if exact_in_scale(terms.quadratic.a) && compensated_leaves(terms.quadratic) {
+        return decision_miss();
+    }
     let near = exact_terms_hit(terms, compensated_near(terms.quadratic));
     if near.certain {
         return near;
