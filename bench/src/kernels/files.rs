@@ -38,7 +38,7 @@ fn parse_scene() -> Box<dyn Work> {
 fn build(objects: usize) -> Box<dyn Work> {
     let scene = generator::scene(&Options { objects, ..Options::default() });
     let mut objects = AosObjects::build(&scene).expect("it fits");
-    let extent = Extent { max_coordinate: 100.0, moderate: true };
+    let extent = Extent { max_coordinate: 100.0, moderate: true, has_tiny: false };
     plain(objects.sphere_count() + objects.cylinder_count(), move || {
         black_box(Accel::new(black_box(&mut objects), &extent).expect("it fits"));
     })

@@ -42,7 +42,7 @@ impl Ours {
             Shape::Sphere(sphere) => most.max(reach(sphere) + sphere.radius),
             Shape::Cylinder(_) => most,
         });
-        let extent = Extent { max_coordinate, moderate: true };
+        let extent = Extent { max_coordinate, moderate: true, has_tiny: false };
         let accel = Accel::new(&mut objects, &extent)?;
         let mut numbers: Vec<_> = (0..count(&objects) as ObjectId).collect();
         numbers.sort_unstable_by_key(|&id| order_of(&objects, id));

@@ -68,7 +68,9 @@ impl<B: Boxes> Bvh<B> {
         let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let limit = giants_beyond(objects, dominant, extent);
-        let is_apart = |id: &ObjectId| limit.is_some_and(|limit| reach(objects, *id) > limit) || is_tiny(objects, *id);
+        let is_apart = |id: &ObjectId| {
+            limit.is_some_and(|limit| reach(objects, *id) > limit) || extent.has_tiny && is_tiny(objects, *id)
+        };
         let apart: Vec<_> = others.clone().filter(is_apart).collect();
         let boxes = others.filter(|id| !is_apart(id)).map(|id| (Bounds::of_object(objects, id), id));
         let tree = build(count, sphere_count, boxes, sphere_leaves)?;

@@ -29,8 +29,8 @@
 
 use crate::accel::{
     accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
-    closest_hit::ClosestHit, extent::Extent, extent::is_tiny, flat_filter, flat_filter::FlatFilter, may_hit,
-    object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
+    closest_hit::ClosestHit, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit, object::ObjectId,
+    object::count, small_scene::SmallScene, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
@@ -59,13 +59,12 @@ impl Accel {
     pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
         let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         let is_small = count(objects) <= may_hit::object_lanes::CAPACITY;
-        let has_tiny = (0..count(objects) as ObjectId).any(|id| is_tiny(objects, id));
-        Ok(if !extent.moderate || is_small && (has_tiny || extent.max_coordinate > Extent::LARGEST) {
+        Ok(if !extent.moderate || is_small && (extent.has_tiny || extent.max_coordinate > Extent::LARGEST) {
             Self::EveryObject
         } else if is_small {
             Self::SmallScene(SmallScene::new(objects, extent))
         } else if most_of_a_kind <= flat_filter::CAPACITY
-            && !has_tiny
+            && !extent.has_tiny
             && extent.max_coordinate <= flat_filter::MAX_COORDINATE
         {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)

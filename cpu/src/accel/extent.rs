@@ -14,6 +14,8 @@ pub struct Extent {
     /// underflow. So there the exact formulas intersect every object. Giants and tiny objects are apart
     /// ([`crate::accel::giants`]).
     pub moderate: bool,
+    /// Whether an object [is tiny](is_tiny).
+    pub has_tiny: bool,
 }
 
 impl Extent {
@@ -26,8 +28,9 @@ impl Extent {
     /// Returns the extent of a scene with its camera.
     pub fn new(objects: &impl Objects, camera: &Camera, materials: &[Material]) -> Self {
         let place = magnitude(camera.position);
-        let reaches = (0..count(objects) as ObjectId).map(|id| reach(objects, id));
-        let max_coordinate = reaches.fold(place, f64::max);
+        let mut ids = 0..count(objects) as ObjectId;
+        let max_coordinate = ids.clone().map(|id| reach(objects, id)).fold(place, f64::max);
+        let has_tiny = ids.any(|id| is_tiny(objects, id));
         let diffusion = materials.iter().fold(0.0, |most: f64, material| match material {
             Material::Metal { diffusion, .. } => most.max(*diffusion),
             _ => most,
@@ -36,7 +39,7 @@ impl Extent {
         let window = (camera.origin - camera.position).length();
         let moderate = [place, diffusion, window].iter().all(|&size| size <= Self::LARGEST)
             && pixel >= Self::SMALLEST * Self::SMALLEST;
-        Self { max_coordinate, moderate }
+        Self { max_coordinate, moderate, has_tiny }
     }
 }
 

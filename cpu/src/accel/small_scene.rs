@@ -151,7 +151,8 @@ mod tests {
     fn every_object_that_a_ray_hits_passes_and_few_others_do() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("it fits");
-        let small_scene = SmallScene::new(&objects, &Extent { max_coordinate: EXTENT, moderate: true });
+        let small_scene =
+            SmallScene::new(&objects, &Extent { max_coordinate: EXTENT, moderate: true, has_tiny: false });
         // This number is below `FEWEST_IN_LANES`, so the structure tests the objects one after the other.
         let one_by_one = SmallScene { count: 1, ..small_scene.clone() };
         let mut draws = Uniform::new(5);

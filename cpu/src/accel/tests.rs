@@ -124,7 +124,7 @@ fn agrees_for_far_rays(accel: &Accel, objects: &AosObjects, rays: usize, far: f6
 }
 
 fn accel(objects: &mut AosObjects) -> Accel {
-    Accel::new(objects, &Extent { max_coordinate: 240.0, moderate: true }).expect("it fits")
+    Accel::new(objects, &Extent { max_coordinate: 240.0, moderate: true, has_tiny: false }).expect("it fits")
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn each_number_of_objects_gets_its_structure() {
 fn boxes_of_bytes_give_the_closest_hits() {
     for (count, size) in [(1, 1.0), (20, 2.0), (300, 1.0)] {
         let mut objects = objects(count, size, 6);
-        let extent = Extent { max_coordinate: 240.0, moderate: true };
+        let extent = Extent { max_coordinate: 240.0, moderate: true, has_tiny: false };
         let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent, None).expect("it fits"));
         agrees_for_directions_of_any_length(&accel, &objects, 10.0);
         if count == 300 {
@@ -163,7 +163,7 @@ fn boxes_of_bytes_give_the_closest_hits() {
     }
     for scale in [1e-4, 1.6e8] {
         let mut objects = ring(100, scale, 1.0);
-        let extent = Extent { max_coordinate: 6.0 * scale, moderate: true };
+        let extent = Extent { max_coordinate: 6.0 * scale, moderate: true, has_tiny: false };
         let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent, None).expect("it fits"));
         agrees_for_directions_of_any_length(&accel, &objects, 6.0 * scale);
     }
@@ -172,7 +172,7 @@ fn boxes_of_bytes_give_the_closest_hits() {
 /// Returns both forms of the tree over `objects` with bounding spheres, each with its objects. `max_coordinate` bounds
 /// their coordinates.
 fn with_bounding_spheres(mut objects: AosObjects, max_coordinate: f64) -> [(Accel, AosObjects); 2] {
-    let (extent, mut again) = (Extent { max_coordinate, moderate: true }, objects.clone());
+    let (extent, mut again) = (Extent { max_coordinate, moderate: true, has_tiny: false }, objects.clone());
     let wide = Bvh::new(&mut objects, &extent, Some(true)).expect("it fits");
     let bytes = Bvh::new(&mut again, &extent, Some(true)).expect("it fits");
     assert!(wide.sphere_leaf_count() > 0 && wide.sphere_leaf_count() == bytes.sphere_leaf_count());
@@ -232,7 +232,7 @@ fn above_a_dominant_sphere(count: usize, above: f64, overlapping: usize) -> AosO
 
 #[test]
 fn rays_inside_an_object_hit_what_overlaps_it() {
-    let extent = Extent { max_coordinate: 120.0, moderate: true };
+    let extent = Extent { max_coordinate: 120.0, moderate: true, has_tiny: false };
     for (above, overlapping, known) in [(1e-3, 0, Some(0)), (1e-3, 3, Some(3)), (1e-3, 9, None), (-0.5, 0, None)] {
         let mut objects = above_a_dominant_sphere(30, above, overlapping);
         assert_eq!(
@@ -254,7 +254,7 @@ fn rays_inside_an_object_hit_what_overlaps_it() {
 #[test]
 fn a_scene_of_extreme_magnitudes_intersects_every_object() {
     for (count, moderate) in [(7, true), (90, false)] {
-        let extent = Extent { max_coordinate: 1e12, moderate };
+        let extent = Extent { max_coordinate: 1e12, moderate, has_tiny: false };
         let plain = Accel::new(&mut objects(count, 3.0, 1), &extent).expect("it fits");
         assert!(matches!(plain, Accel::EveryObject));
     }
@@ -292,7 +292,7 @@ fn giants_and_tiny_objects_are_not_in_the_tree_and_give_the_closest_hits() {
     for (giants, expected, far) in cases {
         let mut objects = parsed(&(objects_text(90, 2.0, 6) + &giants));
         let max_coordinate = if far >= 1e9 { far } else { 2.0 * far };
-        let (extent, mut again) = (Extent { max_coordinate, moderate: true }, objects.clone());
+        let (extent, mut again) = (Extent { max_coordinate, moderate: true, has_tiny: true }, objects.clone());
         let wide = Bvh::new(&mut objects, &extent, None).expect("it fits");
         let bytes = Bvh::new(&mut again, &extent, None).expect("it fits");
         assert_eq!(wide.apart.clone().map(|apart| apart.map(|apart| apart.len())), expected, "{giants}");
@@ -383,7 +383,8 @@ fn scenes_of_every_size_give_the_closest_hits() {
         {
             let mut objects = ring(count, scale, height);
             let accel =
-                Accel::new(&mut objects, &Extent { max_coordinate: 6.0 * scale, moderate: true }).expect("it fits");
+                Accel::new(&mut objects, &Extent { max_coordinate: 6.0 * scale, moderate: true, has_tiny: false })
+                    .expect("it fits");
             let is_filter = matches!(accel, Accel::FlatFilter(_));
             assert_eq!(
                 is_filter,

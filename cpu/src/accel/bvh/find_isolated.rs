@@ -90,7 +90,7 @@ mod tests {
     /// Returns the objects of a scene whose largest coordinate is 1. Their boxes are hardly larger than the spheres.
     fn objects(lines: &str) -> (AosObjects, Extent) {
         let scene = Scene::parse(format!("matte: m 1 1 1\n{lines}").as_bytes()).expect("the scene is valid");
-        (AosObjects::build(&scene).expect("it fits"), Extent { max_coordinate: 1.0, moderate: true })
+        (AosObjects::build(&scene).expect("it fits"), Extent { max_coordinate: 1.0, moderate: true, has_tiny: false })
     }
 
     #[test]
