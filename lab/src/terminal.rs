@@ -54,7 +54,7 @@ pub fn table(rows: &[Vec<String>]) -> String {
 /// error is not a terminal.
 #[must_use]
 pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{wide_bar} {pos} of {len} {msg}  {per_sec}  {eta} left");
+    let style = ProgressStyle::with_template("{wide_bar} {percent} %  {pos} of {len} {msg}  {per_sec}  {eta} left");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(steps as u64).with_style(style).with_message(what)
 }
