@@ -186,6 +186,13 @@ fn objects_in_a_bvh_above_a_dominant_sphere() {
 }
 
 #[test]
+fn a_thin_disc_apart_from_the_bvh_and_among_few_objects() {
+    let disc = "cylinder: 0 -1 0 3 0 1e-7 .01 s\nsphere: 0 1 0 1e-9 m\n";
+    check(&format!("{disc}{}", board(20)), 8..=15, |accel| matches!(accel, Accel::Bvh(_)));
+    check(&format!("{disc}{}", board(3)), 4..=15, |accel| matches!(accel, Accel::EveryObject));
+}
+
+#[test]
 #[cfg_attr(miri, ignore = "it takes too long there")]
 fn many_objects_with_sphere_leaves() {
     check(&crowd(20_001), 12..=15, |accel| matches!(accel, Accel::Bvh(bvh) if bvh.sphere_leaf_count() > 0));

@@ -48,7 +48,7 @@ pub struct Bvh<B> {
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
     /// The numbers of the giants and tiny objects, which are not in the tree: spheres, and cylinders. `None` if there
-    /// are none, and if the dominant sphere is no giant.
+    /// are none, and no coordinate of the scene exceeds [`Extent::LARGEST`].
     pub(super) apart: Option<[Range<ObjectId>; 2]>,
     pub(super) isolated: Isolated,
     /// Whether there are sphere leaves: nodes with only spheres have bounding spheres instead of boxes.

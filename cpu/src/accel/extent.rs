@@ -96,11 +96,17 @@ mod tests {
     }
 
     #[test]
-    fn extreme_scenes_are_not_moderate() {
-        for (line, moderate) in
-            [("sphere: 1e10 0 0 1 m", true), ("sphere: 0 0 0 1e-7 m", true), ("metal: n 1 1 1 1e10", false)]
-        {
-            assert_eq!(extent(&format!("matte: m 1 1 1\n{line}\n")).moderate, moderate, "{line}");
+    fn extreme_scenes_are_not_moderate_and_have_tiny_objects() {
+        for (line, expected) in [
+            ("sphere: 1e10 0 0 1 m", (true, false)),
+            ("sphere: 0 0 0 1e-6 m", (true, false)),
+            ("sphere: 0 0 0 9e-7 m", (true, true)),
+            ("cylinder: 0 0 0 1 19e-7 0 0 m", (true, true)),
+            ("cylinder: 0 0 0 9e-7 1 0 0 m", (true, true)),
+            ("metal: n 1 1 1 1e10", (false, false)),
+        ] {
+            let Extent { moderate, has_tiny, .. } = extent(&format!("matte: m 1 1 1\n{line}\n"));
+            assert_eq!((moderate, has_tiny), expected, "{line}");
         }
     }
 }

@@ -158,7 +158,8 @@ pub(crate) fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>),
     (difference + error, (xx + yy) + (zz + s))
 }
 
-/// Returns [`LAMBDA_MIN`], lowered by more than the relative error of an accepted lambda.
+/// Returns [`LAMBDA_MIN`], lowered by more than the error of a lambda. So if a computed lambda is below it, the exact
+/// one is below [`LAMBDA_MIN`].
 #[inline(always)]
 fn least_lambda<T: MulAdd>() -> T {
     T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * LIMITS.lambda_error())

@@ -61,7 +61,10 @@ impl Case {
                 }
                 Ok(Err(self.refused(start(Some("old\n"))?, Some("old\n"), message.as_deref())))
             }
-            Expected::Picture(_) => Ok(self.drawn(start(None)?)?.map_err(|fault| vec![fault])),
+            Expected::Picture(_) => {
+                let picture = self.drawn(start(None)?)?;
+                Ok(picture.map_err(|fault| vec![fault]))
+            }
         }
     }
 

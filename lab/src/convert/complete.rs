@@ -69,7 +69,7 @@ fn set_camera(world: &mut World, view: &View) {
     }
 }
 
-/// Sets the width and the simplest ratio of sides, if that gives the height.
+/// Sets the width and a ratio of sides that gives the height: the simplest one, unless rounding gives another height.
 fn set_size(config: &mut Config, [width, height]: [u64; 2]) {
     let (mut divisor, mut rest) = (width, height);
     while rest > 0 {

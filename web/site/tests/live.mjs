@@ -1,5 +1,5 @@
 // Tests of the live view: WebGPU frames, the camera's gestures, samples over frames, and a browser without WebGPU.
-import { check, digest, equal, frame, pixels, render, rmse, shoot, still, textOf, type, watchPauses } from './tools.mjs';
+import { check, chooseNarrow, digest, equal, frame, pixels, render, rmse, shoot, still, textOf, type, watchPauses } from './tools.mjs';
 
 /** A small scene with every material, and a camera that sees all of it. */
 export const SCENE = {
@@ -277,11 +277,7 @@ export const tests = {
 
     async 'a large scene gets its full size at rest, in parts, while the page answers'({ open, url }) {
         const page = await open(url);
-        await digest(page);
-        await page.waitForFunction(() => document.getElementById('examples').length > 1);
-        await page.selectOption('#examples', 'ten-thousand');
-        await page.click('#cancel');
-        await type(page, 'config', (await textOf(page, 'config')).replace('image_width: 400', 'image_width: 240'));
+        await chooseNarrow(page, 'ten-thousand');
         await page.click('#render');
         await digest(page);
         await watchPauses(page);

@@ -96,6 +96,15 @@ export async function type(page, editor, text) {
     await page.keyboard.insertText(text);
 }
 
+/** Chooses an example, stops its picture, and makes the next one 240 pixels wide. */
+export async function chooseNarrow(page, name) {
+    await digest(page);
+    await page.waitForFunction(() => document.getElementById('examples').length > 1);
+    await page.selectOption('#examples', name);
+    await page.click('#cancel');
+    await type(page, 'config', (await textOf(page, 'config')).replace(/image_width: \d+/, 'image_width: 240'));
+}
+
 /** Time after its opening in which a list of completions takes no keys, in milliseconds: `interactionDelay` of CodeMirror. */
 const LIST_IS_DEAF = 75;
 

@@ -7,7 +7,7 @@ import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { figures, FAULT } from './compare.mjs';
 import { edit } from './shaders.mjs';
-import { check, digest, equal, frame, pixels, rmse, still, textOf, type } from './tools.mjs';
+import { check, chooseNarrow, equal, frame, pixels, rmse, still, textOf, type } from './tools.mjs';
 
 /** Largest height of a picture in pixels. */
 const HIGHEST = 700;
@@ -36,11 +36,7 @@ async function change(page, act) {
 export const tests = {
     async 'the walk through the page changes a colour, a formula, and finds a planted fault'({ open, url }) {
         const page = await open(url, { viewport: { width: 1000, height: 760 } });
-        await digest(page);
-        await page.waitForFunction(() => document.getElementById('examples').length > 1);
-        await page.selectOption('#examples', 'materials');
-        await page.click('#cancel');
-        await type(page, 'config', (await textOf(page, 'config')).replace('image_width: 480', 'image_width: 240'));
+        await chooseNarrow(page, 'materials');
         await page.click('#tab-live');
         await frame(page);
         await still(page);

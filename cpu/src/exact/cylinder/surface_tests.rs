@@ -59,7 +59,7 @@ struct Facts {
 }
 
 impl Order {
-    /// Returns the cylinder and the ray.
+    /// Returns a cylinder and a ray that cross in this order.
     fn objects(&self) -> (CylinderRecord, Ray) {
         let Self { line, side: [enters, leaves], caps: [near, far], upward, .. } = *self;
         let (sign, radius) = (if upward { 1.0 } else { -1.0 }, (leaves - enters) / 2.0);

@@ -260,8 +260,8 @@ pub fn sphere() -> [Bounded; 4] {
     [a, h, view.c, discriminant]
 }
 
-/// Runs the formulas of the side of a cylinder. Returns `a`, `h`, `c` and the discriminant, where `h` has the sign that
-/// it has for a sphere.
+/// Runs the formulas of the side of a cylinder. Returns `a`, `-h`, `c` and the discriminant: a sphere's `h` has the
+/// other sign.
 pub fn cylinder(is_long: bool) -> [Bounded; 4] {
     let (ray, record) = (ray(), record());
     is(ray.origin - record.center, TO_CENTER);

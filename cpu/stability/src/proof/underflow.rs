@@ -14,8 +14,8 @@ use super::logarithm::{Corner, Log, sum};
 use super::row::{U, family::AXIS};
 use super::signed::two_sum;
 
-/// Bounds of the magnitudes of numbers, which all parts of a domain need: the logarithm of each monomial's coefficient,
-/// and its families.
+/// Bounds of the magnitudes of numbers, kept because they hold in all parts of a domain. A bound is a list of
+/// monomials: the logarithm of the coefficient, and the families.
 pub type Known = RefCell<HashMap<Bounded, Rc<Vec<(Log, Vec<u8>)>>>>;
 
 /// The parts that underflow adds, for numbers of these magnitudes.
