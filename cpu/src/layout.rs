@@ -162,8 +162,13 @@ mod tests {
         objects.reorder(&mut [1, 0], &mut [0]);
         assert_eq!([0, 1].map(|index| objects.sphere(index).order), [2, 0]);
         assert_eq!((objects.cylinder(0).order, objects.axis(0)), (1, Vec3::new(0.0, 2.0, 0.0)));
-        let empty = L::Objects::build(&Scene::default()).expect("nothing fits");
+        let empty = empty::<L>();
         assert_eq!((empty.sphere_count(), empty.cylinder_count()), (0, 0));
+        empty.prefetch_sphere(0);
+    }
+
+    fn empty<L: Layout>() -> L::Objects {
+        L::Objects::build(&Scene::default()).expect("nothing fits")
     }
 
     fn stores_pixels<L: Layout>() {
@@ -212,6 +217,18 @@ mod tests {
                 #[test]
                 fn objects_are_stored_and_reordered() {
                     super::stores_objects::<$layout>();
+                }
+
+                #[test]
+                #[should_panic(expected = "out of bounds")]
+                fn there_is_no_sphere_in_an_empty_scene() {
+                    super::Objects::sphere(&super::empty::<$layout>(), 0);
+                }
+
+                #[test]
+                #[should_panic(expected = "out of bounds")]
+                fn there_is_no_cylinder_in_an_empty_scene() {
+                    super::Objects::cylinder(&super::empty::<$layout>(), 0);
                 }
 
                 #[test]

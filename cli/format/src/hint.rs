@@ -45,6 +45,12 @@ pub struct Hint {
 }
 
 impl Language {
+    /// Returns the text in this language.
+    #[must_use]
+    pub const fn pick(self, words: Words) -> &'static str {
+        words[self as usize]
+    }
+
     /// Returns the text in this language, with `values` in the places of its `{}`.
     #[must_use]
     pub fn say(self, words: Words, values: &[&str]) -> String {

@@ -11,6 +11,7 @@ use super::commands::Record;
 use super::machine::Machine;
 use super::results::check::{MAX_BYTES, Total};
 use super::results::{Results, Timing};
+use crate::format::hint::Language;
 use crate::{Failure, sources, terminal};
 
 /// The times of a record: the machines, and the medians by the name of their case.
@@ -87,7 +88,7 @@ impl Times {
 }
 
 fn named(Timing { setting, seconds, .. }: Timing) -> (String, Vec<f64>) {
-    let value = crate::report::style::setting(&setting.parameter, setting.value);
+    let value = crate::report::style::setting(&setting.parameter, setting.value, Language::English);
     (format!("{} {}, {value}, {}", setting.suite, setting.scene, setting.engine), seconds)
 }
 

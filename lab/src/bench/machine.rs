@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct Machine {
     /// Day of the measurement in UTC, such as `2026-01-31`.
     pub date: String,
-    /// Name of the processor, as the processor reports it.
+    /// Name, family and model of the processor, as the processor reports them.
     pub processor: String,
     /// Number of processors that the system offers.
     pub processors: usize,
@@ -51,8 +51,16 @@ impl Machine {
 }
 
 fn processor(cpuinfo: &str) -> String {
-    let mut values = cpuinfo.lines().filter_map(|line| line.split_once(':'));
-    values.find(|(key, _)| key.trim() == "model name").map(|(_, name)| name.trim().to_owned()).unwrap_or_default()
+    let value = |name: &str| {
+        let mut values = cpuinfo.lines().filter_map(|line| line.split_once(':'));
+        values.find(|(key, _)| key.trim() == name).map(|(_, value)| value.trim())
+    };
+    let name = value("model name").unwrap_or_default();
+    // Some names, such as "AMD EPYC", do not tell the generation.
+    match (value("cpu family"), value("model")) {
+        (Some(family), Some(model)) => format!("{name}, family {family}, model {model}"),
+        _ => name.to_owned(),
+    }
 }
 
 /// Returns the commit of the checkout that contains this program. If it lies elsewhere, the commit is the one that was
@@ -82,6 +90,7 @@ mod tests {
     #[test]
     fn the_processor_is_the_first_that_is_named() {
         assert_eq!(processor("processor\t: 0\nmodel name\t: Some CPU\n\nmodel name\t: Other\n"), "Some CPU");
+        assert_eq!(processor("cpu family\t: 6\nmodel\t: 2\nmodel name\t: X\n"), "X, family 6, model 2");
         assert_eq!(processor(""), "");
     }
 }

@@ -35,7 +35,7 @@ pub struct Arguments {
 #[derive(Debug, Args)]
 pub struct Shown {
     /// Language of the report
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(["en", "es"]).map(language))]
+    #[arg(long, default_value = "en", value_parser = language())]
     pub language: Language,
     /// Write the report as one self-contained page too
     #[arg(long, value_name = "FILE")]
@@ -45,8 +45,10 @@ pub struct Shown {
     pub keep: Option<PathBuf>,
 }
 
-fn language(code: String) -> Language {
-    if code == "es" { Language::Spanish } else { Language::English }
+/// Returns the parser of the option `--language`.
+pub fn language() -> impl TypedValueParser<Value = Language> {
+    let of = |code: String| if code == "es" { Language::Spanish } else { Language::English };
+    PossibleValuesParser::new(["en", "es"]).map(of)
 }
 
 impl Shown {

@@ -7,6 +7,8 @@ use output::Options;
 
 use crate::Failure;
 use crate::bench::results::Results;
+use crate::commands::check::language;
+use crate::format::hint::Language;
 
 /// Options of `report`.
 #[derive(Debug, Args)]
@@ -20,6 +22,9 @@ pub struct Arguments {
     /// Folder for index.html, findings.json and charts/*.svg; it is made if it is not there
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
+    /// Language of the page and the charts
+    #[arg(long, default_value = "en", value_parser = language())]
+    language: Language,
 }
 
 impl Arguments {
@@ -28,6 +33,6 @@ impl Arguments {
     /// # Errors
     /// An error of the data or the folder.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        crate::report::write(&Results::read(&self.data)?, &self.data, &self.out, options)
+        crate::report::write(&Results::read(&self.data)?, &self.data, &self.out, self.language, options)
     }
 }

@@ -5,33 +5,47 @@ use cpu::internals::InstructionSet;
 use super::chart::{Axis, Bounds, Chart, Point, Series};
 use super::style::{seconds, short};
 use crate::bench::results::{Results, Timing};
+use crate::format::{Words, hint::Language};
 use measure::statistics::Median;
 
-const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
-const ERROR: Axis = Axis { label: "RMSE in linear light (white is 1)", format: short };
+const TIME: Words = ["user time of a picture", "tiempo de usuario de una imagen"];
+const ERROR: Words = ["RMSE in linear light (white is 1)", "RMSE en luz lineal (el blanco es 1)"];
+const SAMPLES: Words = ["samples a pixel", "muestras por píxel"];
 /// The vertical axis of a chart of dots, whose rows have names instead of numbers.
 const ROWS: Axis = Axis { label: "", format: short };
 
 /// Returns every chart for which there are data, in the order of the report.
 #[must_use]
-pub fn all(results: &Results) -> Vec<Chart> {
-    let scale = crate::bench::matrix::PARAMETERS.iter().filter_map(|parameter| scale(results, parameter));
+pub fn all(results: &Results, language: Language) -> Vec<Chart> {
+    let scale = crate::bench::matrix::PARAMETERS.iter().filter_map(|parameter| scale(results, language, parameter));
     let curves = results.curves.iter().map(|curve| curve.scene.as_str());
     scale
-        .chain(error_by_samples(results))
-        .chain(curves.filter_map(|scene| error_by_time(results, scene)))
-        .chain(speed_ups(results))
+        .chain(error_by_samples(results, language))
+        .chain(curves.filter_map(|scene| error_by_time(results, language, scene)))
+        .chain(speed_ups(results, language))
         .collect()
 }
 
 /// Returns the chart of times against a parameter, or `None` if there are no data.
-fn scale(results: &Results, parameter: &str) -> Option<Chart> {
-    let (label, title) = match parameter {
-        "width" => ("width of the picture in pixels (height follows)", "Time against the picture's width"),
-        "samples" => ("samples a pixel", "Time against samples"),
-        "depth" => ("maximum depth", "Time against the maximum depth"),
-        "density" => ("objects in the same view", "Time against the number of objects in one view"),
-        _ => ("objects in the scene", "Time against the number of objects"),
+fn scale(results: &Results, language: Language, parameter: &str) -> Option<Chart> {
+    let (label, title): (Words, Words) = match parameter {
+        "width" => (
+            ["width of the picture in pixels (height follows)", "anchura de la imagen en píxeles (la altura la sigue)"],
+            ["Time against the picture's width", "Tiempo frente a la anchura de la imagen"],
+        ),
+        "samples" => (SAMPLES, ["Time against samples", "Tiempo frente a las muestras"]),
+        "depth" => (
+            ["maximum depth", "profundidad máxima"],
+            ["Time against the maximum depth", "Tiempo frente a la profundidad máxima"],
+        ),
+        "density" => (
+            ["objects in the same view", "objetos en la misma vista"],
+            ["Time against the number of objects in one view", "Tiempo frente al número de objetos en una vista"],
+        ),
+        _ => (
+            ["objects in the scene", "objetos de la escena"],
+            ["Time against the number of objects", "Tiempo frente al número de objetos"],
+        ),
     };
     let mut series: Vec<Series> = Vec::new();
     for timing in results.timings.iter().filter(|t| t.setting.suite == "scale" && t.setting.parameter == parameter) {
@@ -39,14 +53,14 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
         push(&mut series, &timing.setting.engine, color(&timing.setting.engine), point);
     }
     order(&mut series);
-    let x = Axis { label, format: short };
+    let [x, y] = [(label, short as fn(f64) -> String), (TIME, seconds)].map(|axis| of(language, axis));
     let name = format!("scale-{parameter}");
-    chart(Chart { name, title: title.to_owned(), x, y: TIME, series, rows: Vec::new() })
+    chart(Chart { name, title: language.pick(title).to_owned(), x, y, series, rows: Vec::new() })
 }
 
 /// Returns the chart of errors against samples, with a line for each scene and a line of slope -1/2, the law of
 /// independent samples. Returns `None` if there are no data.
-fn error_by_samples(results: &Results) -> Option<Chart> {
+fn error_by_samples(results: &Results, language: Language) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for (index, curve) in results.curves.iter().enumerate() {
         for point in &curve.points {
@@ -58,16 +72,16 @@ fn error_by_samples(results: &Results) -> Option<Chart> {
     let first = series.first()?.points.clone();
     let (start, end) = (*first.first()?, *first.last()?);
     let guide = [start.x, end.x].map(|x| Point { x, y: 0.6 * start.y * (x / start.x).powf(-0.5), bounds: None });
-    let name = "slope -1/2".to_owned();
+    let name = language.pick(["slope -1/2", "pendiente -1/2"]).to_owned();
     series.push(Series { name, color: 0, is_guide: true, points: guide.to_vec() });
-    let x = Axis { label: "samples a pixel", format: short };
-    let title = "Error against samples".to_owned();
-    chart(Chart { name: "error-samples".to_owned(), title, x, y: ERROR, series, rows: Vec::new() })
+    let [x, y] = [SAMPLES, ERROR].map(|label| of(language, (label, short)));
+    let title = language.pick(["Error against samples", "Error frente a las muestras"]).to_owned();
+    chart(Chart { name: "error-samples".to_owned(), title, x, y, series, rows: Vec::new() })
 }
 
 /// Returns the chart of errors against times for a scene, or `None` if there are no data. It shows arrays of structures
 /// with every instruction set, but structures of arrays only with the best one.
-fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
+fn error_by_time(results: &Results, language: Language, scene: &str) -> Option<Chart> {
     let curve = results.curves.iter().find(|curve| curve.scene == scene)?;
     let mut series: Vec<Series> = Vec::new();
     for timing in error_timings(results, scene) {
@@ -80,13 +94,15 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
         }
     }
     order(&mut series);
-    let title = format!("Error against time, scene \u{201c}{scene}\u{201d}");
-    chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y: ERROR, series, rows: Vec::new() })
+    let title = ["Error against time, scene \u{201c}{}\u{201d}", "Error frente al tiempo, escena «{}»"];
+    let (title, name) = (language.say(title, &[scene]), format!("error-time-{scene}"));
+    let [x, y] = [(TIME, seconds as fn(f64) -> String), (ERROR, short)].map(|axis| of(language, axis));
+    chart(Chart { name, title, x, y, series, rows: Vec::new() })
 }
 
 /// Speed of each engine divided by that of the reference, at the largest number of samples for which the
 /// reference was measured.
-fn speed_ups(results: &Results) -> Option<Chart> {
+fn speed_ups(results: &Results, language: Language) -> Option<Chart> {
     // The slowest instruction set comes first. The two layouts of each instruction set have neighbouring rows.
     let sets = InstructionSet::ALL.map(InstructionSet::name);
     let engines = sets.iter().flat_map(|set| ["aos", "soa"].map(|layout| format!("{layout}-{set}")));
@@ -105,14 +121,20 @@ fn speed_ups(results: &Results) -> Option<Chart> {
             push(&mut series, &curve.scene, index + 1, point);
         }
     }
-    let x = Axis { label: "times as fast as the reference", format: short };
-    let title = "Implementations against the reference".to_owned();
+    let x = of(language, (["times as fast as the reference", "veces más rápido que la referencia"], short));
+    let title = ["Implementations against the reference", "Las implementaciones frente a la referencia"];
+    let title = language.pick(title).to_owned();
     chart(Chart { name: "speed-up".to_owned(), title, x, y: ROWS, series, rows })
 }
 
 /// Returns the times of a scene in the suite `error`, ordered by the number of samples.
 fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIterator<Item = &'a Timing> {
     results.timings.iter().filter(move |timing| timing.setting.suite == "error" && timing.setting.scene == scene)
+}
+
+/// Returns the axis with this label and format.
+fn of(language: Language, (label, format): (Words, fn(f64) -> String)) -> Axis {
+    Axis { label: language.pick(label), format }
 }
 
 fn timed(timing: &Timing, x: f64) -> Point {

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::style::short;
 use crate::bench::results::Results;
+use crate::format::{Words, hint::Language};
 use comparisons::{instruction_sets, layouts, reference};
 use growth::{error, scaling, time_to_error};
 
@@ -21,55 +22,68 @@ pub struct Finding {
 
 /// Returns a sentence for each topic for which there are data.
 #[must_use]
-pub fn of(results: &Results) -> Vec<Finding> {
-    let findings = [
-        ("Conditions", conditions(results)),
-        ("Spread", spread(results)),
-        ("Layouts", layouts(results)),
-        ("Reference", reference(results)),
-        ("Instruction sets", instruction_sets(results)),
-        ("Scaling", scaling(results)),
-        ("Error", error(results)),
-        ("Time to an error", time_to_error(results)),
+pub fn of(results: &Results, language: Language) -> Vec<Finding> {
+    let findings: [(Words, Option<String>); 8] = [
+        (["Conditions", "Condiciones"], conditions(results, language)),
+        (["Spread", "Dispersión"], spread(results, language)),
+        (["Layouts", "Disposiciones"], layouts(results, language)),
+        (["Reference", "Referencia"], reference(results, language)),
+        (["Instruction sets", "Juegos de instrucciones"], instruction_sets(results, language)),
+        (["Scaling", "Escalabilidad"], scaling(results, language)),
+        (["Error", "Error"], error(results, language)),
+        (["Time to an error", "Tiempo hasta un error"], time_to_error(results, language)),
     ];
-    findings.into_iter().filter_map(|(topic, text)| Some(Finding { topic, text: text? })).collect()
+    let finding = |(topic, text): (Words, Option<String>)| Some(Finding { topic: language.pick(topic), text: text? });
+    findings.into_iter().filter_map(finding).collect()
 }
 
-fn conditions(results: &Results) -> Option<String> {
+fn conditions(results: &Results, language: Language) -> Option<String> {
     let machine = results.machines.first()?;
-    let size = if results.quick { "The small matrix" } else { "The full matrix" };
-    let load = machine
-        .load
-        .map_or_else(String::new, |load| format!(", with {} processes wanting to run when it began", short(load)));
+    let size = if results.quick { ["small", "pequeña"] } else { ["full", "completa"] };
+    let load = machine.load.map_or_else(String::new, |load| language.say(LOAD, &[&short(load)]));
     let others = match results.machines.len() {
         1 => String::new(),
-        count => format!(" and {} other runs", count - 1),
+        count => language.say([" and {} other runs", " y {} medidas más"], &[&(count - 1).to_string()]),
     };
-    let (date, processor, processors) = (&machine.date, &machine.processor, machine.processors);
-    Some(format!("{size}, measured on {date} on {processor} ({processors} processors{load}){others}."))
+    let (processor, processors) = (&machine.processor, machine.processors.to_string());
+    Some(language.say(
+        [
+            "The {} matrix, measured on {} on {} ({} processors{}){}.",
+            "La matriz {}, medida el {} en {} ({} procesadores{}){}.",
+        ],
+        &[language.pick(size), &machine.date, processor, &processors, &load, &others],
+    ))
 }
 
-fn spread(results: &Results) -> Option<String> {
+const LOAD: Words =
+    [", with {} processes wanting to run when it began", ", con {} procesos que querían ejecutarse al empezar"];
+
+fn spread(results: &Results, language: Language) -> Option<String> {
     let mut spreads: Vec<_> = results.timings.iter().map(|timing| timing.median.spread()).collect();
     spreads.sort_by(f64::total_cmp);
     let (middle, worst) = (spreads.get(spreads.len() / 2)?, spreads.last()?);
     let repeats = results.timings.iter().map(|timing| timing.seconds.len()).min()?;
     if !results.timings.iter().all(|timing| timing.median.is_bounded()) {
-        return Some(format!(
-            "The fewest repeats of a time are {repeats}. Bounds of a median that are worth a conclusion need three, and with \
-             95 % confidence six: where there are fewer, no difference is told from chance."
-        ));
+        return Some(language.say(FEW, &[&repeats.to_string()]));
     }
     let confidence = results.timings.iter().map(|timing| timing.median.confidence).fold(1.0, f64::min);
-    Some(format!(
-        "From run to run, bounds that hold a median with at least {} % confidence ({repeats} repeats or more) are {} % \
-         of it wide in the middle, {} % at worst, over {} times.",
-        short(100.0 * confidence),
-        short(100.0 * middle),
-        short(100.0 * worst),
-        spreads.len()
-    ))
+    let [confidence, middle, worst] = [confidence, *middle, *worst].map(|share| short(100.0 * share));
+    let [repeats, times] = [repeats, spreads.len()].map(|count| count.to_string());
+    Some(language.say(SPREAD, &[&confidence, &repeats, &middle, &worst, &times]))
 }
+
+const FEW: Words = [
+    "The fewest repeats of a time are {}. Bounds of a median that are worth a conclusion need three, and with 95 % \
+     confidence six: where there are fewer, no difference is told from chance.",
+    "Un tiempo se repitió como mínimo {} veces. Unas cotas de la mediana de las que se pueda concluir algo necesitan \
+     tres, y con un 95 % de confianza seis: con menos, ninguna diferencia se distingue del azar.",
+];
+const SPREAD: Words = [
+    "From run to run, bounds that hold a median with at least {} % confidence ({} repeats or more) are {} % of it wide \
+     in the middle, {} % at worst, over {} times.",
+    "De una ejecución a otra, las cotas que contienen una mediana con al menos un {} % de confianza ({} repeticiones o \
+     más) tienen una anchura de un {} % de ella en el centro y de un {} % en el peor caso, entre {} tiempos.",
+];
 
 #[cfg(test)]
 mod tests {
@@ -86,7 +100,7 @@ mod tests {
     }
 
     fn text(results: &Results, topic: &str) -> String {
-        of(results).into_iter().find(|finding| finding.topic == topic).expect("it is said").text
+        of(results, Language::English).into_iter().find(|finding| finding.topic == topic).expect("it is said").text
     }
 
     #[test]
@@ -119,6 +133,6 @@ mod tests {
 
     #[test]
     fn without_data_nothing_is_said() {
-        assert!(of(&Results::default()).is_empty());
+        assert!(of(&Results::default(), Language::Spanish).is_empty());
     }
 }

@@ -7,7 +7,7 @@ use super::findings::Finding;
 use super::style::{self, engine_meaning, for_screen, printable, seconds, short, variables, with_error};
 use super::thumbnails::Thumbnail;
 use crate::bench::results::Results;
-use crate::format::hint::Language;
+use crate::format::{Words, hint::Language};
 
 const STYLE: &str = "\
 body{font:16px/1.5 system-ui,sans-serif;margin:0 auto;max-width:52rem;padding:1rem;color:var(--ink);background:var(--paper)}\
@@ -18,6 +18,11 @@ th,td{padding:.25rem .7rem .25rem 0;text-align:right;vertical-align:top;border-b
 th.t,td.t{text-align:left}td.t:last-child{white-space:normal}nav ol{columns:2;padding-left:1.4rem}a{color:inherit}\
 figcaption{font-size:.9rem;max-width:46rem}.scenes{display:flex;flex-wrap:wrap;gap:1rem;margin-bottom:1rem}.scenes figure{margin:0}\
 .scenes img{display:block;width:14rem;max-width:100%;height:auto}footer{margin-top:2rem;font-size:.9rem}";
+
+const SCENE: Words = ["scene", "escena"];
+const IMPLEMENTATION: Words = ["implementation", "implementación"];
+const VERSION: Words = ["on {} with the program of commit {}", "el {} con el programa del commit {}"];
+const PROCESSORS: Words = ["{} ({} processors)", "{} ({} procesadores)"];
 
 /// Returns an HTML page that needs no other file. Its colours follow the light or dark setting of the reader.
 #[must_use]
@@ -35,30 +40,36 @@ pub fn document(language: Language, title: &str, body: &str) -> String {
 
 /// Returns the HTML page about `results`. Each chart is given with its SVG text.
 #[must_use]
-pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)], pictures: &[Thumbnail]) -> String {
+pub fn page(
+    results: &Results,
+    language: Language,
+    findings: &[Finding],
+    charts: &[(&Chart, String)],
+    pictures: &[Thumbnail],
+) -> String {
     let mut page = String::new();
-    versions(&mut page, results);
+    versions(&mut page, results, language);
     let mut body = String::new();
-    heading(&mut body, "What they say");
+    heading(&mut body, language.pick(["What they say", "Qué dicen"]));
     body.push_str("<dl>\n");
     for Finding { topic, text } in findings {
         put(&mut body, format_args!("<dt>{}</dt><dd>{}</dd>\n", escape(topic), escape(text)));
     }
     body.push_str("</dl>\n");
-    scenes(&mut body, pictures);
-    implementations(&mut body, results);
-    heading(&mut body, "Charts");
+    scenes(&mut body, language, pictures);
+    implementations(&mut body, results, language);
+    heading(&mut body, language.pick(["Charts", "Gráficas"]));
     for (chart, svg) in charts {
-        let caption = escape(&caption(chart));
+        let caption = escape(&caption(chart, language));
         put(&mut body, format_args!("<figure>{}<figcaption>{caption}</figcaption></figure>\n", for_screen(svg)));
     }
-    growth(&mut body, results);
-    times_to_error(&mut body, results);
-    omitted(&mut body, results);
-    machines(&mut body, results);
-    contents(&mut page, &body);
+    growth(&mut body, results, language);
+    times_to_error(&mut body, results, language);
+    omitted(&mut body, results, language);
+    machines(&mut body, results, language);
+    contents(&mut page, language, &body);
     page.push_str(&body);
-    document(Language::English, "Measurements of the renderer", &page)
+    document(language, language.pick(["Measurements of the renderer", "Medidas del renderizador"]), &page)
 }
 
 /// Appends a heading with an anchor, to which the table of contents links.
@@ -73,8 +84,8 @@ fn anchor(words: &str) -> String {
 }
 
 /// Appends a table of contents, which links to the headings of `body`.
-fn contents(page: &mut String, body: &str) {
-    page.push_str("<nav aria-label=\"Contents\"><ol>\n");
+fn contents(page: &mut String, language: Language, body: &str) {
+    put(page, format_args!("<nav aria-label=\"{}\"><ol>\n", language.pick(["Contents", "Contenido"])));
     for piece in body.split("<h2 id=\"").skip(1) {
         let entry = piece.split_once("</h2>").and_then(|(heading, _)| heading.split_once("\">"));
         if let Some((id, words)) = entry {
@@ -85,24 +96,21 @@ fn contents(page: &mut String, body: &str) {
 }
 
 /// Adds the dates of the data and the versions of the program that was measured.
-fn versions(page: &mut String, results: &Results) {
-    let mut runs: Vec<_> = results
-        .machines
-        .iter()
-        .map(|machine| format!("on {} with the program of commit {}", machine.date, machine.commit))
-        .collect();
+fn versions(page: &mut String, results: &Results, language: Language) {
+    let mut runs: Vec<_> =
+        results.machines.iter().map(|machine| language.say(VERSION, &[&machine.date, &machine.commit])).collect();
     runs.dedup();
     if !runs.is_empty() {
-        paragraph(page, &format!("Measured {}.", runs.join(", ")));
+        paragraph(page, &language.say(["Measured {}.", "Medido {}."], &[&runs.join(", ")]));
     }
 }
 
 /// Appends small pictures of the scenes that were measured.
-fn scenes(page: &mut String, thumbnails: &[Thumbnail]) {
+fn scenes(page: &mut String, language: Language, thumbnails: &[Thumbnail]) {
     if !thumbnails.is_empty() {
-        heading(page, "Scenes");
+        heading(page, language.pick(["Scenes", "Escenas"]));
         let named = thumbnails.iter().map(|Thumbnail { scene, address }| (scene.clone(), address.clone()));
-        pictures(page, "The scene ", named);
+        pictures(page, language.pick(["The scene ", "La escena "]), named);
     }
 }
 
@@ -124,63 +132,84 @@ pub fn paragraph(page: &mut String, text: &str) {
 }
 
 /// Appends a table that explains the names of the implementations.
-fn implementations(page: &mut String, results: &Results) {
+fn implementations(page: &mut String, results: &Results, language: Language) {
     let timed = results.timings.iter().map(|timing| timing.setting.engine.as_str());
     let engines: std::collections::BTreeSet<_> = timed.collect();
-    let rows = engines.into_iter().map(|engine| vec![engine.to_owned(), engine_meaning(engine)]);
-    table(page, "Implementations", &["name", "what it is"], rows);
+    let rows = engines.into_iter().map(|engine| vec![engine.to_owned(), engine_meaning(engine, language)]);
+    let head = [["name", "nombre"], ["what it is", "qué es"]].map(|words| language.pick(words));
+    table(page, language.pick(["Implementations", "Implementaciones"]), &head, rows);
 }
 
 /// Returns the text of the caption below a chart.
-fn caption(chart: &Chart) -> String {
-    let what = match chart.name.split('-').next().unwrap_or_default() {
-        "scale" => {
-            "Medians of user time; bars are the bounds of a median. Both axes are logarithmic: a straight line is a power."
-        }
-        "error" => {
-            "Each point is a number of samples; bars are the bounds of a median. Lower and further left is better."
-        }
-        "speed" => "Further right is faster; bars are what the bounds of both medians allow.",
-        _ => "",
+fn caption(chart: &Chart, language: Language) -> String {
+    let what: Words = match chart.name.split('-').next().unwrap_or_default() {
+        "scale" => [
+            "Medians of user time; bars are the bounds of a median. Both axes are logarithmic: a straight line is a power.",
+            "Medianas del tiempo de usuario; las barras son las cotas de una mediana. Los dos ejes son logarítmicos: una \
+             recta es una potencia.",
+        ],
+        "error" => [
+            "Each point is a number of samples; bars are the bounds of a median. Lower and further left is better.",
+            "Cada punto es un número de muestras; las barras son las cotas de una mediana. Más abajo y más a la izquierda \
+             es mejor.",
+        ],
+        "speed" => [
+            "Further right is faster; bars are what the bounds of both medians allow.",
+            "Más a la derecha es más rápido; las barras son lo que permiten las cotas de las dos medianas.",
+        ],
+        _ => ["", ""],
     };
-    format!("{}. {what}", chart.title)
+    format!("{}. {}", chart.title, language.pick(what))
 }
 
-fn growth(page: &mut String, results: &Results) {
+fn growth(page: &mut String, results: &Results, language: Language) {
     let rows = results.growth.iter().filter(|growth| growth.parameter != "depth").map(|growth| {
         let (points, exponent) =
             (growth.law.points.to_string(), with_error(growth.law.exponent, growth.law.exponent_error));
-        vec![growth.scene.clone(), growth.parameter.clone(), growth.engine.clone(), points, exponent]
+        let parameter = style::parameter_name(&growth.parameter, language).to_owned();
+        vec![growth.scene.clone(), parameter, growth.engine.clone(), points, exponent]
     });
-    let head = ["scene", "parameter", "implementation", "points", "exponent"];
-    table(page, "Time as a power of a parameter", &head, rows);
+    let head = [SCENE, ["parameter", "parámetro"], IMPLEMENTATION, ["points", "puntos"], ["exponent", "exponente"]];
+    let title = language.pick(["Time as a power of a parameter", "El tiempo como potencia de un parámetro"]);
+    table(page, title, &head.map(|words| language.pick(words)), rows);
 }
 
-fn times_to_error(page: &mut String, results: &Results) {
+fn times_to_error(page: &mut String, results: &Results, language: Language) {
     let rows = results.times_to_error.iter().map(|time| {
-        let reached = time.seconds.map_or_else(|| "not reached".to_owned(), seconds);
+        let reached = time.seconds.map_or_else(|| language.pick(["not reached", "no se alcanza"]).to_owned(), seconds);
         vec![time.scene.clone(), time.engine.clone(), short(time.error), reached]
     });
-    table(page, "Time to an error (RMSE in linear light)", &["scene", "implementation", "error", "user time"], rows);
+    let head = [SCENE, IMPLEMENTATION, ["error", "error"], ["user time", "tiempo de usuario"]];
+    let title = ["Time to an error (RMSE in linear light)", "Tiempo hasta un error (RMSE en luz lineal)"];
+    table(page, language.pick(title), &head.map(|words| language.pick(words)), rows);
 }
 
-fn omitted(page: &mut String, results: &Results) {
+fn omitted(page: &mut String, results: &Results, language: Language) {
     let rows = results.omitted.iter().map(|omitted| {
         let setting = &omitted.setting;
-        let value = style::setting(&setting.parameter, setting.value);
+        let value = style::setting(&setting.parameter, setting.value, language);
         vec![setting.scene.clone(), value, setting.engine.clone(), omitted.reason.clone()]
     });
-    table(page, "Left out", &["scene", "setting", "implementation", "because"], rows);
+    let head = [SCENE, ["setting", "ajuste"], IMPLEMENTATION, ["because", "motivo"]];
+    table(page, language.pick(["Left out", "Lo que falta"]), &head.map(|words| language.pick(words)), rows);
 }
 
-fn machines(page: &mut String, results: &Results) {
+fn machines(page: &mut String, results: &Results, language: Language) {
     let rows = results.machines.iter().map(|m| {
-        let processor = format!("{} ({} processors)", m.processor, m.processors);
+        let processor = language.say(PROCESSORS, &[&m.processor, &m.processors.to_string()]);
         let compiler = format!("{}, {}", m.compiler, m.profile);
         vec![m.date.clone(), processor, m.instruction_set.clone(), m.system.clone(), compiler, m.commit.clone()]
     });
-    let head = ["date", "processor", "instruction set", "system", "compiler", "commit"];
-    table(page, "Where it was measured", &head, rows);
+    let head: [Words; 6] = [
+        ["date", "fecha"],
+        ["processor", "procesador"],
+        ["instruction set", "juego de instrucciones"],
+        ["system", "sistema"],
+        ["compiler", "compilador"],
+        ["commit", "commit"],
+    ];
+    let title = language.pick(["Where it was measured", "Dónde se midió"]);
+    table(page, title, &head.map(|words| language.pick(words)), rows);
 }
 
 /// Appends a table below a heading. A cell may have several lines. Appends nothing if there are no rows.
@@ -227,7 +256,7 @@ mod tests {
         let machine = Machine { date: "2026-01-31".to_owned(), commit: "0123<\u{1b}".to_owned(), ..Machine::here() };
         let results = Results { times_to_error, machines: vec![machine], ..Results::default() };
         let picture = Thumbnail { scene: "grid".to_owned(), address: "data:image/png;base64,AAAA".to_owned() };
-        let page = page(&results, &[], &[], &[picture]);
+        let page = page(&results, Language::English, &[], &[], &[picture]);
         for id in ["what-they-say", "scenes", "charts", "time-to-an-error--rmse-in-linear-light-"] {
             let both = [format!("<a href=\"#{id}\">"), format!("<h2 id=\"{id}\">")];
             assert!(both.iter().all(|text| page.contains(text)), "{id}: {page}");

@@ -2,6 +2,8 @@
 
 use plotters::style::RGBColor;
 
+use crate::format::{Words, hint::Language};
+
 /// Colour of text, axes and ticks. Charts are drawn in the colours for white paper; [`for_screen`] replaces them by the
 /// colours of the page.
 pub const INK: RGBColor = RGBColor(0x26, 0x26, 0x2B);
@@ -57,27 +59,44 @@ pub fn variables(dark: bool) -> String {
 
 /// Returns a text that explains the implementation with this name.
 #[must_use]
-pub fn engine_meaning(engine: &str) -> String {
-    if engine == "reference" {
-        return "follows the definition line by line and tries every object for every ray; the yardstick".to_owned();
-    }
+pub fn engine_meaning(engine: &str, language: Language) -> String {
     let (layout, set) = engine.split_once('-').unwrap_or((engine, ""));
-    let layout = match layout {
-        "aos" => "arrays of structures",
-        "soa" => "structures of arrays",
-        other => other,
+    let words: Words = match layout {
+        "reference" => [
+            "follows the definition line by line and tries every object for every ray; the yardstick",
+            "sigue la definición línea a línea y prueba todos los objetos para cada rayo; la vara de medir",
+        ],
+        "aos" => ["arrays of structures, {} instructions", "arrays de estructuras, instrucciones {}"],
+        "soa" => ["structures of arrays, {} instructions", "estructuras de arrays, instrucciones {}"],
+        _ => return engine.to_owned(),
     };
-    format!("{layout}, {set} instructions")
+    language.say(words, &[set])
 }
 
 /// Returns the value of a parameter in words, as in `1 sample`, `10 objects` or `width 64`.
 #[must_use]
-pub fn setting(parameter: &str, value: u64) -> String {
-    match (parameter, value) {
-        ("samples" | "objects", 1) => format!("1 {}", parameter.trim_end_matches('s')),
-        ("samples" | "objects", _) => format!("{value} {parameter}"),
-        _ => format!("{parameter} {value}"),
-    }
+pub fn setting(parameter: &str, value: u64, language: Language) -> String {
+    let words: Words = match (parameter, value) {
+        ("samples", 1) => ["{} sample", "{} muestra"],
+        ("samples", _) => ["{} samples", "{} muestras"],
+        ("objects", 1) => ["{} object", "{} objeto"],
+        ("objects", _) => ["{} objects", "{} objetos"],
+        _ => return format!("{} {value}", parameter_name(parameter, language)),
+    };
+    language.say(words, &[&value.to_string()])
+}
+
+/// Returns the name of a parameter of the suite `scale` in words.
+#[must_use]
+pub fn parameter_name(parameter: &str, language: Language) -> &str {
+    language.pick(match parameter {
+        "width" => ["width", "anchura"],
+        "samples" => ["samples", "muestras"],
+        "depth" => ["depth", "profundidad"],
+        "density" => ["density", "densidad"],
+        "objects" => ["objects", "objetos"],
+        other => return other,
+    })
 }
 
 /// Formats a time in seconds with a suitable unit and three significant digits.
@@ -130,15 +149,18 @@ mod tests {
 
     #[test]
     fn implementations_are_explained() {
-        assert_eq!(engine_meaning("soa-avx2"), "structures of arrays, avx2 instructions");
-        assert!(engine_meaning("reference").contains("yardstick"));
+        assert_eq!(engine_meaning("soa-avx2", Language::English), "structures of arrays, avx2 instructions");
+        assert!(engine_meaning("reference", Language::Spanish).contains("línea a línea"));
     }
 
     #[test]
     fn one_is_singular() {
-        let texts =
-            [("samples", 1), ("samples", 2), ("objects", 1), ("width", 64)].map(|(of, value)| setting(of, value));
-        assert_eq!(texts, ["1 sample", "2 samples", "1 object", "width 64"]);
+        let texts = [("samples", 1), ("samples", 2), ("objects", 1), ("width", 64)]
+            .map(|(of, value)| [Language::English, Language::Spanish].map(|language| setting(of, value, language)));
+        assert_eq!(
+            texts.concat(),
+            ["1 sample", "1 muestra", "2 samples", "2 muestras", "1 object", "1 objeto", "width 64", "anchura 64"]
+        );
     }
 
     #[test]

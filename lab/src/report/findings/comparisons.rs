@@ -3,6 +3,7 @@
 use cpu::internals::InstructionSet;
 
 use crate::bench::results::{Results, Timing};
+use crate::format::{Words, hint::Language};
 use crate::report::style::{setting, short};
 
 /// Returns pairs of times whose settings differ only in the engine. `other` returns the name of the second engine for
@@ -45,7 +46,7 @@ fn by_scene<'a>(pairs: impl Iterator<Item = (&'a Timing, &'a Timing)>) -> Option
 }
 
 /// Compares the layouts with the best instruction set.
-pub fn layouts(results: &Results) -> Option<String> {
+pub fn layouts(results: &Results, language: Language) -> Option<String> {
     let best = &results.machines.first()?.instruction_set;
     let pairs = || pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| format!("soa-{best}")));
     let [_, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
@@ -53,19 +54,27 @@ pub fn layouts(results: &Results) -> Option<String> {
     let bounded = || pairs().filter(|(a, b)| a.median.is_bounded() && b.median.is_bounded());
     let apart = bounded().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
     let conclusion = match bounded().count() {
-        0 => "with so few repeats there are no bounds to tell a difference from chance".to_owned(),
-        count => format!("in {apart} of {count} settings their bounds lie apart"),
+        0 => language.say(NO_BOUNDS, &[]),
+        count => language.say(APART, &[&apart.to_string(), &count.to_string()]),
     };
-    Some(format!(
-        "With {best}, structures of arrays take {} times the time of arrays of structures (geometric means; {low:.2} to \
-         {high:.2}); {conclusion}.",
-        by_scene(pairs())?,
-    ))
+    let [low, high] = [low, high].map(|ratio| format!("{ratio:.2}"));
+    Some(language.say(LAYOUTS, &[best, &by_scene(pairs())?, &low, &high, &conclusion]))
 }
+
+const NO_BOUNDS: Words = [
+    "with so few repeats there are no bounds to tell a difference from chance",
+    "con tan pocas repeticiones no hay cotas que distingan una diferencia del azar",
+];
+const APART: Words = ["in {} of {} settings their bounds lie apart", "en {} de {} ajustes sus cotas no se solapan"];
+const LAYOUTS: Words = [
+    "With {}, structures of arrays take {} times the time of arrays of structures (geometric means; {} to {}); {}.",
+    "Con {}, las estructuras de arrays tardan {} veces lo que los arrays de estructuras (medias geométricas; de {} a \
+     {}); {}.",
+];
 
 /// Says how many times as fast as the reference the renderer is, at the most samples or objects that both were measured
 /// with.
-pub fn reference(results: &Results) -> Option<String> {
+pub fn reference(results: &Results, language: Language) -> Option<String> {
     let best = results.machines.first()?.instruction_set.clone();
     let faster = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| "reference".to_owned()));
     let mut largest: Vec<(&Timing, &Timing)> = Vec::new();
@@ -78,21 +87,22 @@ pub fn reference(results: &Results) -> Option<String> {
         }
     }
     let parts = largest.into_iter().map(|(real, slow)| {
-        let at = setting(&real.setting.parameter, real.setting.value);
+        let at = setting(&real.setting.parameter, real.setting.value, language);
         format!("{} ({}, {at})", short(slow.median.median / real.median.median), real.setting.scene)
     });
     let parts: Vec<_> = parts.collect();
-    (!parts.is_empty()).then(|| {
-        format!(
-            "In the small pictures of this page the renderer is {} times as fast as the reference. docs/measurements.md \
-             has whole pictures.",
-            parts.join(", ")
-        )
-    })
+    (!parts.is_empty()).then(|| language.say(REFERENCE, &[&parts.join(", ")]))
 }
 
+const REFERENCE: Words = [
+    "In the small pictures of this page the renderer is {} times as fast as the reference. docs/measurements.md has whole \
+     pictures.",
+    "En las imágenes pequeñas de esta página el renderizador es {} veces más rápido que la referencia. \
+     docs/measurements.md tiene imágenes completas.",
+];
+
 /// Compares each other instruction set with the best one.
-pub fn instruction_sets(results: &Results) -> Option<String> {
+pub fn instruction_sets(results: &Results, language: Language) -> Option<String> {
     let best = &results.machines.first()?.instruction_set;
     let parts: Vec<_> = InstructionSet::ALL
         .map(InstructionSet::name)
@@ -103,7 +113,10 @@ pub fn instruction_sets(results: &Results) -> Option<String> {
             Some(format!("{set} {}", by_scene(both)?))
         })
         .collect();
-    (!parts.is_empty()).then(|| {
-        format!("The time with another instruction set, as a multiple of that with {best}: {}.", parts.join("; "))
-    })
+    (!parts.is_empty()).then(|| language.say(SETS, &[best, &parts.join("; ")]))
 }
+
+const SETS: Words = [
+    "The time with another instruction set, as a multiple of that with {}: {}.",
+    "El tiempo con otro juego de instrucciones, como múltiplo del que se tarda con {}: {}.",
+];

@@ -2,9 +2,10 @@
 
 use crate::bench::fit::PowerLaw;
 use crate::bench::results::Results;
-use crate::report::style::{seconds, short, with_error};
+use crate::format::{Words, hint::Language};
+use crate::report::style::{parameter_name, seconds, short, with_error};
 
-pub fn scaling(results: &Results) -> Option<String> {
+pub fn scaling(results: &Results, language: Language) -> Option<String> {
     let best = &results.machines.first()?.instruction_set;
     let of = |law: &PowerLaw| with_error(law.exponent, law.exponent_error);
     // Time flattens with the depth, so it follows no power of it.
@@ -16,15 +17,17 @@ pub fn scaling(results: &Results) -> Option<String> {
                 results.growth.iter().find(|growth| growth.parameter == *parameter && growth.engine == engine)
             };
             let real = find(&format!("aos-{best}"))?;
-            let slow =
-                find("reference").map_or_else(String::new, |growth| format!(" (reference: {})", of(&growth.law)));
-            Some(format!("{parameter} to the power {}{slow}", of(&real.law)))
+            let slow = find("reference").map_or_else(String::new, |growth| {
+                language.say([" (reference: {})", " (referencia: {})"], &[&of(&growth.law)])
+            });
+            let words = ["{} to the power {}{}", "{} a la potencia {}{}"];
+            Some(language.say(words, &[parameter_name(parameter, language), &of(&real.law), &slow]))
         })
         .collect();
-    (!parts.is_empty()).then(|| format!("Time grows with {}.", parts.join(", ")))
+    (!parts.is_empty()).then(|| language.say(["Time grows with {}.", "El tiempo crece con {}."], &[&parts.join(", ")]))
 }
 
-pub fn error(results: &Results) -> Option<String> {
+pub fn error(results: &Results, language: Language) -> Option<String> {
     let parts: Vec<_> = results
         .curves
         .iter()
@@ -33,18 +36,20 @@ pub fn error(results: &Results) -> Option<String> {
             let law = PowerLaw::through(&points)?;
             let (scene, exponent) = (&curve.scene, with_error(law.exponent, law.exponent_error));
             let own = short(curve.reference_error);
-            Some(format!("{exponent} ({scene}; the converged picture's own error is {own})"))
+            Some(language.say(EXPONENT, &[&exponent, scene, &own]))
         })
         .collect();
-    (!parts.is_empty()).then(|| {
-        format!(
-            "The error falls with the number of samples to the power {}; independent samples give -0.5.",
-            parts.join(", ")
-        )
-    })
+    (!parts.is_empty()).then(|| language.say(ERROR, &[&parts.join(", ")]))
 }
 
-pub fn time_to_error(results: &Results) -> Option<String> {
+const EXPONENT: Words =
+    ["{} ({}; the converged picture's own error is {})", "{} ({}; el error propio de la imagen convergida es {})"];
+const ERROR: Words = [
+    "The error falls with the number of samples to the power {}; independent samples give -0.5.",
+    "El error cae con el número de muestras elevado a {}; las muestras independientes dan -0.5.",
+];
+
+pub fn time_to_error(results: &Results, language: Language) -> Option<String> {
     let best = format!("aos-{}", results.machines.first()?.instruction_set);
     let find = |scene: &str, engine: &str, error: f64| {
         let is_it =
@@ -59,9 +64,12 @@ pub fn time_to_error(results: &Results) -> Option<String> {
             let scene = &curve.scene;
             crate::bench::results::TARGETS.iter().rev().find_map(|&error| {
                 let (real, slow) = (find(scene, &best, error)?, find(scene, "reference", error)?);
-                Some(format!("{error} takes {} instead of {} ({scene})", seconds(real), seconds(slow)))
+                Some(language.say(TIMES, &[&error.to_string(), &seconds(real), &seconds(slow), scene]))
             })
         })
         .collect();
-    (!parts.is_empty()).then(|| format!("An error of {}.", parts.join(", of ")))
+    let [start, next] = [["An error of ", "Un error de "], [", of ", ", de "]].map(|words| language.pick(words));
+    (!parts.is_empty()).then(|| format!("{start}{}.", parts.join(next)))
 }
+
+const TIMES: Words = ["{} takes {} instead of {} ({})", "{} tarda {} en vez de {} ({})"];
