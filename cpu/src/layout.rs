@@ -171,12 +171,15 @@ mod tests {
         L::Objects::build(&Scene::default()).expect("nothing fits")
     }
 
+    fn black<L: Layout>() -> L::Image {
+        L::Image::black(Size::new(3, 2).expect("six pixels are few")).expect("six pixels fit")
+    }
+
     fn stores_pixels<L: Layout>() {
-        let size = Size::new(3, 2).expect("six pixels are few");
-        let mut image = L::Image::black(size).expect("six pixels fit");
+        let mut image = black::<L>();
         let color = Rgb { red: 1, green: 2, blue: 3 };
         image.set_pixel(4, color);
-        assert_eq!(image.size(), size);
+        assert_eq!((image.size().width(), image.size().height()), (3, 2));
         assert_eq!((image.pixel(4), image.pixel(3), image.pixel(5)), (color, Rgb::default(), Rgb::default()));
     }
 
@@ -234,6 +237,12 @@ mod tests {
                 #[test]
                 fn pixels_are_stored() {
                     super::stores_pixels::<$layout>();
+                }
+
+                #[test]
+                #[should_panic(expected = "out of bounds")]
+                fn there_is_no_pixel_beyond_the_last() {
+                    super::Image::pixel(&super::black::<$layout>(), 6);
                 }
 
                 #[test]
