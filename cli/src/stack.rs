@@ -30,6 +30,7 @@ pub(crate) fn reserve() -> Result<(), Error> {
     Ok(())
 }
 
+/// Uses as much of the stack as rendering needs.
 #[inline(never)]
 fn touch() {
     std::hint::black_box(&mut [0_u8; BYTES]);

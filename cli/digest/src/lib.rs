@@ -33,6 +33,7 @@ pub fn read_sums(text: &str) -> Result<Vec<(String, String)>, String> {
     text.lines().filter(|line| !line.starts_with('#')).map(read_line).collect()
 }
 
+/// Returns the name and the digest on a line of a list of digests.
 fn read_line(line: &str) -> Result<(String, String), String> {
     let is_digest = |text: &str| text.len() == 64 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
     match line.split_once("  ") {

@@ -125,6 +125,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
+    /// Returns the text in the language of the hint; see [`Language::say`].
     fn say(&self, words: Words, values: &[&str]) -> String {
         self.language.say(words, values)
     }
@@ -166,6 +167,7 @@ impl Writer<'_> {
         })
     }
 
+    /// Returns the remedy for the name of a material that no line defines.
     fn other_material(&self, name: &[u8]) -> String {
         let Some(known) = nearest(name, self.names.iter().map(Vec::as_slice)) else {
             let define = ["define it on a line above, as in: {}", "defínalo en una línea anterior, como en: {}"];
@@ -236,6 +238,7 @@ impl Writer<'_> {
         (format!("{} {problem}", line.tag), remedy)
     }
 
+    /// Says what is wrong with the first wrong value of the line.
     fn wrong_field(&self, line: &Line) -> String {
         let Some(index) = place::wrong_field(line, self.text) else {
             // The squares of a length beyond these limits are 0 or infinite.

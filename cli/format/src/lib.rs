@@ -111,6 +111,7 @@ impl Line {
 
 use Field::{Count, Degrees, Name, NotNegative, Positive, Real, Share};
 
+/// Returns a line of the format.
 const fn key(
     tag: &'static str,
     fields: &'static [Field],
@@ -179,6 +180,7 @@ pub fn scene_table() -> String {
     table(["line", "values", "meaning"], SCENE.iter().map(|line| [line.tag, line.values, line.meaning]))
 }
 
+/// Returns a table in Markdown, with columns of even width.
 fn table<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [&'static str; N]>) -> String {
     let rows: Vec<_> = rows.map(|cells| cells.map(|cell| cell.to_owned())).collect();
     // The first column has words of the input files, which Markdown shows as code.

@@ -54,6 +54,7 @@ pub struct Temporary {
 }
 
 impl Temporary {
+    /// Makes an empty file beside `target`, with a name that no other program chooses.
     fn beside(target: PathBuf, sync: bool) -> io::Result<Self> {
         let process = std::process::id();
         let path =

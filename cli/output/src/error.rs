@@ -14,6 +14,7 @@ pub struct Error {
 }
 
 impl Error {
+    /// Returns the error of the file at `path`.
     pub(crate) fn new(path: &Path, cause: io::Error) -> Self {
         Self { path: path.to_owned(), cause }
     }

@@ -88,6 +88,7 @@ impl Folder {
         }
     }
 
+    /// Opens or makes the file `name` of the folder.
     fn open_at(&self, name: &CStr, flags: c_int, mode: u32) -> io::Result<File> {
         // SAFETY: the folder is open and `name` a C string. If the call succeeds, its result is a new descriptor, which
         // the `File` owns.
@@ -95,6 +96,7 @@ impl Folder {
             .map(|descriptor| unsafe { File::from_raw_fd(descriptor) })
     }
 
+    /// Returns the path of the file `name` of the folder.
     fn path_of(&self, name: &CStr) -> PathBuf {
         self.path.join(OsStr::from_bytes(name.to_bytes()))
     }

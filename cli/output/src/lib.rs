@@ -187,6 +187,7 @@ pub fn target(path: &Path) -> PathBuf {
     }
 }
 
+/// Whether both paths lead to one regular file.
 fn is_same_file(one: &Path, other: &Path) -> bool {
     match (fs::metadata(one), fs::metadata(other)) {
         #[cfg(unix)]

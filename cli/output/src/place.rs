@@ -56,6 +56,7 @@ impl Place {
     }
 }
 
+/// Whether the path is a name of standard output.
 fn is_stdout(path: &Path) -> bool {
     STDOUT_NAMES.iter().any(|name| path == Path::new(name))
 }
@@ -105,6 +106,7 @@ fn has_name(path: &Path, target: &Path) -> io::Result<bool> {
     Ok(false)
 }
 
+/// Returns the place for a file that is not regular, such as a device: it is written where it is.
 fn special(path: &Path, kind: FileType) -> io::Result<Place> {
     if kind.is_dir() {
         return Err(ErrorKind::IsADirectory.into());

@@ -30,6 +30,7 @@ unsafe extern "C" {
     fn fcntl(descriptor: c_int, command: c_int, ...) -> c_int;
 }
 
+/// Returns what `fcntl` says of standard output, or -1 if it is closed.
 fn flags(command: c_int) -> c_int {
     // SAFETY: these two commands take no further argument and change nothing.
     unsafe { fcntl(STDOUT, command) }

@@ -110,10 +110,12 @@ impl Temporary {
         self.sync_folder()
     }
 
+    /// Brings the file to the disk, if that is asked for.
     fn sync_file(&self) -> io::Result<()> {
         if self.sync { self.file.sync_all() } else { Ok(()) }
     }
 
+    /// Brings the folder's entry to the disk, if that is asked for.
     fn sync_folder(&self) -> io::Result<()> {
         if !self.sync {
             return Ok(());

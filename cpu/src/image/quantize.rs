@@ -126,6 +126,7 @@ impl Quantizer {
         low <= high && low >= self.bounds[byte].1 && high <= self.bounds[byte + 1].0
     }
 
+    /// Returns the byte of a mean next to a boundary between two bytes, by a power.
     #[cold]
     fn at_a_boundary(&self, mean: f64) -> u8 {
         if mean == 1.0 {

@@ -84,11 +84,13 @@ const KEYS: [(&str, Read); 13] = [
     ("background_light_color:", |config, tokens| set(&mut config.background_light_color, color(tokens))),
 ];
 
+/// Replaces `field` by the value, if there is one.
 fn set<T>(field: &mut T, value: Option<T>) -> Option<()> {
     *field = value?;
     Some(())
 }
 
+/// Reads three numbers.
 fn vector(tokens: &mut Tokens<'_>) -> Option<Vec3> {
     tokens.reals().map(Vec3::from)
 }

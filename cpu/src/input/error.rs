@@ -197,6 +197,7 @@ impl Error {
     }
 }
 
+/// Returns the path as bytes, since it need not be UTF-8.
 fn bytes(path: &Path) -> &[u8] {
     path.as_os_str().as_encoded_bytes()
 }

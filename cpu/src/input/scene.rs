@@ -97,14 +97,17 @@ const ENTITIES: [Entity; 5] = [
     Entity { tag: "refractive:", name: "refractive material", read: |tokens| refractive(tokens).map(Item::Material) },
 ];
 
+/// Reads a number above 0.
 fn positive(tokens: &mut Tokens<'_>) -> Option<f64> {
     tokens.real().filter(|&value| value > 0.0)
 }
 
+/// Reads centre and radius.
 fn sphere(tokens: &mut Tokens<'_>) -> Option<Shape> {
     Some(Shape::Sphere(Sphere { center: tokens.reals()?.into(), radius: positive(tokens)? }))
 }
 
+/// Reads centre, radius and axis.
 fn cylinder(tokens: &mut Tokens<'_>) -> Option<Shape> {
     let (center, radius, axis) = (tokens.reals()?.into(), positive(tokens)?, Vec3::from(tokens.reals()?));
     // The height is the length of the axis. If it vanishes or overflows in f64, the axis has no direction either.
@@ -112,15 +115,18 @@ fn cylinder(tokens: &mut Tokens<'_>) -> Option<Shape> {
     (height > 0.0 && height.is_finite()).then_some(Shape::Cylinder(Cylinder { center, radius, axis }))
 }
 
+/// Reads a reflectance.
 fn matte(tokens: &mut Tokens<'_>) -> Option<Material> {
     Some(Material::Matte { reflectance: color(tokens)? })
 }
 
+/// Reads a reflectance and the diffusion.
 fn metal(tokens: &mut Tokens<'_>) -> Option<Material> {
     let (reflectance, diffusion) = (color(tokens)?, tokens.real()?);
     (diffusion >= 0.0).then_some(Material::Metal { reflectance, diffusion })
 }
 
+/// Reads a refractive index.
 fn refractive(tokens: &mut Tokens<'_>) -> Option<Material> {
     Some(Material::Refractive { index: positive(tokens)? })
 }
@@ -147,6 +153,7 @@ impl Parser {
         self.add(name, item, line)
     }
 
+    /// Adds an item with its name to the scene: a material under its own name, an object under that of its material.
     fn add(&mut self, name: &[u8], item: Item, line: &[u8]) -> Result<(), Error> {
         let known = self.names.get(name).copied();
         match (item, known) {

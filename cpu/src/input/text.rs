@@ -59,6 +59,7 @@ fn without_line_end(line: &[u8]) -> &[u8] {
     line.strip_suffix(b"\r").unwrap_or(line)
 }
 
+/// Whether the byte separates tokens.
 const fn is_blank(byte: u8) -> bool {
     byte == b' ' || byte == b'\t'
 }

@@ -18,6 +18,7 @@ pub(crate) fn ask<T>(list: &mut Vec<T>) {
     }
 }
 
+/// Advises the system to use huge pages for these addresses, which must be memory of the caller.
 #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
 unsafe fn advise(address: usize, bytes: usize) {
     use std::ffi::{c_int, c_void};

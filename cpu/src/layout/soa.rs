@@ -66,6 +66,7 @@ struct Kind<const N: usize> {
 }
 
 impl<const N: usize> Kind<N> {
+    /// Returns empty arrays with room for `count` objects.
     fn with_room(count: usize) -> Result<Self, Error> {
         let mut numbers = [const { Vec::new() }; N];
         for list in &mut numbers {
@@ -74,6 +75,7 @@ impl<const N: usize> Kind<N> {
         Ok(Self { numbers, order: with_room(count, OBJECTS)?, material: with_room(count, OBJECTS)? })
     }
 
+    /// Appends an object with its numbers.
     fn push<R>(&mut self, numbers: [f64; N], object: &Placed<R>) {
         for (list, number) in self.numbers.iter_mut().zip(numbers) {
             list.push(number);
@@ -82,6 +84,7 @@ impl<const N: usize> Kind<N> {
         self.material.push(object.material);
     }
 
+    /// Swaps two objects.
     fn swap(&mut self, left: usize, right: usize) {
         self.numbers.iter_mut().for_each(|list| list.swap(left, right));
         self.order.swap(left, right);

@@ -84,6 +84,7 @@ impl Dyadic {
         if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }
     }
 
+    /// Returns the number of bits of the magnitude, without zeros before the highest.
     fn bits(&self) -> i64 {
         self.magnitude.last().map_or(0, |last| 64 * self.magnitude.len() as i64 - i64::from(last.leading_zeros()))
     }
@@ -94,6 +95,7 @@ impl Dyadic {
         (0..53).filter(|&index| self.bit(lowest + index)).fold(0, |digits, index| digits | 1 << index)
     }
 
+    /// Whether the bit at `index` of the magnitude is 1. Bits outside of it are 0.
     fn bit(&self, index: i64) -> bool {
         let Ok(index) = usize::try_from(index) else { return false };
         self.magnitude.get(index / 64).is_some_and(|limb| limb >> (index % 64) & 1 == 1)

@@ -103,6 +103,7 @@ fn renew_some<const COUNT: usize>(state: &mut State, at: usize, half: usize) {
     }
 }
 
+/// Returns the word by which the generator combines two words of its state (Matsumoto and Nishimura, MT19937-64).
 #[inline(always)]
 fn twist(high: u64, low: u64) -> u64 {
     const UPPER: u64 = 0xFFFF_FFFF_8000_0000;
@@ -111,6 +112,7 @@ fn twist(high: u64, low: u64) -> u64 {
     (word >> 1) ^ ((word & 1).wrapping_neg() & MATRIX)
 }
 
+/// Returns the random number of a word of the state.
 #[inline(always)]
 fn temper(mut word: u64) -> u64 {
     word ^= (word >> 29) & 0x5555_5555_5555_5555;
