@@ -90,14 +90,12 @@ impl Report {
     }
 
     /// Returns the number of passed cases of `group`, and the number of all.
-    #[must_use]
     pub fn passed(&self, group: Group) -> [usize; 2] {
         let all = || self.cases.iter().filter(|checked| checked.group == group);
         [all().filter(|checked| checked.faults.is_empty()).count(), all().count()]
     }
 
     /// Whether the program passed all cases.
-    #[must_use]
     pub fn is_passed(&self) -> bool {
         self.cases.iter().all(|checked| checked.faults.is_empty())
     }

@@ -34,7 +34,6 @@ pub struct Origin {
 
 impl Origin {
     /// Returns the origin of the picture of these inputs by this version of the program.
-    #[must_use]
     pub fn new(config: &Config, scene: &Scene, scatter: impl Display) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),

@@ -39,7 +39,6 @@ pub struct Difference {
 
 /// Returns the difference of two pixels: the mean of the absolute differences of their channels, in levels from 0 to
 /// 255.
-#[must_use]
 pub fn of_pixels(first: [u8; 3], second: [u8; 3]) -> f64 {
     f64::from(channels(first, second).iter().sum::<u32>()) / 3.0
 }

@@ -22,7 +22,6 @@ pub enum LayoutName {
 
 impl LayoutName {
     /// Returns the name of the layout, as used on the command line and in data.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Aos => "aos",
@@ -71,7 +70,6 @@ pub enum Engine {
 
 impl Engine {
     /// Returns every implementation that this machine can run.
-    #[must_use]
     pub fn all() -> Vec<Self> {
         let sets = InstructionSet::available();
         let real = sets.flat_map(|set| [LayoutName::Aos, LayoutName::Soa].map(|layout| Self::Real(layout, set)));
@@ -80,7 +78,6 @@ impl Engine {
 
     /// Returns three implementations: the reference, and the real renderer in both layouts with the best instruction
     /// set.
-    #[must_use]
     pub fn main() -> Vec<Self> {
         let best = InstructionSet::best();
         vec![Self::Reference, Self::Real(LayoutName::Aos, best), Self::Real(LayoutName::Soa, best)]

@@ -27,7 +27,6 @@ pub enum Failure {
 impl Failure {
     /// Returns the exit status, with the numbers that `diff` and shells use: 1 for a difference, 2 for an error, 130
     /// for an interruption. A picture that an option left unfinished has 3, and the help has 0.
-    #[must_use]
     pub const fn status(&self) -> u8 {
         match self {
             Self::Rejected => 1,
@@ -39,7 +38,6 @@ impl Failure {
     }
 
     /// Returns the failure with the name of what failed before its message.
-    #[must_use]
     pub fn about(self, name: &str) -> Self {
         match self {
             Self::Other(text) => Self::Other(format!("{name}: {text}")),
@@ -49,7 +47,6 @@ impl Failure {
     }
 
     /// Returns the message to print, with control characters escaped; `None` if the message has been printed already.
-    #[must_use]
     pub fn message(&self) -> Option<String> {
         match self {
             Self::Rejected | Self::CommandLine | Self::Help => None,

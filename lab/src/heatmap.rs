@@ -28,7 +28,6 @@ const MARGIN: usize = 10;
 impl Scale {
     /// Returns the scale whose last colour belongs to the largest difference of the two pictures. If the pictures are
     /// equal, it belongs to a difference of one level.
-    #[must_use]
     pub fn automatic(first: &Picture, second: &Picture, is_signed: bool) -> Self {
         let distance = |(a, b): (&[u8; 3], &[u8; 3])| if is_signed { signed(*a, *b).abs() } else { of_pixels(*a, *b) };
         let most = first.pixels.iter().zip(&second.pixels).map(distance).fold(0.0, f64::max);

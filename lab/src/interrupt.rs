@@ -15,7 +15,6 @@ pub struct Interrupt {
 impl Interrupt {
     /// Starts to listen for SIGHUP, SIGINT and SIGTERM. The first signal is only recorded, and the second ends the
     /// process at once. So a user who does not want to wait for the end of a row sends the signal twice.
-    #[must_use]
     pub fn listen() -> Self {
         stop::note_first_request();
         Self { listens: true }

@@ -42,7 +42,6 @@ const STACK_BYTES: usize = 8 << 20;
 
 /// Runs the command that the arguments of this process name, and returns the exit status. The message of an error goes
 /// to standard error.
-#[must_use]
 pub fn main() -> ExitCode {
     // From here on, a signal that ends the process first removes the temporary files.
     output::stop::remove_temporary_when_stopped();

@@ -142,7 +142,6 @@ pub fn png_encoder<'a, W: Write + 'a>(out: W, size: [usize; 2]) -> io::Result<pn
 }
 
 /// Returns the data URI of the bytes of a PNG: an address with the picture itself, in base 64, for an HTML page.
-#[must_use]
 pub fn data_uri(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", STANDARD.encode(png))
 }

@@ -54,13 +54,11 @@ impl Quantity {
     }
 
     /// Returns whether the samples of each pixel are traced for the quantity.
-    #[must_use]
     pub const fn takes_samples(self) -> bool {
         matches!(self, Self::Variance | Self::Cost)
     }
 
     /// Returns the number of camera rays of each pixel that are traced for the quantity of a picture with `samples`.
-    #[must_use]
     pub const fn primary_rays(self, samples: u64) -> u64 {
         match self {
             Self::Samples => 0,

@@ -67,26 +67,22 @@ pub fn scene(path: &Path) -> Result<Scene, Failure> {
 }
 
 /// Returns the path to read from: `/dev/stdin` if `path` is `-`, and otherwise `path`.
-#[must_use]
 pub fn input(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdin") } else { path.to_owned() }
 }
 
 /// Returns the path to write to: `/dev/stdout` if `path` is `-`, and otherwise `path`.
-#[must_use]
 pub fn output(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdout") } else { path.to_owned() }
 }
 
 /// Returns the name of an output for messages: "standard output" if `path` is `-`.
-#[must_use]
 pub fn output_name(path: &Path) -> String {
     if path == Path::new("-") { "standard output".to_owned() } else { terminal::name(path) }
 }
 
 /// Returns the failure for an error in the values of the picture. The message names the `--set` options that may have
 /// caused the error, or the file `path` if no option may have caused it.
-#[must_use]
 pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure {
     let Error::Picture(cause) = error else { return error.in_file(path).into() };
     let keys: &[&str] = match cause {

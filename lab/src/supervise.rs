@@ -75,7 +75,6 @@ impl std::fmt::Display for End {
 }
 
 /// Returns the name of a signal, such as `SIGSEGV`, or its number if it has no name.
-#[must_use]
 pub fn signal_name(signal: i32) -> String {
     Signal::try_from(signal).map_or_else(|_| signal.to_string(), |signal| signal.to_string())
 }
@@ -135,7 +134,6 @@ pub fn run(words: &[OsString], place: &Path, printed: &Path, limits: &Limits) ->
 }
 
 /// Returns the first bytes of a file, or nothing if it cannot be read. A program may print without end.
-#[must_use]
 pub fn start_of(path: &Path) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Opening a pipe might never return.

@@ -35,7 +35,6 @@ pub fn note(text: &str) {
 }
 
 /// Returns the rows as lines whose columns are aligned. Columns of numbers are aligned to the right.
-#[must_use]
 pub fn table(rows: &[Vec<String>]) -> String {
     let width = |place: usize| rows.iter().filter_map(|row| Some(row.get(place)?.chars().count())).max().unwrap_or(0);
     let starts_a_number = |cell: &String| cell.is_empty() || cell.starts_with(|c: char| c.is_ascii_digit());
@@ -52,7 +51,6 @@ pub fn table(rows: &[Vec<String>]) -> String {
 
 /// Returns a progress bar of `steps` steps on standard error, with their name `what`. It shows nothing if standard
 /// error is not a terminal.
-#[must_use]
 pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
     let style = ProgressStyle::with_template("{wide_bar} {percent} %  {pos} of {len} {msg}  {per_sec}  {eta} left");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -60,7 +58,6 @@ pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
 }
 
 /// Returns `words` as a command that a user can copy into a shell: unusual words are quoted.
-#[must_use]
 pub fn quoted<'a>(words: impl IntoIterator<Item = &'a OsStr>) -> String {
     let words: Vec<_> = words.into_iter().map(|word| name(Path::new(word))).collect();
     // The only error is a zero byte, which a name for messages does not have.
@@ -68,13 +65,11 @@ pub fn quoted<'a>(words: impl IntoIterator<Item = &'a OsStr>) -> String {
 }
 
 /// Returns the name of a file for messages, with all control characters escaped, including line ends.
-#[must_use]
 pub fn name(path: &Path) -> String {
     cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())
 }
 
 /// Returns a message of one or more lines with all control characters escaped, except its line ends.
-#[must_use]
 pub fn escape_lines(text: &str) -> String {
     text.split('\n').map(|line| cpu::internals::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
 }

@@ -52,13 +52,11 @@ pub struct View {
 impl View {
     /// Returns the view of two input files. Bytes of pictures and answers are counted in `budget`. `how` tells how a
     /// camera is written into the configuration.
-    #[must_use]
     pub fn new(site: Site, [config, scene]: [Input; 2], budget: Budget, how: Options) -> Self {
         Self { site, config, scene, native: Native::new(budget.clone()), budget, how, saving: Mutex::default() }
     }
 
     /// Answers one request of `client`.
-    #[must_use]
     pub fn answer(&self, request: &Request, client: &Client) -> Answer {
         let path = request.path.split('?').next().unwrap_or_default();
         let number = |start: &str| path.strip_prefix(start).and_then(|number| number.parse::<u32>().ok());

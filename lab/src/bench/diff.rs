@@ -95,7 +95,6 @@ fn named(Timing { setting, seconds, .. }: Timing) -> (String, Vec<f64>) {
 impl Changes {
     /// Compares `new` with `old`. A case has changed if its ratio differs from 1 by more than `least`, and the bounds
     /// of the two medians do not meet.
-    #[must_use]
     pub fn between(old: &Times, new: &Times, least: f64) -> Self {
         let processor =
             |times: &Times| times.machines.iter().map(|machine| machine.processor.clone()).collect::<BTreeSet<_>>();
@@ -126,7 +125,6 @@ impl Changes {
     }
 
     /// Whether both records have a case.
-    #[must_use]
     pub fn has_common_cases(&self) -> bool {
         self.slower.len() + self.faster.len() + self.unchanged + self.unknown > 0
     }

@@ -19,7 +19,6 @@ pub struct PowerLaw {
 impl PowerLaw {
     /// Fits the law to the points of `points` whose two coordinates are positive. Returns `None` if these have fewer
     /// than two different `x`.
-    #[must_use]
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let logs: Vec<_> = points.iter().filter(|(x, y)| *x > 0.0 && *y > 0.0).map(|(x, y)| (x.ln(), y.ln())).collect();
         let count = logs.len() as f64;
@@ -41,7 +40,6 @@ impl PowerLaw {
     }
 
     /// Returns the `y` of the law at `x`.
-    #[must_use]
     pub fn at(&self, x: f64) -> f64 {
         self.factor * x.powf(self.exponent)
     }
@@ -50,7 +48,6 @@ impl PowerLaw {
 /// Returns the `x` at which a curve through `points` falls to `y`, or `None` if `y` is not between the `y` of two
 /// neighbouring points. Between two points the curve is straight on logarithmic axes. The points must be ordered by
 /// falling `y`.
-#[must_use]
 pub fn reaches(points: &[(f64, f64)], y: f64) -> Option<f64> {
     points.windows(2).find_map(|pair| {
         let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);

@@ -32,7 +32,6 @@ pub struct Machine {
 
 impl Machine {
     /// Returns the description of this machine now.
-    #[must_use]
     pub fn here() -> Self {
         let file = |path: &str| fs::read_to_string(path).unwrap_or_default();
         let unknown = |text: String| if text.is_empty() { "unknown".to_owned() } else { text };

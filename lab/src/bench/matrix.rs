@@ -45,7 +45,6 @@ const SCALED: &str = "materials";
 pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "density"];
 
 /// Returns all tasks in a fixed order. `--part` chooses tasks by their position in it.
-#[must_use]
 pub fn tasks() -> Vec<Task> {
     let scale = PARAMETERS.map(Task::Scale);
     scale.into_iter().chain(scenes::NAMES.map(Task::Error)).collect()
@@ -138,7 +137,6 @@ impl Plan {
 
 /// Returns a scene of `objects` objects on the squares of a board, and a configuration with a camera near the edge of
 /// the board and pictures of `width` pixels.
-#[must_use]
 pub fn board(objects: u64, width: u64) -> (Config, Scene) {
     let objects = usize::try_from(objects).unwrap_or(usize::MAX);
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };

@@ -8,7 +8,6 @@ use super::results::Results;
 /// Returns the message that announces the next of `of` tasks after the first `done`, with an estimate of the time left.
 /// The estimate gives each remaining task the mean time of the tasks since `since`. The times of tasks differ, so it is
 /// rough.
-#[must_use]
 pub fn announcement(done: usize, of: usize, task: &impl Display, since: Instant) -> String {
     let left = match done {
         0 => String::new(),
@@ -26,7 +25,6 @@ fn rough(time: Duration) -> String {
 }
 
 /// Returns a warning if the repeats of some settings differ much from each other, and otherwise `None`.
-#[must_use]
 pub fn spread_warning(results: &Results) -> Option<String> {
     /// The largest spread without a warning. The spread is the distance between the bounds, divided by the median.
     const MOST_SPREAD: f64 = 0.1;

@@ -114,7 +114,6 @@ pub struct Results {
 
 impl Results {
     /// Returns the lines of the charts of the suite `suite`.
-    #[must_use]
     pub fn lines(&self, suite: &str) -> Vec<Line> {
         let mut lines: Vec<Line> = Vec::new();
         for Timing { setting, median, .. } in self.timings.iter().filter(|timing| timing.setting.suite == suite) {

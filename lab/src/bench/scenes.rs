@@ -19,7 +19,6 @@ const SCENES: [(&str, [&str; 2]); 3] = [
 pub const NAMES: [&str; 3] = [SCENES[0].0, SCENES[1].0, SCENES[2].0];
 
 /// Returns the scene with this name, or `None` if no scene has it.
-#[must_use]
 pub fn named(name: &str) -> Option<(Config, Scene)> {
     let (_, [config, scene]) = SCENES.iter().find(|(scene, _)| *scene == name)?;
     let valid = "the tests read all scenes";

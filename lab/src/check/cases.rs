@@ -122,7 +122,6 @@ fn messages() -> impl Iterator<Item = Case> {
 }
 
 /// Returns the case of a picture.
-#[must_use]
 pub fn picture(name: String, group: Group, files: [Vec<u8>; 2], digests: [Option<String>; 2]) -> Case {
     case(name, group, "1.4", files.map(Some), Expected::Picture(digests))
 }

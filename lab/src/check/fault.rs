@@ -61,13 +61,11 @@ impl Kind {
     }
 
     /// Returns the name of the fault.
-    #[must_use]
     pub const fn words(self) -> Words {
         self.about().0
     }
 
     /// Returns the fault of a case. A wrong message breaks the rule in the section `message` of the specification.
-    #[must_use]
     pub fn fault(self, message: &'static str, expected: impl Into<String>, found: impl Into<String>) -> Fault {
         let section = if self == Self::WrongMessage { Some(message) } else { self.about().1 };
         Fault { kind: self, section, expected: expected.into(), found: found.into() }

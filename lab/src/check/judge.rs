@@ -40,7 +40,6 @@ pub const ARGUMENTS: [&str; 5] = ["config.txt", "scene.txt", "out.ppm", "extra",
 
 impl Case {
     /// Returns the command that runs `program` on this case, whose files are in `folder`.
-    #[must_use]
     pub fn command(&self, program: &Job, folder: &Path) -> Vec<OsString> {
         let arguments = ARGUMENTS.iter().take(self.arguments).map(|name| folder.join(name).into_os_string());
         program.words.iter().cloned().chain(arguments).collect()

@@ -65,7 +65,6 @@ impl Report {
     }
 
     /// Returns the report as lines of text.
-    #[must_use]
     pub fn text(&self, language: Language) -> String {
         let mut text = format!("{}\n\n", terminal::table(&self.summary(language)));
         for note in self.notes(language) {
@@ -79,7 +78,6 @@ impl Report {
     }
 
     /// Returns the report as an HTML page that needs no other file. `folder` has the files of the cases.
-    #[must_use]
     pub fn page(&self, language: Language, folder: &Path) -> String {
         let mut body = String::new();
         self.write_page(&mut body, language, "", folder);

@@ -21,7 +21,6 @@ pub struct Notes {
 
 impl Notes {
     /// Returns no notes, about these files.
-    #[must_use]
     pub fn of(files: Vec<String>) -> Self {
         Self { files, ..Self::default() }
     }
@@ -32,7 +31,6 @@ impl Notes {
     }
 
     /// Returns the notes as lines of text: file, line, what has no match and what is done instead.
-    #[must_use]
     pub fn to_lines(&self) -> Vec<String> {
         /// Number of further lines that a note names.
         const MOST: usize = 5;
@@ -55,7 +53,6 @@ impl Notes {
     }
 
     /// Returns the failure for a fault, with the name of its file.
-    #[must_use]
     pub fn failure(&self, ((file, line), text): Fault) -> Failure {
         format!("{}:{line}: {}", self.files[file], terminal::escape_lines(&text)).into()
     }

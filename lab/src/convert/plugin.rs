@@ -30,7 +30,6 @@ pub struct Plugin {
 }
 
 /// Returns the start of a text, for messages.
-#[must_use]
 pub fn shown(text: &str) -> String {
     text.chars().take(40).collect()
 }
@@ -46,25 +45,21 @@ pub fn number(word: &str, place: Place) -> Result<f64, Fault> {
 
 impl Plugin {
     /// Returns the type: the second word of the name.
-    #[must_use]
     pub fn kind(&self) -> &str {
         self.name.split_once(' ').map_or("", |(_, kind)| kind)
     }
 
     /// Returns the parameter of this name.
-    #[must_use]
     pub fn param(&self, name: &str) -> Option<&Param> {
         self.params.iter().find(|param| param.name == name)
     }
 
     /// Returns the line of the parameter of this name, or that of the plugin if it is missing.
-    #[must_use]
     pub fn place_of(&self, name: &str) -> Place {
         self.param(name).map_or(self.place, |param| param.place)
     }
 
     /// Returns the text of a parameter.
-    #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
         self.param(name)?.words.first().map(String::as_str)
     }

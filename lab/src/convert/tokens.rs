@@ -62,7 +62,6 @@ impl Tokens {
     }
 
     /// Returns the next token without taking it.
-    #[must_use]
     pub fn peek(&self) -> Option<&str> {
         self.rest.last().map(|(token, _)| &token[..])
     }

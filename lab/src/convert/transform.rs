@@ -23,26 +23,22 @@ impl Transform {
     }
 
     /// Returns the move by `offset`.
-    #[must_use]
     pub const fn translate(offset: Vec3) -> Self {
         Self { origin: offset, ..Self::IDENTITY }
     }
 
     /// Returns the scale by a factor for each axis.
-    #[must_use]
     pub const fn scale([x, y, z]: [f64; 3]) -> Self {
         Self::new([Vec3::new(x, 0.0, 0.0), Vec3::new(0.0, y, 0.0), Vec3::new(0.0, 0.0, z)], Vec3::ZERO)
     }
 
     /// Returns the rotation about `axis` by an angle in degrees.
-    #[must_use]
     pub fn rotate(axis: Vec3, degrees: f64) -> Self {
         let turn = |vector| turned(vector, axis.unit(), degrees.to_radians());
         Self::new(Self::IDENTITY.columns.map(turn), Vec3::ZERO)
     }
 
     /// Returns the transform of a 4 x 4 matrix, column by column, or `None` if the last row is not 0 0 0 1.
-    #[must_use]
     pub fn matrix(m: [f64; 16]) -> Option<Self> {
         let column = |at: usize| Vec3::new(m[4 * at], m[4 * at + 1], m[4 * at + 2]);
         let is_affine = [m[3], m[7], m[11], m[15]] == [0.0, 0.0, 0.0, 1.0];
@@ -51,7 +47,6 @@ impl Transform {
 
     /// Returns the transform from camera to world for a position, a target and a north: the camera looks along its +z
     /// towards the target, with +x along north × z. pbrt shows +x at the right, Mitsuba at the left.
-    #[must_use]
     pub fn look_at(view: [Vec3; 3]) -> Self {
         let [position, target, north] = view;
         let forward = (target - position).unit();
@@ -61,7 +56,6 @@ impl Transform {
 
     /// Returns a transform that takes the z axis from -0.5 to 0.5 to the axis of a cylinder, and x and y to unit
     /// vectors that are perpendicular to it.
-    #[must_use]
     pub fn along(axis: Vec3, center: Vec3) -> Self {
         let unit = axis.unit_and_length().0;
         let other = if unit.x.abs() < 0.6 { Vec3::new(1.0, 0.0, 0.0) } else { Vec3::new(0.0, 1.0, 0.0) };
@@ -81,20 +75,17 @@ impl Transform {
     }
 
     /// Returns the transform that applies `inner` first, and then this one.
-    #[must_use]
     pub fn then_inner(&self, inner: &Self) -> Self {
         Self::new(inner.columns.map(|column| self.vector(column)), self.point(inner.origin))
     }
 
     /// Returns the determinant of the linear part. It is negative if the transform mirrors.
-    #[must_use]
     pub fn determinant(&self) -> f64 {
         let [x, y, z] = self.columns;
         x.dot(y.cross(z))
     }
 
     /// Returns the inverse. Its numbers are not finite if there is none.
-    #[must_use]
     pub fn inverse(&self) -> Self {
         let [x, y, z] = self.columns;
         let rows = [y.cross(z), z.cross(x), x.cross(y)].map(|row| row / self.determinant());
@@ -107,7 +98,6 @@ impl Transform {
     /// scales them equally and keeps all axes perpendicular, as far as `f32` can tell.
     ///
     /// A factor within 10^-12 of 1 counts as 1: the matrix of a rotation in decimals has such errors.
-    #[must_use]
     pub fn scale_of(&self, axes: usize) -> (f64, bool) {
         const ERROR: f64 = 1e-5;
         let lengths = self.columns.map(|column| column.unit_and_length().1);

@@ -61,7 +61,6 @@ pub fn note(source: &Source<'_>, is_pbrt: bool, texts: [&str; 2], notes: &mut No
 }
 
 /// Returns the scene in the format of pbrt-v4.
-#[must_use]
 pub fn pbrt(source: &Source<'_>) -> String {
     let (config, [width, height]) = (source.config, [source.size.width(), source.size.height()]);
     // pbrt counts the surfaces of a path, and ours counts its rays. Its fov is that of the shorter side, unless there
@@ -128,7 +127,6 @@ WorldBegin
 }
 
 /// Returns the scene in the format of Mitsuba 3.
-#[must_use]
 pub fn mitsuba(source: &Source<'_>) -> String {
     let (config, [width, height]) = (source.config, [source.size.width(), source.size.height()]);
     let float = |name: &str, value: f64| format!(r#"<float name="{name}" value="{}"/>"#, real(value));

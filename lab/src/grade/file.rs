@@ -146,14 +146,12 @@ fn found(folder: &Path) -> std::io::Result<Vec<Program>> {
 
 impl Program {
     /// Returns the job that runs the program. `all` is the folder of `grade.toml`.
-    #[must_use]
     pub fn job(&self, all: &Path) -> Job {
         let place = all.join(self.folder.as_deref().unwrap_or(Path::new(&self.name)));
         Job { name: self.name.clone(), words: self.command.iter().map(Into::into).collect(), place }
     }
 
     /// Returns the job that builds the program, if there is one.
-    #[must_use]
     pub fn build_job(&self, all: &Path) -> Option<Job> {
         let build = self.build.as_ref()?;
         Some(Job { words: ["sh", "-c", build].map(Into::into).to_vec(), ..self.job(all) })

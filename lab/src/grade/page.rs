@@ -27,7 +27,6 @@ const MEMORY: Words = ["memory in MB", "memoria en MB"];
 
 impl Grades {
     /// Returns the table of all figures. The first row has the names of the columns.
-    #[must_use]
     pub fn rows(&self, language: Language) -> Vec<Vec<String>> {
         let figures = self.scenes.iter().flat_map(|scene| UNITS.map(|unit| format!("{scene}: {unit}")));
         let columns = COLUMNS.map(|words| language.say(words, &[])).into_iter();

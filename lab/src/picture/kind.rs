@@ -41,7 +41,6 @@ impl Kind {
     }
 
     /// Returns the format of a file with these first bytes, of which four are enough.
-    #[must_use]
     pub const fn of_bytes(bytes: &[u8]) -> Option<Self> {
         match bytes {
             [b'P', b'3' | b'6', ..] => Some(Self::Ppm),
@@ -54,7 +53,6 @@ impl Kind {
     }
 
     /// Whether the format holds floating-point numbers.
-    #[must_use]
     pub const fn is_of_floats(self) -> bool {
         matches!(self, Self::Pfm | Self::Npy | Self::Exr)
     }

@@ -3,7 +3,6 @@
 use plotters::coord::ranged1d::{KeyPointHint, Ranged, ValueFormatter};
 
 /// Returns the range of `values`, extended at both ends by the factor `room`.
-#[must_use]
 pub fn range(values: impl Iterator<Item = f64>, room: f64) -> std::ops::Range<f64> {
     let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
     // The division may give 0 and the multiplication infinity, so the ends are limited to positive finite numbers.

@@ -71,7 +71,6 @@ impl Point {
     ///
     /// A logarithmic axis cannot show some bounds, such as 0. Such a bound is replaced by the point, so half of the bar
     /// is drawn.
-    #[must_use]
     pub fn ends(&self) -> [(f64, f64); 2] {
         let shown = |bound: f64, point: f64| if bound > 0.0 && bound.is_finite() { bound } else { point };
         match self.bounds {

@@ -15,7 +15,6 @@ const SAMPLES: Words = ["samples a pixel", "muestras por píxel"];
 const ROWS: Axis = Axis { label: "", format: short };
 
 /// Returns every chart for which there are data, in the order of the report.
-#[must_use]
 pub fn all(results: &Results, language: Language) -> Vec<Chart> {
     let scale = crate::bench::matrix::PARAMETERS.iter().filter_map(|parameter| scale(results, language, parameter));
     let curves = results.curves.iter().map(|curve| curve.scene.as_str());

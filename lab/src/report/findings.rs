@@ -21,7 +21,6 @@ pub struct Finding {
 }
 
 /// Returns a sentence for each topic for which there are data.
-#[must_use]
 pub fn of(results: &Results, language: Language) -> Vec<Finding> {
     let findings: [(Words, Option<String>); 8] = [
         (["Conditions", "Condiciones"], conditions(results, language)),

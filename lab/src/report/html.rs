@@ -25,7 +25,6 @@ const VERSION: Words = ["on {} with the program of commit {}", "el {} con el pro
 const PROCESSORS: Words = ["{} ({} processors)", "{} ({} procesadores)"];
 
 /// Returns an HTML page that needs no other file. Its colours follow the light or dark setting of the reader.
-#[must_use]
 pub fn document(language: Language, title: &str, body: &str) -> String {
     let (light, dark, title) = (variables(false), variables(true), escape(title));
     let lang = ["en", "es"][language as usize];
@@ -39,7 +38,6 @@ pub fn document(language: Language, title: &str, body: &str) -> String {
 }
 
 /// Returns the HTML page about `results`. Each chart is given with its SVG text.
-#[must_use]
 pub fn page(
     results: &Results,
     language: Language,
@@ -238,7 +236,6 @@ fn put(page: &mut String, text: std::fmt::Arguments<'_>) {
 }
 
 /// Returns `text` for an HTML page, without control characters and with the characters of markup escaped.
-#[must_use]
 pub fn escape(text: &str) -> String {
     printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }

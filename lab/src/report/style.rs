@@ -24,21 +24,18 @@ pub const SERIES: [(RGBColor, &str); 8] = [
 
 /// Returns `text`, in which U+FFFD replaces all control characters, U+FFFE and U+FFFF. XML does not allow most of
 /// these.
-#[must_use]
 pub fn printable(text: &str) -> String {
     let is_known = |c: char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
     text.chars().map(|c| if is_known(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
 }
 
 /// Returns a colour in the notation of SVG, such as `#26262B`.
-#[must_use]
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 /// Returns the SVG of a chart in which CSS variables replace its colours, so that the chart follows the light or dark
 /// colours of the page.
-#[must_use]
 pub fn for_screen(svg: &str) -> String {
     let mut svg = svg.replace(&hex(INK), "currentColor").replace(&hex(GRID), "var(--grid)");
     for (index, (color, _)) in SERIES.iter().enumerate() {
@@ -49,7 +46,6 @@ pub fn for_screen(svg: &str) -> String {
 
 /// Returns the definitions of the CSS variables that [`for_screen`] uses, with the values for a light page, or for a
 /// dark page if `dark`.
-#[must_use]
 pub fn variables(dark: bool) -> String {
     let tone = |(color, dark_tone): &(RGBColor, &str)| if dark { (*dark_tone).to_owned() } else { hex(*color) };
     let grid = if dark { "#3A3A42".to_owned() } else { hex(GRID) };
@@ -58,7 +54,6 @@ pub fn variables(dark: bool) -> String {
 }
 
 /// Returns a text that explains the implementation with this name.
-#[must_use]
 pub fn engine_meaning(engine: &str, language: Language) -> String {
     let (layout, set) = engine.split_once('-').unwrap_or((engine, ""));
     let words: Words = match layout {
@@ -74,7 +69,6 @@ pub fn engine_meaning(engine: &str, language: Language) -> String {
 }
 
 /// Returns the value of a parameter in words, as in `1 sample`, `10 objects` or `width 64`.
-#[must_use]
 pub fn setting(parameter: &str, value: u64, language: Language) -> String {
     let words: Words = match (parameter, value) {
         ("samples", 1) => ["{} sample", "{} muestra"],
@@ -87,7 +81,6 @@ pub fn setting(parameter: &str, value: u64, language: Language) -> String {
 }
 
 /// Returns the name of a parameter of the suite `scale` in words.
-#[must_use]
 pub fn parameter_name(parameter: &str, language: Language) -> &str {
     language.pick(match parameter {
         "width" => ["width", "anchura"],
@@ -100,7 +93,6 @@ pub fn parameter_name(parameter: &str, language: Language) -> &str {
 }
 
 /// Formats a time in seconds with a suitable unit and three significant digits.
-#[must_use]
 pub fn seconds(value: f64) -> String {
     let (scaled, unit) = match value {
         value if value >= 0.999_5 => (value, "s"),
@@ -111,7 +103,6 @@ pub fn seconds(value: f64) -> String {
 }
 
 /// Formats a number with three significant digits, without trailing zeros after the point.
-#[must_use]
 pub fn short(value: f64) -> String {
     let digits = if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 6) };
     let text = format!("{value:.*}", digits as usize);
@@ -119,14 +110,12 @@ pub fn short(value: f64) -> String {
 }
 
 /// Formats a number as one digit and a power of ten, such as `3e-16`.
-#[must_use]
 pub fn power_of_ten(value: f64) -> String {
     format!("{value:.0e}")
 }
 
 /// Formats a value and its standard error, both rounded to the first digit of the error. Without a usable error,
 /// formats only the value, with [`short`].
-#[must_use]
 pub fn with_error(value: f64, error: Option<f64>) -> String {
     match error.filter(|error| *error > 0.0 && error.is_finite()) {
         Some(error) => {

@@ -15,7 +15,6 @@ const AROUND: usize = 60;
 
 /// Returns the message for `error`, which occurred in line number `line` of the file `path`, with the bytes `text`.
 /// Returns `None` for an error that does not belong to a line. `names` are the materials defined above the line.
-#[must_use]
 pub fn message(
     error: &Error,
     kind: Kind,

@@ -39,13 +39,11 @@ impl Input {
     }
 
     /// The path to which the links of the file's name led when the program started.
-    #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
     /// Returns the message for an error of this file.
-    #[must_use]
     pub fn message(&self, error: &io::Error) -> String {
         format!("Cannot read file [{}]: {error}", terminal::name(&self.named))
     }
@@ -86,7 +84,6 @@ impl Input {
 
     /// Returns a text that changes when the content of the file changes. Its time of modification would not do, because
     /// a program may set it.
-    #[must_use]
     pub fn version(&self) -> String {
         let digest = || -> io::Result<String> {
             let (file, length) = self.open()?;
@@ -115,7 +112,6 @@ pub fn content(file: File, length: u64) -> io::Result<Vec<u8>> {
 }
 
 /// Returns the version of a file with this content.
-#[must_use]
 pub fn version_of(content: &[u8]) -> String {
     digest::sha256(content)
 }

@@ -110,7 +110,6 @@ impl Refusal {
 
 impl Native {
     /// Returns a renderer whose bytes are counted in `budget`.
-    #[must_use]
     pub fn new(budget: Budget) -> Self {
         let rows = [0, 0].map(AtomicUsize::new);
         Self { current: Mutex::default(), rows, busy: Mutex::default(), budget }

@@ -75,7 +75,6 @@ impl Site {
     }
 
     /// Returns the answer to a request for the file at `path`.
-    #[must_use]
     pub fn file(&self, path: &str) -> Answer {
         let path = if path == "/" { "/index.html" } else { path };
         let Some(bytes) = self.0.get(path) else { return Answer::not_found() };
