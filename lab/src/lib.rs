@@ -20,6 +20,7 @@ pub mod failure;
 pub mod grade;
 pub mod heatmap;
 pub mod interrupt;
+pub mod numbers;
 pub mod picture;
 pub mod report;
 pub mod show;

@@ -24,6 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Failure;
 use crate::interrupt::Interrupt;
+use crate::numbers::above_zero;
 use processes::{end_all, memory_below};
 
 /// The limits of one run.
@@ -39,15 +40,6 @@ pub struct Limits {
 
 /// Limits that no run reaches.
 pub const NONE: Limits = Limits { seconds: 1e9, memory: 1e9 };
-
-/// Returns the number in `text`.
-///
-/// # Errors
-/// It is not a number above 0, or above a thousand millions.
-pub fn above_zero(text: &str) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|&number: &f64| number > 0.0 && number <= NONE.seconds);
-    number.ok_or_else(|| format!("a number above 0 and up to {} is needed", NONE.seconds))
-}
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

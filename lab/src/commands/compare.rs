@@ -11,6 +11,7 @@ use serde::Serialize;
 use crate::Failure;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
 use crate::heatmap::{Scale, heatmap};
+use crate::numbers::{LEAST, number};
 use crate::picture::any::Any;
 use crate::picture::floats::{Floats, GAMMA};
 use crate::picture::kind::Kind;
@@ -30,7 +31,12 @@ pub struct Arguments {
     #[arg(long, value_name = "OUT.png")]
     heatmap: Option<PathBuf>,
     /// Difference in levels, from 0 to 255, that has the heat map's last colour; the largest difference without it
-    #[arg(long, value_name = "LEVELS", requires = "heatmap", value_parser = levels)]
+    #[arg(
+        long,
+        value_name = "LEVELS",
+        requires = "heatmap",
+        value_parser = number(LEAST..=255.0, "a number above 0 and up to 255")
+    )]
     max: Option<f64>,
     /// Show in the heat map which picture is brighter: red where the second is, blue where the first is
     #[arg(long, requires = "heatmap")]
@@ -41,11 +47,6 @@ pub struct Arguments {
     /// Print the figures as JSON
     #[arg(long)]
     json: bool,
-}
-
-fn levels(text: &str) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|&levels: &f64| levels > 0.0 && levels <= 255.0);
-    number.ok_or_else(|| "a number above 0 and up to 255 is needed".to_owned())
 }
 
 impl Arguments {

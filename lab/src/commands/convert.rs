@@ -18,10 +18,10 @@ use crate::convert::sky::Layout;
 use crate::convert::world::World;
 use crate::convert::write::{self, Source};
 use crate::convert::{mitsuba, pbrt};
+use crate::numbers::above_zero;
 use crate::picture::any::Any;
 use crate::picture::floats::GAMMA;
 use crate::picture::kind::Kind;
-use crate::supervise::above_zero;
 use crate::{Failure, sources, terminal};
 
 /// Options of `convert`.

@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use generator::{self, Arrangement, Options};
 use output::Output;
 
+use crate::numbers::number;
 use crate::{Failure, sources, terminal};
 
 /// Options of `generate`.
@@ -26,19 +27,20 @@ pub struct Arguments {
     #[arg(long, default_value_t = 100, value_parser = count)]
     objects: usize,
     /// Share of cylinders, from 0 to 1; the others are spheres
-    #[arg(long, default_value_t = 0.5, value_parser = share)]
+    #[arg(long, default_value_t = 0.5, value_parser = number(0.0..=1.0, "a number from 0 to 1"))]
     cylinders: f64,
     /// Weight of matte materials
-    #[arg(long, default_value_t = 2.0, value_parser = weight)]
+    #[arg(long, default_value_t = 2.0, value_parser = number(0.0..=f64::MAX, "a number that is not negative"))]
     matte: f64,
     /// Weight of metal materials
-    #[arg(long, default_value_t = 1.0, value_parser = weight)]
+    #[arg(long, default_value_t = 1.0, value_parser = number(0.0..=f64::MAX, "a number that is not negative"))]
     metal: f64,
     /// Weight of refractive materials
-    #[arg(long, default_value_t = 1.0, value_parser = weight)]
+    #[arg(long, default_value_t = 1.0, value_parser = number(0.0..=f64::MAX, "a number that is not negative"))]
     refractive: f64,
+    // Outside this range, squares of lengths overflow or underflow, and the renderer would refuse the scene's file.
     /// Half the side of the cube that holds the objects' centres, from 1e-100 to 1e100
-    #[arg(long, default_value_t = 10.0, value_parser = length)]
+    #[arg(long, default_value_t = 10.0, value_parser = number(1e-100..=1e100, "a number from 1e-100 to 1e100"))]
     extent: f64,
     /// Where objects are put
     #[arg(long, value_enum, default_value_t)]
@@ -55,23 +57,6 @@ enum ArrangementName {
     Grid,
     /// Where arithmetic is hard: copies, touching and nested objects, the huge beside the tiny
     Degenerate,
-}
-
-fn number(text: &str, is_right: impl Fn(f64) -> bool, what: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|&value: &f64| value.is_finite() && is_right(value)).ok_or_else(|| what.to_owned())
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    number(text, |value| (0.0..=1.0).contains(&value), "a number from 0 to 1 is needed")
-}
-
-fn weight(text: &str) -> Result<f64, String> {
-    number(text, |value| value >= 0.0, "a number that is not negative is needed")
-}
-
-fn length(text: &str) -> Result<f64, String> {
-    // Outside this range, squares of lengths overflow or underflow, and the renderer would refuse the scene's file.
-    number(text, |value| (1e-100..=1e100).contains(&value), "a number from 1e-100 to 1e100 is needed")
 }
 
 /// Largest number of objects of a generated scene. A file with more objects would be too large to be read.
@@ -129,11 +114,8 @@ fn check_memory(objects: usize) -> Result<(), cpu::Error> {
     /// needs.
     const BYTES: usize = 512;
 
-    let room = objects.checked_mul(BYTES).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes));
-    match room {
-        Some(Ok(())) => Ok(()),
-        _ => Err(cpu::internals::input::error::Error::OutOfMemory { what: "so many objects" }),
-    }
+    let room = Vec::<u8>::new().try_reserve_exact(objects.saturating_mul(BYTES));
+    room.map_err(|_| cpu::Error::OutOfMemory { what: "so many objects" })
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ pub struct Arguments {
     /// The newer record
     new: PathBuf,
     /// Smaller changes, in percent, do not count
-    #[arg(long, value_name = "PERCENT", default_value_t = 2.0, value_parser = crate::supervise::above_zero)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 2.0, value_parser = crate::numbers::above_zero)]
     least: f64,
     /// Print the changes as JSON
     #[arg(long)]
