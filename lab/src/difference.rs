@@ -37,6 +37,34 @@ pub struct Difference {
     pub accepted: bool,
 }
 
+/// The distances of numbers from those that they are compared with.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Errors {
+    /// Root of the mean square.
+    pub rmse: f64,
+    /// The largest distance.
+    pub maximum: f64,
+    /// The mean.
+    pub mae: f64,
+    /// Number of distances above 0.
+    pub differing: usize,
+}
+
+impl Errors {
+    /// Returns the figures of these distances.
+    pub fn of(distances: impl ExactSizeIterator<Item = f64>) -> Self {
+        let (count, mut errors) = (distances.len() as f64, Self::default());
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for distance in distances.filter(|distance| *distance > 0.0) {
+            sum += distance;
+            squares += distance * distance;
+            errors.maximum = errors.maximum.max(distance);
+            errors.differing += 1;
+        }
+        Self { rmse: (squares / count).sqrt(), mae: sum / count, ..errors }
+    }
+}
+
 /// Returns the difference of two pixels: the mean of the absolute differences of their channels, in levels from 0 to
 /// 255.
 pub fn of_pixels(first: [u8; 3], second: [u8; 3]) -> f64 {
@@ -57,32 +85,23 @@ impl Difference {
             let [a, b] = [first, second].map(|picture| format!("{} x {}", picture.width, picture.height));
             return Err(format!("the pictures have different sizes: {a} and {b}"));
         }
-        let pixels = first.pixels.len();
-        let (mut differing, mut maximum, mut sum, mut squares) = (0, 0.0_f64, 0.0, 0.0);
+        let pairs = || first.pixels.iter().zip(&second.pixels);
+        let Errors { rmse, maximum, mae, differing } = Errors::of(pairs().map(|(&a, &b)| of_pixels(a, b)));
         // The exact sum of the squares over all channels. It cannot overflow: 2^30 pixels times 3 times 255^2 is below
         // 2^48.
-        let mut channel_squares = 0_u64;
+        let channel_squares: u64 = pairs().flat_map(|(&a, &b)| channels(a, b)).map(|d| u64::from(d * d)).sum();
         let mut corners: Option<[usize; 4]> = None;
-        for (index, (&a, &b)) in first.pixels.iter().zip(&second.pixels).enumerate() {
-            if a == b {
-                continue;
-            }
-            let difference = of_pixels(a, b);
-            differing += 1;
-            maximum = maximum.max(difference);
-            sum += difference;
-            squares += difference * difference;
-            channel_squares += channels(a, b).iter().map(|&d| u64::from(d * d)).sum::<u64>();
+        for (index, _) in pairs().enumerate().filter(|(_, (a, b))| a != b) {
             let (x, y) = (index % first.width, index / first.width);
             let [left, top, right, bottom] = corners.unwrap_or([x, y, x, y]);
             corners = Some([left.min(x), top.min(y), right.max(x), bottom.max(y)]);
         }
-        let rmse = (squares / pixels as f64).sqrt();
+        let pixels = first.pixels.len();
         let channel_mse = channel_squares as f64 / (3 * pixels) as f64;
         Ok(Self {
             rmse,
             maximum,
-            mae: sum / pixels as f64,
+            mae,
             psnr: (differing > 0).then(|| 10.0 * (255.0 * 255.0 / channel_mse).log10()),
             flip: flip(first, second),
             differing,

@@ -26,6 +26,7 @@ pub mod report;
 pub mod show;
 pub mod sources;
 pub mod supervise;
+pub mod template;
 pub mod terminal;
 pub mod view;
 

@@ -18,11 +18,11 @@ use crate::bench::results::Results;
 use crate::format::hint::Language;
 use crate::{Failure, terminal};
 use chart::Chart;
-use thumbnails::Thumbnail;
 
 /// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`, with texts in `language`. `data` is the path
 /// of the file from which `results` were read. If an output is the file `data`, the function returns an error and
-/// writes nothing.
+/// writes nothing. `pictures` makes the thumbnails of the scenes, each with its name and its `data:` address, when all
+/// outputs have been found writable.
 ///
 /// # Errors
 /// An output is the file `data`, a file cannot be written, or a chart cannot be drawn.
@@ -32,28 +32,16 @@ pub fn write(
     folder: &Path,
     language: Language,
     options: Options,
-) -> Result<(), Failure> {
-    write_with(results, data, folder, language, options, || Ok(thumbnails::of(results)))
-}
-
-/// Writes the report with the thumbnails of `pictures`, which is called when all outputs have been found writable.
-fn write_with(
-    results: &Results,
-    data: &Path,
-    folder: &Path,
-    language: Language,
-    options: Options,
-    pictures: impl FnOnce() -> Result<Vec<Thumbnail>, Failure>,
+    pictures: impl FnOnce(&Results) -> Vec<(String, String)>,
 ) -> Result<(), Failure> {
     let charts = charts::all(results, language);
     let paths = paths(folder, &charts);
     let outputs = open(&paths, data, options)?;
     // Everything else that can fail is computed before the first file is written.
-    let pictures = pictures()?;
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
     let findings = findings::of(results, language);
     let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())? + "\n";
-    let page = html::page(results, language, &findings, &drawn, &pictures);
+    let page = html::page(results, language, &findings, &drawn, pictures(results))?;
     let texts = drawn.iter().map(|(_, svg)| svg).chain([&json, &page]);
     for ((path, output), text) in paths.iter().zip(outputs).zip(texts) {
         let output = output.map_or_else(|| Output::open(path, options), Ok)?;
@@ -138,10 +126,10 @@ mod tests {
             let folder = Folder::new();
             std::fs::create_dir(folder.file("charts")).expect("the folder is writable");
             let _socket = UnixListener::bind(folder.file(name)).expect("the folder is writable");
-            let result =
-                write_with(&results, Path::new("data"), folder.path(), Language::English, Options::default(), || {
-                    panic!("thumbnails are rendered although {name} cannot be written")
-                });
+            let (data, language) = (Path::new("data"), Language::English);
+            let result = write(&results, data, folder.path(), language, Options::default(), |_| {
+                panic!("thumbnails are rendered although {name} cannot be written")
+            });
             let message = result.expect_err("a socket is no file").message().expect("an error has a message");
             assert!(message.contains("Cannot write file [") && message.contains(name), "{message}");
             // The folder of charts and the socket.

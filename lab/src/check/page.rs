@@ -78,30 +78,39 @@ impl Report {
     }
 
     /// Returns the report as an HTML page that needs no other file. `folder` has the files of the cases.
-    pub fn page(&self, language: Language, folder: &Path) -> String {
-        let mut body = String::new();
-        self.write_page(&mut body, language, "", folder);
-        html::document(language, &language.say(["Check of {}", "Comprobación de {}"], &[&self.program]), &body)
+    ///
+    /// # Errors
+    /// An error of the page's template.
+    pub fn page(&self, language: Language, folder: &Path) -> Result<String, String> {
+        let title = language.say(["Check of {}", "Comprobación de {}"], &[&self.program]);
+        html::document(language, &title, &self.body(language, "", folder))
     }
 
-    /// Appends the report to the body of a page. Its headings begin with `start`.
-    pub fn write_page(&self, body: &mut String, language: Language, start: &str, folder: &Path) {
-        let title = |words| format!("{start}{}", language.say(words, &[]));
-        html::table(body, &title(["Summary", "Resumen"]), &["", ""], self.summary(language).into_iter());
-        self.notes(language).iter().for_each(|note| html::paragraph(body, &format!("{note}.")));
-        let rows = self.failed().map(|checked| vec![checked.case.clone(), lines(checked, language).join("\n")]);
-        html::table(body, &title(["What failed", "Qué ha fallado"]), &["", ""], rows);
-        let is_wrong = |fault: &Fault| fault.kind == Kind::WrongPicture;
-        for (index, checked) in self.failed().filter(|checked| checked.faults.iter().any(is_wrong)).enumerate() {
-            if index == 0 {
-                html::heading(body, &title(["Wrong pictures", "Imágenes incorrectas"]));
-            }
-            let address = |name: &str| Some(data_uri(&fs::read(folder.join(&checked.case).join(name)).ok()?));
+    /// Returns the report as a part of a page. Its headings begin with `start`.
+    pub fn body(&self, language: Language, start: &str, folder: &Path) -> String {
+        let title = |words: Words| format!("{start}{}", language.pick(words));
+        let notes = self.notes(language).into_iter().map(|note| html::paragraph(&format!("{note}.")));
+        let failed = self.failed().map(|checked| vec![checked.case.clone(), lines(checked, language).join("\n")]);
+        let is_wrong = |checked: &&Checked| checked.faults.iter().any(|fault| fault.kind == Kind::WrongPicture);
+        let wrong = self.failed().filter(is_wrong).map(|checked| {
             let pictures = PICTURES.iter().zip(CAPTIONS).filter_map(|(name, caption)| {
-                Some((format!("{}: {}", checked.case, language.say(caption, &[])), address(name)?))
+                let png = fs::read(folder.join(&checked.case).join(name)).ok()?;
+                Some((format!("{}: {}", checked.case, language.pick(caption)), data_uri(&png)))
             });
-            html::pictures(body, "", pictures);
-        }
+            html::pictures("", pictures)
+        });
+        let wrong: String = wrong.collect();
+        [
+            html::table(&title(["Summary", "Resumen"]), &["", ""], self.summary(language).into_iter()),
+            notes.collect(),
+            html::table(&title(["What failed", "Qué ha fallado"]), &["", ""], failed),
+            if wrong.is_empty() {
+                wrong
+            } else {
+                html::heading(&title(["Wrong pictures", "Imágenes incorrectas"])) + &wrong
+            },
+        ]
+        .concat()
     }
 }
 

@@ -80,7 +80,8 @@ impl Arguments {
         let program = Job { name, words: self.program.clone(), place: PathBuf::from(".") };
         let report = Report::of(&program, &cases, &self.limits, &folder)?;
         if let Some(output) = html {
-            output.fill(|file| file.write_all(report.page(language, &folder).as_bytes()))?;
+            let page = report.page(language, &folder)?;
+            output.fill(|file| file.write_all(page.as_bytes()))?;
         }
         super::print_as(self.json, &report, || report.text(language))?;
         if report.is_passed() {

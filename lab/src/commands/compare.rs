@@ -1,21 +1,23 @@
 //! `render-lab compare`: compares two pictures.
 
-mod page;
-
 use std::path::PathBuf;
 
 use clap::Args;
+use colorous::INFERNO;
+use minijinja::context;
+use minijinja::value::Serde;
 use output::{Options, Output};
 use serde::Serialize;
 
-use crate::Failure;
-use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
-use crate::heatmap::{Scale, heatmap};
+use crate::difference::{Difference, Errors};
+use crate::heatmap::{Scale, color_at, heatmap};
 use crate::numbers::{LEAST, number};
+use crate::picture::Picture;
 use crate::picture::any::Any;
 use crate::picture::floats::{Floats, GAMMA};
 use crate::picture::kind::Kind;
-use crate::{sources, terminal};
+use crate::template::filled;
+use crate::{Failure, sources, terminal};
 
 /// Options of `compare`.
 #[derive(Debug, Args)]
@@ -73,11 +75,12 @@ impl Arguments {
         let read = |path| Any::read(&sources::input(path));
         let (first, second) = (read(&self.first)?, read(&self.second)?);
         let values = match (&first, &second) {
-            (Any::Floats(first), Any::Floats(second)) => Some(Values::between(first, second)?),
+            (Any::Floats(first), Any::Floats(second)) => Some(difference(first, second)?),
             _ => None,
         };
         let (first, second) = (first.into_picture(GAMMA)?, second.into_picture(GAMMA)?);
         let figures = Figures { levels: Difference::between(&first, &second)?, values };
+        let text = filled(include_str!("../../templates/compare.txt"), Serde(&figures).into())?;
         if let Some((kind, output)) = heatmap_output {
             let automatic = Scale::automatic(&first, &second, self.signed);
             let map = heatmap(&first, &second, Scale { most: self.max.unwrap_or(automatic.most), ..automatic })?;
@@ -85,13 +88,13 @@ impl Arguments {
         }
         if let Some(output) = html {
             let names = [&self.first, &self.second].map(|path| terminal::name(path));
-            let page = page::page([&first, &second], names, &figures.to_string())?;
+            let page = page([&first, &second], names, &text)?;
             output.fill(|file| file.write_all(page.as_bytes()))?;
         }
         match (self.json, is_output_taken) {
             (true, _) => super::print_json(&figures)?,
-            (false, true) => terminal::note(&figures.to_string()),
-            (false, false) => terminal::print(&figures.to_string())?,
+            (false, true) => terminal::note(&text),
+            (false, false) => terminal::print(&text)?,
         }
         if figures.levels.accepted { Ok(()) } else { Err(Failure::Rejected) }
     }
@@ -104,72 +107,34 @@ struct Figures {
     levels: Difference,
     /// The difference of the numbers, if both pictures have numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
-    values: Option<Values>,
+    values: Option<Errors>,
 }
 
-/// The difference between two pictures of numbers, over all channels. A number differs by infinity from none (NaN).
-#[derive(Debug, Serialize)]
-struct Values {
-    rmse: f64,
-    maximum: f64,
-    mae: f64,
-    differing: usize,
-}
-
-impl Values {
-    fn between(first: &Floats, second: &Floats) -> Result<Self, String> {
-        let shapes = [first, second].map(|floats| (floats.width, floats.height, floats.channels));
-        if shapes[0] != shapes[1] {
-            let [a, b] = shapes.map(|(width, height, channels)| format!("{width} x {height} x {channels}"));
-            return Err(format!("the pictures have different sizes or channels: {a} and {b}"));
-        }
-        let (mut squares, mut sum, mut maximum, mut differing) = (0.0, 0.0, 0.0_f64, 0);
-        for (&a, &b) in first.values.iter().zip(&second.values) {
-            if a == b || a.is_nan() && b.is_nan() {
-                continue;
-            }
-            let distance = (f64::from(a) - f64::from(b)).abs();
-            let distance = if distance.is_nan() { f64::INFINITY } else { distance };
-            squares += distance * distance;
-            sum += distance;
-            maximum = maximum.max(distance);
-            differing += 1;
-        }
-        let count = first.values.len() as f64;
-        Ok(Self { rmse: (squares / count).sqrt(), maximum, mae: sum / count, differing })
+/// Returns the difference between two pictures of numbers, over all channels. A number differs by infinity from none
+/// (NaN).
+fn difference(first: &Floats, second: &Floats) -> Result<Errors, String> {
+    let shapes = [first, second].map(|floats| (floats.width, floats.height, floats.channels));
+    if shapes[0] != shapes[1] {
+        let [a, b] = shapes.map(|(width, height, channels)| format!("{width} x {height} x {channels}"));
+        return Err(format!("the pictures have different sizes or channels: {a} and {b}"));
     }
+    Ok(Errors::of(first.values.iter().zip(&second.values).map(|(&a, &b)| {
+        if a == b || a.is_nan() && b.is_nan() {
+            return 0.0;
+        }
+        let distance = (f64::from(a) - f64::from(b)).abs();
+        if distance.is_nan() { f64::INFINITY } else { distance }
+    })))
 }
 
-impl std::fmt::Display for Figures {
-    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Difference { rmse, maximum, mae, psnr, flip, differing, pixels, bounding_box, accepted } = &self.levels;
-        if let Some(Values { rmse, maximum, mae, differing }) = &self.values {
-            if *differing == 0 {
-                return write!(out, "identical: {pixels} pixels");
-            }
-            writeln!(out, "numbers    maximum {maximum:.6}, RMSE {rmse:.6}, MAE {mae:.6}, {differing} differ")?;
-            writeln!(out, "as linear light, in levels:")?;
-        }
-        if *differing == 0 {
-            return write!(out, "identical: {pixels} pixels");
-        }
-        writeln!(out, "maximum    {maximum:.3}  (accepted below {MAXIMUM_BOUND})")?;
-        writeln!(out, "RMSE       {rmse:.3}  (accepted below {RMSE_BOUND})")?;
-        writeln!(out, "MAE        {mae:.3}")?;
-        if let Some(psnr) = psnr {
-            writeln!(out, "PSNR       {psnr:.2} dB")?;
-        }
-        match flip {
-            Some(flip) => writeln!(out, "FLIP       {flip:.4}")?,
-            None => writeln!(
-                out,
-                "FLIP       not built in (cargo install --locked --path lab --features flip needs a C++ compiler)"
-            )?,
-        }
-        writeln!(out, "differing  {differing} of {pixels} pixels")?;
-        if let Some([x, y, width, height]) = bounding_box {
-            writeln!(out, "within     {width} x {height} pixels from column {x}, row {y}")?;
-        }
-        write!(out, "verdict    {}", if *accepted { "accepted" } else { "not accepted" })
-    }
+/// Number of steps of the page's colour map. The page interpolates between them.
+const STEPS: usize = 32;
+
+/// Returns a page that shows two pictures with these names: with a slider, blinking, or their difference, with zoom.
+/// `figures` is the text below them.
+fn page(pictures: [&Picture; 2], [first, second]: [String; 2], figures: &str) -> Result<String, Failure> {
+    let addresses = format!("{:?}", [pictures[0].address()?, pictures[1].address()?]);
+    let colors: Vec<_> = (0..=STEPS).map(|step| color_at(INFERNO, step as f64 / STEPS as f64)).collect();
+    let values = context! { first, second, addresses, colors => format!("{colors:?}"), figures };
+    Ok(filled(include_str!("../../templates/compare.html"), values)? + "\n")
 }

@@ -96,11 +96,11 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
     let mut notes = Notes::of(inputs.map(|path| terminal::name(path)).to_vec());
     let text = |path: &PathBuf| read(path, MAX_FILE_BYTES).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     write::note(&source, is_pbrt, [&text(inputs[0])?, &text(inputs[1])?], &mut notes);
-    let (text, layout) =
-        if is_pbrt { (write::pbrt(&source), Layout::Square) } else { (write::mitsuba(&source), Layout::Rows) };
+    let text = write::text(&source, is_pbrt)?;
     let (sky, mut outs) = (out.with_file_name(&name), Vec::new());
     if has_picture {
         let mut bytes = Vec::new();
+        let layout = if is_pbrt { Layout::Square } else { Layout::Rows };
         Any::Floats(layout.picture(&config)?).write(Kind::Exr, GAMMA, &mut bytes)?;
         outs.push((&sky, bytes));
     }

@@ -10,9 +10,11 @@ use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::input::scene::Shape;
 use cpu::{Aos, Config, Material, Scatter, Scene};
+use minijinja::value::Serde;
 use serde::Serialize;
 
-use crate::{Failure, sources};
+use crate::template::filled;
+use crate::{Failure, sources, terminal};
 
 /// Options of `inspect`.
 #[derive(Debug, Args)]
@@ -82,7 +84,7 @@ impl Arguments {
         let config = self.config.as_ref().map_or(Ok(Config::default()), |path| sources::config(path, &[]))?;
         let scene = sources::scene(&self.scene)?;
         let inspection = Inspection::of(&config, &scene)?;
-        super::print_as(self.json, &inspection, || inspection.to_string())
+        if self.json { super::print_json(&inspection) } else { terminal::print(&inspection.text()?) }
     }
 }
 
@@ -120,6 +122,10 @@ impl Inspection {
             samples: prepared.samples,
         })
     }
+
+    fn text(&self) -> Result<String, String> {
+        filled(include_str!("../../templates/inspect.txt"), Serde(self).into())
+    }
 }
 
 const fn kind(material: &Material) -> &'static str {
@@ -156,40 +162,6 @@ impl Tree {
     }
 }
 
-impl std::fmt::Display for Inspection {
-    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        writeln!(out, "objects     {} spheres, {} cylinders", self.spheres, self.cylinders)?;
-        let kinds: Vec<_> = self.objects_by_material.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-        writeln!(out, "surfaces    {}", if kinds.is_empty() { "none".to_owned() } else { kinds.join(", ") })?;
-        writeln!(out, "materials   {}, {} of them without objects", self.materials, self.unused_materials)?;
-        if let (Some(low), Some(high)) = (self.lowest_corner, self.highest_corner) {
-            writeln!(out, "bounds      {low:.3?} to {high:.3?}")?;
-        }
-        writeln!(out, "farthest    {:.3} from 0: the largest coordinate of objects and camera", self.reach)?;
-        let sizes = if self.moderate {
-            "moderate: fast approximate tests first discard objects that a ray cannot hit"
-        } else {
-            "too large or too small for the fast approximate tests, so all objects are intersected"
-        };
-        writeln!(out, "sizes       {sizes}")?;
-        match &self.structure {
-            Structure::EveryObject => writeln!(out, "structure   none: each ray is intersected with every object")?,
-            Structure::SmallScene => {
-                writeln!(out, "structure   small scene: all objects at once, in double precision")?
-            }
-            Structure::FlatFilter => {
-                writeln!(out, "structure   flat filter: all objects, several at once, in single precision")?
-            }
-            Structure::Bvh(tree) => writeln!(
-                out,
-                "structure   BVH: {} nodes, {:.1} children each; a random line hits {:.1} boxes",
-                tree.nodes, tree.children_per_node, tree.boxes_hit_by_a_line
-            )?,
-        }
-        write!(out, "picture     {} x {} pixels, {} samples each", self.picture[0], self.picture[1], self.samples)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,7 +187,7 @@ mod tests {
     fn an_empty_scene_has_no_surfaces() {
         let inspection = inspect(&Scene::default());
         assert_eq!((inspection.lowest_corner, inspection.spheres), (None, 0));
-        assert!(inspection.to_string().contains("surfaces    none"));
+        assert!(inspection.text().is_ok_and(|text| text.contains("surfaces    none")));
     }
 
     #[test]

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 use output::Options;
 
-use crate::Failure;
 use crate::bench::results::Results;
 use crate::commands::check::language;
 use crate::format::hint::Language;
+use crate::{Failure, report};
 
 /// Options of `report`.
 #[derive(Debug, Args)]
@@ -33,6 +33,7 @@ impl Arguments {
     /// # Errors
     /// An error of the data or the folder.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        crate::report::write(&Results::read(&self.data)?, &self.data, &self.out, self.language, options)
+        let (results, pictures) = (Results::read(&self.data)?, report::thumbnails::of);
+        report::write(&results, &self.data, &self.out, self.language, options, pictures)
     }
 }

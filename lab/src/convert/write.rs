@@ -1,13 +1,15 @@
 //! Writes our scene in the formats of pbrt-v4 and Mitsuba 3.
 
 use cpu::internals::input::material::Material::{Matte, Metal, Refractive};
-use cpu::internals::input::scene::Shape;
-use cpu::{Config, Scene, Size, Vec3};
+use cpu::internals::input::scene::{Cylinder, Object, Shape, Sphere};
+use cpu::{Config, Material, Scene, Size, Vec3};
 use generator::write::{real, vector};
+use minijinja::{Value, context};
 
 use super::matches::{CONDUCTOR, GLASS, MATTE, ROUGH, SIDE};
 use super::notes::Notes;
 use super::transform::Transform;
+use crate::template::filled;
 
 /// What is written: the values, the size of the picture, and the name of the file with the picture of the sky, if the
 /// sky is not of one colour.
@@ -60,141 +62,54 @@ pub fn note(source: &Source<'_>, is_pbrt: bool, texts: [&str; 2], notes: &mut No
     }
 }
 
-/// Returns the scene in the format of pbrt-v4.
-pub fn pbrt(source: &Source<'_>) -> String {
+/// Returns the scene in the format of pbrt-v4, or else in that of Mitsuba 3.
+///
+/// # Errors
+/// The error of [`filled`].
+pub fn text(source: &Source<'_>, is_pbrt: bool) -> Result<String, String> {
     let (config, [width, height]) = (source.config, [source.size.width(), source.size.height()]);
-    // pbrt counts the surfaces of a path, and ours counts its rays. Its fov is that of the shorter side, unless there
-    // is a window. It shows +x at the right for a view along +z with +y up, and ours shows it at the left.
-    let side = real(width as f64 / height as f64);
-    let window = if width < height { format!(r#" "float screenwindow" [-{side} {side} -1 1]"#) } else { String::new() };
-    let mut out = format!(
-        r#"Film "rgb" "integer xresolution" {width} "integer yresolution" {height}
-Sampler "independent" "integer pixelsamples" {}
-Integrator "path" "integer maxdepth" {}
-PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
-Scale -1 1 1
-LookAt {}
-Camera "perspective" "float fov" {}{window}
-WorldBegin
-"#,
-        config.samples_per_pixel,
-        config.max_depth - 1,
-        [config.camera_position, config.camera_target, config.camera_north].map(vector).join("  "),
-        real(config.field_of_view),
-    );
-    out += &match source.sky {
-        Some(name) => format!(
-            "AttributeBegin Rotate -90 1 0 0\n  LightSource \"infinite\" \"string filename\" \"{name}\"\nAttributeEnd\n"
-        ),
-        None => format!("LightSource \"infinite\" \"rgb L\" [{}]\n", vector(config.background_dark_color)),
+    let values = context! {
+        width,
+        height,
+        side => real(width as f64 / height as f64),
+        samples => config.samples_per_pixel,
+        depth => config.max_depth,
+        fov => real(config.field_of_view),
+        position => vector(config.camera_position),
+        target => vector(config.camera_target),
+        north => vector(config.camera_north),
+        background => vector(config.background_dark_color),
+        sky => source.sky,
+        materials => Value::from_iter(source.scene.materials.iter().map(material)),
+        // The values of one object at a time are in memory.
+        objects => Value::make_object_iterable(source.scene.objects.clone(), |all| Box::new(all.iter().map(object))),
     };
-    for (id, material) in source.scene.materials.iter().enumerate() {
-        let rgb = vector(material.reflectance());
-        let kind = match *material {
-            Matte { .. } => format!(r#""diffuse" "rgb reflectance" [{rgb}]"#),
-            Refractive { index } => format!(r#""dielectric" "float eta" {}"#, real(index)),
-            Metal { diffusion: 0.0, .. } => format!(r#""conductor" "rgb reflectance" [{rgb}]"#),
-            Metal { diffusion, .. } => {
-                let rough = real(diffusion / 2.0);
-                format!(
-                    r#""conductor" "rgb reflectance" [{rgb}] "float roughness" {rough} "bool remaproughness" false"#
-                )
-            }
-        };
-        out += &format!("MakeNamedMaterial \"m{id}\" \"string type\" {kind}\n");
-    }
-    for object in &source.scene.objects {
-        let shapes = match object.shape {
-            Shape::Sphere(sphere) => {
-                let (center, radius) = (vector(sphere.center), real(sphere.radius));
-                format!(r#"Translate {center} Shape "sphere" "float radius" {radius}"#)
-            }
-            Shape::Cylinder(cylinder) => {
-                let Transform { columns: [x, y, z], origin, .. } = Transform::along(cylinder.axis, cylinder.center);
-                let [x, y, z, origin] = [x, y, z, origin].map(vector);
-                let radius = format!(r#""float radius" {}"#, real(cylinder.radius));
-                format!(
-                    r#"Transform [{x} 0  {y} 0  {z} 0  {origin} 1]
-  Shape "cylinder" {radius} "float zmin" -0.5 "float zmax" 0.5
-  Shape "disk" {radius} "float height" 0.5
-  ReverseOrientation Shape "disk" {radius} "float height" -0.5"#
-                )
-            }
-        };
-        out += &format!("AttributeBegin NamedMaterial \"m{}\" {shapes} AttributeEnd\n", object.material);
-    }
-    out
+    let template =
+        if is_pbrt { include_str!("../../templates/scene.pbrt") } else { include_str!("../../templates/scene.xml") };
+    Ok(filled(template, values)? + "\n")
 }
 
-/// Returns the scene in the format of Mitsuba 3.
-pub fn mitsuba(source: &Source<'_>) -> String {
-    let (config, [width, height]) = (source.config, [source.size.width(), source.size.height()]);
-    let float = |name: &str, value: f64| format!(r#"<float name="{name}" value="{}"/>"#, real(value));
-    let rgb = |name: &str, value: Vec3| format!(r#"<rgb name="{name}" value="{}"/>"#, vector(value));
-    let [origin, target, up] = [config.camera_position, config.camera_target, config.camera_north].map(vector);
-    let sky = match source.sky {
-        Some(name) => format!(r#"<emitter type="envmap"><string name="filename" value="{name}"/></emitter>"#),
-        None => format!(r#"<emitter type="constant">{}</emitter>"#, rgb("radiance", config.background_dark_color)),
-    };
-    // With roulette, Mitsuba would end paths earlier, with more noise.
-    let mut out = format!(
-        r#"<scene version="3.0.0">
-<integrator type="path">
-  <integer name="max_depth" value="{}"/><integer name="rr_depth" value="1000000000"/>
-</integrator>
-<sensor type="perspective">
-  {}<string name="fov_axis" value="y"/>
-  <float name="near_clip" value="0.001"/><float name="far_clip" value="1e9"/>
-  <transform name="to_world"><lookat origin="{origin}" target="{target}" up="{up}"/></transform>
-  <sampler type="independent"><integer name="sample_count" value="{}"/></sampler>
-  <film type="hdrfilm">
-    <integer name="width" value="{width}"/><integer name="height" value="{height}"/><rfilter type="box"/>
-  </film>
-</sensor>
-{sky}
-"#,
-        config.max_depth,
-        float("fov", config.field_of_view),
-        config.samples_per_pixel,
-    );
-    for (id, material) in source.scene.materials.iter().enumerate() {
-        let mirror =
-            || rgb("specular_reflectance", material.reflectance()) + r#"<string name="material" value="none"/>"#;
-        let (kind, params) = match *material {
-            Matte { reflectance } => ("diffuse", rgb("reflectance", reflectance)),
-            Refractive { index } => ("dielectric", float("int_ior", index) + &float("ext_ior", 1.0)),
-            Metal { diffusion: 0.0, .. } => ("conductor", mirror()),
-            Metal { diffusion, .. } => ("roughconductor", float("alpha", diffusion / 2.0) + &mirror()),
-        };
-        // Our opaque surfaces have two sides, and Mitsuba's have one.
-        out += &match material {
-            Refractive { .. } => format!("<bsdf type=\"{kind}\" id=\"m{id}\">{params}</bsdf>\n"),
-            _ => format!("<bsdf type=\"twosided\" id=\"m{id}\"><bsdf type=\"{kind}\">{params}</bsdf></bsdf>\n"),
-        };
+fn material(material: &Material) -> Value {
+    let color = vector(material.reflectance());
+    match *material {
+        Matte { .. } => context! { kind => "matte", color },
+        Refractive { index } => context! { kind => "refractive", index => real(index) },
+        Metal { diffusion: 0.0, .. } => context! { kind => "mirror", color },
+        Metal { diffusion, .. } => context! { kind => "metal", color, alpha => real(diffusion / 2.0) },
     }
-    for object in &source.scene.objects {
-        let mut shape = |kind: &str, params: &str| {
-            out += &format!("<shape type=\"{kind}\">{params}<ref id=\"m{}\"/></shape>\n", object.material);
-        };
-        match object.shape {
-            Shape::Sphere(sphere) => {
-                let center = format!(r#"<point name="center" value="{}"/>"#, vector(sphere.center));
-                shape("sphere", &(center + &float("radius", sphere.radius)));
-            }
-            Shape::Cylinder(cylinder) => {
-                let Transform { columns: [x, y, z], origin, .. } = Transform::along(cylinder.axis, cylinder.center);
-                let row = |of: fn(Vec3) -> f64| [x, y, z, origin].map(|column| real(of(column))).join(" ");
-                let rows = [row(|v| v.x), row(|v| v.y), row(|v| v.z)].join("  ");
-                let placed = |steps: &str| {
-                    format!(r#"<transform name="to_world">{steps}<matrix value="{rows}  0 0 0 1"/></transform>"#)
-                };
-                let ends = r#"<point name="p0" value="0 0 -0.5"/><point name="p1" value="0 0 0.5"/>"#;
-                shape("cylinder", &(ends.to_owned() + &float("radius", cylinder.radius) + &placed("")));
-                let scale = format!(r#"<scale x="{0}" y="{0}"/>"#, real(cylinder.radius));
-                shape("disk", &placed(&format!(r#"{scale}<translate z="0.5"/>"#)));
-                shape("disk", &placed(&format!(r#"{scale}<rotate x="1" angle="180"/><translate z="-0.5"/>"#)));
-            }
+}
+
+fn object(&Object { shape, material }: &Object) -> Value {
+    match shape {
+        Shape::Sphere(Sphere { center, radius }) => {
+            context! { kind => "sphere", material, center => vector(center), radius => real(radius) }
+        }
+        Shape::Cylinder(Cylinder { center, radius, axis }) => {
+            let Transform { columns: [x, y, z], origin, .. } = Transform::along(axis, center);
+            let row = |of: fn(Vec3) -> f64| [x, y, z, origin].map(|column| real(of(column))).join(" ");
+            let rows = [row(|v| v.x), row(|v| v.y), row(|v| v.z), "0 0 0 1".to_owned()].join("  ");
+            let columns = format!("{} 0  {} 0  {} 0  {} 1", vector(x), vector(y), vector(z), vector(origin));
+            context! { kind => "cylinder", material, columns, rows, radius => real(radius) }
         }
     }
-    out + "</scene>\n"
 }

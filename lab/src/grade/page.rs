@@ -55,30 +55,25 @@ impl Grades {
     /// # Errors
     /// A chart cannot be drawn.
     pub fn page(&self, language: Language, kept: &Path) -> Result<String, String> {
-        let mut body = String::new();
         let rows = self.rows(language);
         let head: Vec<_> = rows[0].iter().map(String::as_str).collect();
-        html::table(
-            &mut body,
-            &language.say(["Points and measurements", "Puntos y medidas"], &[]),
-            &head,
-            rows[1..].iter().cloned(),
-        );
+        let title = language.pick(["Points and measurements", "Puntos y medidas"]);
+        let mut body = html::table(title, &head, rows[1..].iter().cloned());
         let charts = [
-            self.chart(TIME[language as usize], seconds, |timed| {
+            self.chart(language.pick(TIME), seconds, |timed| {
                 [timed.median.median, timed.median.low, timed.median.high]
             }),
-            self.chart(MEMORY[language as usize], short, |timed| [timed.memory; 3]),
+            self.chart(language.pick(MEMORY), short, |timed| [timed.memory; 3]),
         ];
         for chart in charts.iter().filter(|chart| !chart.series.is_empty()) {
             body += &format!("<figure>{}</figure>\n", for_screen(&chart.draw()?));
         }
         for graded in &self.programs {
             if let Some(report) = &graded.report {
-                report.write_page(&mut body, language, &format!("{}: ", graded.program), &kept.join(&graded.program));
+                body += &report.body(language, &format!("{}: ", graded.program), &kept.join(&graded.program));
             }
         }
-        Ok(html::document(language, &language.say(["Grades", "Calificaciones"], &[]), &body))
+        html::document(language, language.pick(["Grades", "Calificaciones"]), &body)
     }
 
     /// Returns a chart of dots with a row for each program that has the figure, and a series for each scene.

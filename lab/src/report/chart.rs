@@ -4,7 +4,7 @@ mod draw;
 
 use plotters::prelude::*;
 
-use super::style::printable;
+use crate::template::printable;
 
 /// A chart: its texts, its axes and its data.
 #[derive(Clone, Debug)]

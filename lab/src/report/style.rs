@@ -22,13 +22,6 @@ pub const SERIES: [(RGBColor, &str); 8] = [
     (RGBColor(0x4B, 0x3F, 0xB5), "#A79CF0"),
 ];
 
-/// Returns `text`, in which U+FFFD replaces all control characters, U+FFFE and U+FFFF. XML does not allow most of
-/// these.
-pub fn printable(text: &str) -> String {
-    let is_known = |c: char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
-    text.chars().map(|c| if is_known(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
-}
-
 /// Returns a colour in the notation of SVG, such as `#26262B`.
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
@@ -107,6 +100,12 @@ pub fn short(value: f64) -> String {
     let digits = if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 6) };
     let text = format!("{value:.*}", digits as usize);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Returns the parts with `separator` between them, or `None` if there are none.
+pub fn joined(parts: impl Iterator<Item = String>, separator: &str) -> Option<String> {
+    let parts: Vec<_> = parts.collect();
+    (!parts.is_empty()).then(|| parts.join(separator))
 }
 
 /// Formats a number as one digit and a power of ten, such as `3e-16`.

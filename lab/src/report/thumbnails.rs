@@ -7,22 +7,13 @@ use crate::bench::results::Results;
 use crate::bench::{matrix, scenes};
 use crate::picture::Picture;
 
-/// A small picture of a scene, for the page.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Thumbnail {
-    /// The scene's name.
-    pub scene: String,
-    /// The picture as a `data:` address, which contains the bytes of a PNG.
-    pub address: String,
-}
-
 /// Width in pixels, which is twice the width on the page, because some screens have two pixels for each pixel of CSS.
 const WIDTH: u64 = 448;
 const SAMPLES: u64 = 24;
 
 /// Renders thumbnails of those scenes in `results` that the program contains, and of the generated scene `board`. Other
-/// scenes, such as the course's cases, get none.
-pub fn of(results: &Results) -> Vec<Thumbnail> {
+/// scenes, such as the course's cases, get none. Each has the scene's name, and the `data:` address of a PNG.
+pub fn of(results: &Results) -> Vec<(String, String)> {
     let mut names: Vec<&str> = results.timings.iter().map(|timing| timing.setting.scene.as_str()).collect();
     names.extend(results.curves.iter().map(|curve| curve.scene.as_str()));
     names.sort_unstable();
@@ -30,7 +21,7 @@ pub fn of(results: &Results) -> Vec<Thumbnail> {
     let thumbnail = |name: &str| {
         let (config, scene) =
             if name == matrix::BOARD { matrix::board(matrix::BOARD_OBJECTS, WIDTH) } else { scenes::named(name)? };
-        Some(Thumbnail { scene: name.to_owned(), address: drawn(config, &scene)? })
+        Some((name.to_owned(), drawn(config, &scene)?))
     };
     names.into_iter().filter_map(thumbnail).collect()
 }
