@@ -10,23 +10,6 @@ use crate::commands::{
     supervise, time, view,
 };
 
-/// The exit statuses, shown after every help.
-pub const EXIT_STATUS: &str = "\
-Exit status:
-  0    done; for compare: accepted
-  1    what was checked is not as it should be: compare, check, bench diff
-  2    an error, or a command line that is not understood
-  3    render only: not finished, as --rows or --stop-after says; the checkpoint is written
-  130  interrupted; no file but the checkpoint was written or changed";
-
-/// The first commands to try, shown after the help of the whole program.
-const EXAMPLES: &str = "\
-Examples:
-  render-lab render scenes/materials/config.txt scenes/materials/scene.txt a.png
-  render-lab render scenes/materials/config.txt scenes/materials/scene.txt b.png --scatter published
-  render-lab compare a.png b.png --heatmap difference.png
-  render-lab help render";
-
 /// Returns the version, the commit, and the instruction set that the renderer chooses on this machine.
 fn version() -> String {
     let set = InstructionSet::chosen().name();
@@ -39,7 +22,7 @@ fn version() -> String {
     name = "render-lab",
     version = version(),
     disable_help_subcommand = true,
-    after_help = [EXAMPLES, EXIT_STATUS].join("\n\n"),
+    after_help = include_str!("../help/program.txt").trim_ascii_end(),
     max_term_width = 120
 )]
 pub struct Cli {

@@ -10,10 +10,7 @@ use crate::{Failure, terminal};
 
 /// Options of `completions`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab completions bash > ~/.local/share/bash-completion/completions/render-lab
-  render-lab completions fish > ~/.config/fish/completions/render-lab.fish")]
+#[command(after_help = include_str!("../../help/completions.txt").trim_ascii_end())]
 pub struct Completions {
     /// The shell
     #[arg(value_enum)]
@@ -41,9 +38,7 @@ impl Completions {
 
 /// Options of `man`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab man ~/.local/share/man/man1 && man render-lab-bench")]
+#[command(after_help = "Examples:\n  render-lab man ~/.local/share/man/man1 && man render-lab-bench")]
 pub struct Man {
     /// Folder for the pages, one for each command; it is made if it is not there
     folder: PathBuf,

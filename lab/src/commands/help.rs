@@ -8,39 +8,18 @@ use crate::{Failure, format, terminal};
 
 /// Options of `help`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab help config       every key of a configuration, its values, its default and what it means
-  render-lab help scene        every line of a scene
-  render-lab help bench scale  the options of a command")]
+#[command(after_help = include_str!("../../help/help.txt").trim_ascii_end())]
 pub struct Arguments {
     /// A command, or config or scene
-    #[arg(value_parser = PossibleValuesParser::new(TOPICS), hide_possible_values = true)]
+    #[arg(value_parser = PossibleValuesParser::new(TOPICS.split(' ')), hide_possible_values = true)]
     topic: Option<String>,
     /// A command below it
     below: Vec<String>,
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 17] = [
-    "animate",
-    "bench",
-    "check",
-    "compare",
-    "completions",
-    "config",
-    "convert",
-    "generate",
-    "grade",
-    "inspect",
-    "man",
-    "render",
-    "report",
-    "scene",
-    "shader",
-    "time",
-    "view",
-];
+pub const TOPICS: &str = "animate bench check compare completions config convert generate grade inspect man render report \
+                          scene shader time view";
 
 impl Arguments {
     /// Prints the help of the topic.
@@ -92,6 +71,6 @@ mod tests {
         let commands = shown.map(clap::Command::get_name).filter(|&name| name != "help");
         let mut expected: Vec<_> = commands.chain(["config", "scene"]).collect();
         expected.sort_unstable();
-        assert_eq!(TOPICS.to_vec(), expected);
+        assert_eq!(TOPICS.split(' ').collect::<Vec<_>>(), expected);
     }
 }

@@ -12,10 +12,7 @@ use crate::{Failure, report};
 
 /// Options of `report`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  render-lab report bench.json --out report && xdg-open report/index.html
-  render-lab report docs/report/data/bench.json --out docs/report    # what docs/build-report does")]
+#[command(after_help = include_str!("../../help/report.txt").trim_ascii_end())]
 pub struct Arguments {
     /// Results of `render-lab bench`
     data: PathBuf,

@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::io::ErrorKind;
+use std::os::unix::process::CommandExt;
 use std::process::Command;
 
 use clap::Args;
@@ -13,14 +14,7 @@ const PROGRAM: &str = "shader-lab";
 
 /// Options of `shader`.
 #[derive(Debug, Args)]
-#[command(
-    disable_help_flag = true,
-    after_help = "\
-Examples:
-  render-lab shader --help
-  render-lab shader --template my.wgsl
-  render-lab shader my.wgsl --config scenes/materials/config.txt --scene scenes/materials/scene.txt --out out.png"
-)]
+#[command(disable_help_flag = true, after_help = include_str!("../../help/shader.txt").trim_ascii_end())]
 pub struct Arguments {
     /// The arguments of shader-lab
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENT")]
@@ -33,7 +27,7 @@ impl Arguments {
     /// # Errors
     /// A message with the command that installs it, if it is not there.
     pub fn run(&self) -> Result<(), Failure> {
-        let error = replace_by(Command::new(PROGRAM).args(&self.arguments));
+        let error = Command::new(PROGRAM).args(&self.arguments).exec();
         Err(match error.kind() {
             ErrorKind::NotFound => format!(
                 "{PROGRAM} is not installed. In a checkout of this project: cargo install --locked --path gpu-check \
@@ -42,20 +36,5 @@ impl Arguments {
             _ => format!("{PROGRAM} cannot be started: {error}"),
         }
         .into())
-    }
-}
-
-/// Replaces this process. Returns only if that fails.
-#[cfg(unix)]
-fn replace_by(command: &mut Command) -> std::io::Error {
-    std::os::unix::process::CommandExt::exec(command)
-}
-
-/// Runs the program, and ends this process with its status. Returns only if it cannot be started.
-#[cfg(not(unix))]
-fn replace_by(command: &mut Command) -> std::io::Error {
-    match command.status() {
-        Ok(status) => std::process::exit(status.code().unwrap_or(2)),
-        Err(error) => error,
     }
 }
