@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use lab::report::chart::{Axis, Chart, Point, Series};
-use lab::report::style::{power_of_ten, short};
+use lab::report::style::short;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -132,4 +132,9 @@ fn add(series: &mut Vec<Series>, implementation: &str, x: f64, y: f64) {
 fn read<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, String> {
     let rows = csv::Reader::from_path(path).and_then(|mut table| table.deserialize().collect());
     rows.map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// Formats a number as one digit and a power of ten, such as `3e-16`.
+fn power_of_ten(value: f64) -> String {
+    format!("{value:.0e}")
 }

@@ -5,6 +5,7 @@ mod derived;
 mod files;
 mod merge;
 
+use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::error::ErrorCurve;
@@ -80,18 +81,9 @@ pub struct TimeToError {
     pub seconds: Option<f64>,
 }
 
-/// A line of a chart: the times of one implementation for several values of a parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Line {
-    /// The scene's name.
-    pub scene: String,
-    /// The parameter that varies.
-    pub parameter: String,
-    /// The name of the implementation.
-    pub engine: String,
-    /// Pairs of a parameter's value and a time in seconds, ordered by rising value.
-    pub points: Vec<(f64, f64)>,
-}
+/// A line of a chart: the times of one implementation for several values of a parameter. It has the names of the scene,
+/// the parameter and the implementation, and pairs of a value and a time in seconds, ordered by rising value.
+type Line<'a> = ([&'a String; 3], Vec<(f64, f64)>);
 
 /// All measured data, and the figures derived from them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -114,24 +106,16 @@ pub struct Results {
 
 impl Results {
     /// Returns the lines of the charts of the suite `suite`.
-    pub fn lines(&self, suite: &str) -> Vec<Line> {
-        let mut lines: Vec<Line> = Vec::new();
+    fn lines(&self, suite: &str) -> impl Iterator<Item = Line<'_>> {
+        let mut lines: IndexMap<_, Vec<_>> = IndexMap::new();
         for Timing { setting, median, .. } in self.timings.iter().filter(|timing| timing.setting.suite == suite) {
-            let Setting { scene, parameter, engine, .. } = setting;
-            let point = (setting.value as f64, median.median);
-            let is_its = |line: &&mut Line| (&line.scene, &line.parameter, &line.engine) == (scene, parameter, engine);
-            match lines.iter_mut().find(is_its) {
-                Some(line) => line.points.push(point),
-                None => {
-                    let (scene, parameter, engine) = (scene.clone(), parameter.clone(), engine.clone());
-                    lines.push(Line { scene, parameter, engine, points: vec![point] });
-                }
-            }
+            let line = [&setting.scene, &setting.parameter, &setting.engine];
+            lines.entry(line).or_default().push((setting.value as f64, median.median));
         }
-        for line in &mut lines {
-            line.points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        }
-        lines
+        lines.into_iter().map(|(line, mut points)| {
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            (line, points)
+        })
     }
 }
 

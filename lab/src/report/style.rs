@@ -108,11 +108,6 @@ pub fn joined(parts: impl Iterator<Item = String>, separator: &str) -> Option<St
     (!parts.is_empty()).then(|| parts.join(separator))
 }
 
-/// Formats a number as one digit and a power of ten, such as `3e-16`.
-pub fn power_of_ten(value: f64) -> String {
-    format!("{value:.0e}")
-}
-
 /// Formats a value and its standard error, both rounded to the first digit of the error. Without a usable error,
 /// formats only the value, with [`short`].
 pub fn with_error(value: f64, error: Option<f64>) -> String {
@@ -153,7 +148,6 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!([1e-13, 4.4e-16, 1.0].map(power_of_ten), ["1e-13", "4e-16", "1e0"]);
         assert_eq!([0.0, 0.0123456, 1.5, 1234.5, -0.4987].map(short), ["0", "0.0123", "1.5", "1234", "-0.499"]);
     }
 

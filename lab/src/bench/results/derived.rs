@@ -1,32 +1,31 @@
 //! Computes the figures that are derived from the measured data.
 
-use super::{Growth, Line, Results, TARGETS, TimeToError};
+use super::{Growth, Results, TARGETS, TimeToError};
 use crate::bench::fit::{PowerLaw, reaches};
 
 impl Results {
     /// Sorts `timings`, and computes `growth` and `times_to_error` from the measured data.
     pub fn complete(&mut self) {
         self.timings.sort_by(|a, b| a.setting.partial_cmp(&b.setting).unwrap_or(std::cmp::Ordering::Equal));
-        self.growth = self
-            .lines("scale")
-            .into_iter()
-            .filter_map(|Line { scene, parameter, engine, points }| {
-                Some(Growth { law: PowerLaw::through(&points)?, scene, parameter, engine })
-            })
-            .collect();
-        self.times_to_error = Vec::new();
-        for Line { scene, engine, points, .. } in self.lines("error") {
-            let Some(curve) = self.curves.iter().find(|curve| curve.scene == scene) else { continue };
+        let growth = self.lines("scale").filter_map(|([scene, parameter, engine], points)| {
+            let [scene, parameter, engine] = [scene, parameter, engine].map(String::clone);
+            Some(Growth { law: PowerLaw::through(&points)?, scene, parameter, engine })
+        });
+        self.growth = growth.collect();
+        let mut times_to_error = Vec::new();
+        for ([scene, _, engine], points) in self.lines("error") {
+            let Some(curve) = self.curves.iter().find(|curve| curve.scene == *scene) else { continue };
             let error_at = |samples: f64| curve.points.iter().find(|point| point.samples as f64 == samples);
             let points: Vec<_> = points
                 .iter()
                 .filter_map(|&(samples, seconds)| Some((seconds, error_at(samples)?.linear.median)))
                 .collect();
-            for error in TARGETS {
+            times_to_error.extend(TARGETS.map(|error| {
                 let (scene, engine, seconds) = (scene.clone(), engine.clone(), reaches(&points, error));
-                self.times_to_error.push(TimeToError { scene, engine, error, seconds });
-            }
+                TimeToError { scene, engine, error, seconds }
+            }));
         }
+        self.times_to_error = times_to_error;
     }
 }
 

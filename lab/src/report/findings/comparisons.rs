@@ -1,10 +1,11 @@
 //! Sentences that compare implementations with each other.
 
 use cpu::internals::InstructionSet;
+use indexmap::IndexMap;
 
-use crate::bench::results::{Results, Timing};
+use crate::bench::results::{Results, Setting, Timing};
 use crate::format::{Words, hint::Language};
-use crate::report::style::{setting, short};
+use crate::report::style::{joined, setting, short};
 
 /// Returns pairs of times whose settings differ only in the engine. `other` returns the name of the second engine for
 /// the name of the first, or `None` to leave the time out.
@@ -29,20 +30,15 @@ fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
 
 /// Returns for each scene, in the order of the data, the geometric mean of the ratios of `pairs`: second time by first.
 fn by_scene<'a>(pairs: impl Iterator<Item = (&'a Timing, &'a Timing)>) -> Option<String> {
-    let mut scenes: Vec<(&str, Vec<f64>)> = Vec::new();
+    let mut scenes: IndexMap<&str, Vec<f64>> = IndexMap::new();
     for (first, second) in pairs {
-        let ratio = second.median.median / first.median.median;
-        match scenes.iter_mut().find(|(scene, _)| *scene == first.setting.scene) {
-            Some((_, ratios)) => ratios.push(ratio),
-            None => scenes.push((&first.setting.scene, vec![ratio])),
-        }
+        scenes.entry(&first.setting.scene).or_default().push(second.median.median / first.median.median);
     }
     let parts = scenes.into_iter().filter_map(|(scene, values)| {
         let [mean, ..] = ratios(values.into_iter())?;
         Some(format!("{mean:.2} ({scene})"))
     });
-    let parts: Vec<_> = parts.collect();
-    (!parts.is_empty()).then(|| parts.join(", "))
+    joined(parts, ", ")
 }
 
 /// Compares the layouts with the best instruction set.
@@ -54,7 +50,7 @@ pub fn layouts(results: &Results, language: Language) -> Option<String> {
     let bounded = || pairs().filter(|(a, b)| a.median.is_bounded() && b.median.is_bounded());
     let apart = bounded().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
     let conclusion = match bounded().count() {
-        0 => language.say(NO_BOUNDS, &[]),
+        0 => language.pick(NO_BOUNDS).to_owned(),
         count => language.say(APART, &[&apart.to_string(), &count.to_string()]),
     };
     let [low, high] = [low, high].map(|ratio| format!("{ratio:.2}"));
@@ -77,21 +73,19 @@ const LAYOUTS: Words = [
 pub fn reference(results: &Results, language: Language) -> Option<String> {
     let best = results.machines.first()?.instruction_set.clone();
     let faster = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| "reference".to_owned()));
-    let mut largest: Vec<(&Timing, &Timing)> = Vec::new();
+    let mut largest: IndexMap<(&str, &str), (&Timing, &Timing)> = IndexMap::new();
     for pair in faster.filter(|(_, slow)| ["samples", "objects"].contains(&&*slow.setting.parameter)) {
-        let of = |timing: &'_ Timing| (timing.setting.scene.clone(), timing.setting.parameter.clone());
-        match largest.iter_mut().find(|(real, _)| of(real) == of(pair.0)) {
-            Some(old) if old.0.setting.value < pair.0.setting.value => *old = pair,
-            Some(_) => {}
-            None => largest.push(pair),
+        let Setting { scene, parameter, value, .. } = &pair.0.setting;
+        let old = largest.entry((scene, parameter)).or_insert(pair);
+        if old.0.setting.value < *value {
+            *old = pair;
         }
     }
-    let parts = largest.into_iter().map(|(real, slow)| {
+    let parts = largest.into_values().map(|(real, slow)| {
         let at = setting(&real.setting.parameter, real.setting.value, language);
         format!("{} ({}, {at})", short(slow.median.median / real.median.median), real.setting.scene)
     });
-    let parts: Vec<_> = parts.collect();
-    (!parts.is_empty()).then(|| language.say(REFERENCE, &[&parts.join(", ")]))
+    Some(language.say(REFERENCE, &[&joined(parts, ", ")?]))
 }
 
 const REFERENCE: Words = [
@@ -104,16 +98,12 @@ const REFERENCE: Words = [
 /// Compares each other instruction set with the best one.
 pub fn instruction_sets(results: &Results, language: Language) -> Option<String> {
     let best = &results.machines.first()?.instruction_set;
-    let parts: Vec<_> = InstructionSet::ALL
-        .map(InstructionSet::name)
-        .into_iter()
-        .filter(|set| set != best)
-        .filter_map(|set| {
-            let both = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| format!("aos-{set}")));
-            Some(format!("{set} {}", by_scene(both)?))
-        })
-        .collect();
-    (!parts.is_empty()).then(|| language.say(SETS, &[best, &parts.join("; ")]))
+    let others = InstructionSet::ALL.map(InstructionSet::name).into_iter().filter(|set| set != best);
+    let parts = others.filter_map(|set| {
+        let both = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| format!("aos-{set}")));
+        Some(format!("{set} {}", by_scene(both)?))
+    });
+    Some(language.say(SETS, &[best, &joined(parts, "; ")?]))
 }
 
 const SETS: Words = [
