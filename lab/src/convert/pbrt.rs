@@ -14,6 +14,7 @@ use super::sky::Layout;
 use super::tokens::Tokens;
 use super::transform::Transform;
 use super::world::{View, World};
+use values::named;
 
 /// What attribute blocks save and restore.
 #[derive(Clone, Copy)]
@@ -81,8 +82,8 @@ impl Reader<'_> {
                 }
             }
             "CoordinateSystem" => drop(self.text().map(|name| self.systems.insert(name, self.state.transform))?),
-            "CoordSysTransform" => self.state.transform = self.named(place, word, |reader| &reader.systems)?,
-            "NamedMaterial" => self.state.material = Some(self.named(place, word, |reader| &reader.materials)?),
+            "CoordSysTransform" => self.state.transform = named(&self.text()?, &self.systems, word, place)?,
+            "NamedMaterial" => self.state.material = Some(named(&self.text()?, &self.materials, word, place)?),
             "AttributeBegin" | "TransformBegin" | "ObjectBegin" => {
                 self.saved.push((self.state, word.to_owned()));
                 if word == "ObjectBegin" {

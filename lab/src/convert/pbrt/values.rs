@@ -81,15 +81,10 @@ impl Reader<'_> {
         let text = token.strip_prefix('"').map(str::to_owned);
         text.ok_or_else(|| (place, format!("[{}] stands here, and a text in \" is needed", shown(&token))))
     }
+}
 
-    pub(super) fn named<T: Copy>(
-        &mut self,
-        place: Place,
-        word: &str,
-        list: fn(&Self) -> &HashMap<String, T>,
-    ) -> Result<T, Fault> {
-        let name = self.text()?;
-        let fault = || (place, format!("{word}: nothing of the name [{}] is defined above this line", shown(&name)));
-        list(self).get(&name).copied().ok_or_else(fault)
-    }
+/// Returns the value in `all` that has a name of the file. `word` is the directive that names it.
+pub(super) fn named<T: Copy>(name: &str, all: &HashMap<String, T>, word: &str, place: Place) -> Result<T, Fault> {
+    let fault = || (place, format!("{word}: nothing of the name [{}] is defined above this line", shown(name)));
+    all.get(name).copied().ok_or_else(fault)
 }
