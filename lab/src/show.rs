@@ -18,7 +18,7 @@ use cpu::internals::sampling::scatter_stream::ScatterSamples;
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::{InstructionSet, Prepared};
-use cpu::{Aos, Error, Ray, Scatter};
+use cpu::{Error, Layout, Ray, Scatter};
 
 use crate::picture::floats::Floats;
 use counted::Counted;
@@ -73,9 +73,9 @@ impl Quantity {
 ///
 /// # Errors
 /// An error if memory is short.
-pub fn show(
+pub fn show<L: Layout>(
     quantity: Quantity,
-    prepared: &Prepared<Aos>,
+    prepared: &Prepared<L>,
     mut after_row: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Option<Floats>, String> {
     let (width, height) = (prepared.size.width(), prepared.size.height());
@@ -102,9 +102,9 @@ pub fn show(
 
 /// Traces rays one at a time, with the acceleration structure and the exact intersections of the renderer, but without
 /// its shortcuts for many rays. A pixel has the same colour by both.
-struct Tracer<'a> {
-    prepared: &'a Prepared<Aos>,
-    objects: Counted<'a>,
+struct Tracer<'a, L: Layout> {
+    prepared: &'a Prepared<L>,
+    objects: Counted<'a, L::Objects>,
     stack: Stack,
     jitter: Uniform,
     scatter_samples: ScatterSamples,
@@ -113,8 +113,8 @@ struct Tracer<'a> {
     hits: u64,
 }
 
-impl<'a> Tracer<'a> {
-    fn new(prepared: &'a Prepared<Aos>) -> Self {
+impl<'a, L: Layout> Tracer<'a, L> {
+    fn new(prepared: &'a Prepared<L>) -> Self {
         let set = InstructionSet::chosen();
         Self {
             prepared,

@@ -22,9 +22,8 @@ use nix::sys::signal::{Signal, kill, killpg};
 use nix::unistd::Pid;
 use serde::{Deserialize, Serialize};
 
-use crate::Failure;
-use crate::interrupt::Interrupt;
 use crate::numbers::above_zero;
+use crate::{Failure, interrupt};
 use processes::{end_all, memory_below};
 
 /// The limits of one run.
@@ -107,13 +106,13 @@ const TICK: Duration = Duration::from_millis(5);
 /// The command cannot be started, or [`Failure::Interrupted`].
 pub fn run(words: &[OsString], place: &Path, printed: &Path, limits: &Limits) -> Result<Run, Failure> {
     // Without this, a request to stop would end this process at once, and leave its temporary folder.
-    let interrupt = Interrupt::listen();
+    interrupt::listen();
     let mut command = Command::new(std::env::current_exe()?);
     command.args(["supervise", "--seconds", &limits.seconds.to_string(), "--memory", &limits.memory.to_string()]);
     command.arg("--printed").arg(std::path::absolute(printed)?).arg("--").args(words).current_dir(place);
     let output = command.stdin(Stdio::null()).output();
     let output = output.map_err(|error| format!("{}: {error}", crate::terminal::name(place)))?;
-    interrupt.check()?;
+    interrupt::check()?;
     if output.status.code() == Some(i32::from(Failure::Interrupted.status())) {
         return Err(Failure::Interrupted);
     }
@@ -142,7 +141,7 @@ impl Limits {
     /// # Errors
     /// The errors of [`run`].
     pub fn watch(&self, words: &[OsString], printed: &Path) -> Result<Run, Failure> {
-        let interrupt = Interrupt::listen();
+        interrupt::listen();
         // The program inherits the limits of this process. Without core files, a crash takes no time and no disk.
         let file_bytes = (self.memory < NONE.memory).then_some((Resource::RLIMIT_FSIZE, FILE_BYTES));
         for (resource, limit) in file_bytes.into_iter().chain([(Resource::RLIMIT_CORE, 0)]) {
@@ -187,7 +186,7 @@ impl Limits {
             let limits =
                 [(start.elapsed().as_secs_f64() > self.seconds, End::TimeOut), (seen > self.memory, End::OverMemory)];
             broken = broken.or(limits.into_iter().find(|(is_broken, _)| *is_broken).map(|(_, end)| end));
-            if broken.is_some() || interrupt.flow().is_break() || parent_id() != parent {
+            if broken.is_some() || interrupt::flow().is_break() || parent_id() != parent {
                 // The program may have left its group.
                 let _ = kill(group, Signal::SIGKILL);
                 let _ = killpg(group, Signal::SIGKILL);
@@ -196,7 +195,7 @@ impl Limits {
         let _ = killpg(group, Signal::SIGKILL);
         end_all();
         let joules = energy.and_then(|(meter, before)| meter.joules_since(&before));
-        interrupt.check()?;
+        interrupt::check()?;
         let status = status?;
         for file in [stdout, stderr] {
             // A program that printed without end would fill the disk, one case after the other.

@@ -5,13 +5,12 @@
 //! implementations make the same picture, so the error does not depend on the implementation; only the time does.
 
 use cpu::internals::image::quantize::quantize;
-use cpu::{Config, Error, Scene, Vec3};
+use cpu::{Config, Scene, Vec3};
 use serde::{Deserialize, Serialize};
 
-use crate::Failure;
 use crate::difference::of_pixels;
 use crate::engine::means;
-use crate::interrupt::Interrupt;
+use crate::{Failure, interrupt};
 use measure::statistics::Median;
 
 /// The errors of pictures of one scene that all have the same number of samples per pixel, but different seeds.
@@ -75,11 +74,10 @@ pub fn curve(
     samples: &[u64],
     seeds: u64,
     reference_samples: u64,
-    interrupt: &Interrupt,
 ) -> Result<ErrorCurve, Failure> {
     let picture = |samples, seed| -> Result<Vec<Vec3>, Failure> {
-        interrupt.check()?;
-        Ok(means(&with_seed(config, samples, seed), scene).map_err(|error: Error| error)?)
+        interrupt::check()?;
+        Ok(means(&with_seed(config, samples, seed), scene)?)
     };
     let [first, second] = REFERENCE_SEEDS.map(|seed| picture(reference_samples / 2, seed));
     let (first, second) = (first?, second?);
@@ -111,7 +109,7 @@ mod tests {
         let config = Config::parse(&b"image_width: 32\naspect_ratio: 1 1\n"[..]).expect("it is valid");
         let scene = Scene::parse(&b"matte: m .5 .5 .5\nsphere: 0 0 0 6 m\n"[..]).expect("it is valid");
         let samples = [1, 4, 16, 64];
-        let curve = curve("ball", &config, &scene, &samples, 3, 4096, &Interrupt::default()).expect("it is small");
+        let curve = curve("ball", &config, &scene, &samples, 3, 4096).expect("it is small");
         let points: Vec<_> = curve.points.iter().map(|point| (point.samples as f64, point.linear.median)).collect();
         let law = PowerLaw::through(&points).expect("four points");
         assert!((law.exponent + 0.5).abs() < 0.05, "{law:?}");

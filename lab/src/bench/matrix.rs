@@ -10,7 +10,6 @@ use super::results::Results;
 use super::scenes;
 use crate::Failure;
 use crate::engine::Engine;
-use crate::interrupt::Interrupt;
 
 /// A task: one part of the matrix, which is everything that `bench all` measures.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -95,14 +94,14 @@ impl Plan {
     ///
     /// # Errors
     /// An error if a scene cannot be read or the pictures of two engines differ, or [`Failure::Interrupted`].
-    pub fn run(&self, task: &Task, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+    pub fn run(&self, task: &Task, results: &mut Results) -> Result<(), Failure> {
         match task {
-            Task::Scale(parameter) => self.scale(parameter, results, interrupt),
-            Task::Error(scene) => self.error(scene, results, interrupt),
+            Task::Scale(parameter) => self.scale(parameter, results),
+            Task::Error(scene) => self.error(scene, results),
         }
     }
 
-    fn scale(&self, parameter: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+    fn scale(&self, parameter: &str, results: &mut Results) -> Result<(), Failure> {
         let (base, scene) = scene(SCALED)?;
         let base = Config { image_width: self.width(), samples_per_pixel: 4, max_depth: 8, ..base };
         let pictures = self.values(parameter).into_iter().map(|value| match parameter {
@@ -116,22 +115,22 @@ impl Plan {
             }
         });
         let name = if matches!(parameter, "objects" | "density") { BOARD } else { SCALED };
-        self.times(["scale", name, parameter], &Engine::main(), pictures, results, interrupt)
+        self.times(["scale", name, parameter], &Engine::main(), pictures, results)
     }
 
-    fn error(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+    fn error(&self, name: &str, results: &mut Results) -> Result<(), Failure> {
         let (config, scene) = scene(name)?;
         let config = Config { image_width: self.width(), ..config };
         let samples: Vec<u64> = (0..=if self.quick { 5 } else { 6 }).map(|power| 1 << power).collect();
         // The converged picture has 64 times the samples of the finest picture, so its error is an eighth of that
         // picture's.
         let reference = 64 * samples.iter().max().copied().unwrap_or(1);
-        results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference, interrupt)?);
+        results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference)?);
         let pictures = samples.into_iter().map(|samples| {
             let config = Config { samples_per_pixel: samples, ..config.clone() };
             (samples, config, scene.clone())
         });
-        self.times(["error", name, "samples"], &Engine::all(), pictures, results, interrupt)
+        self.times(["error", name, "samples"], &Engine::all(), pictures, results)
     }
 }
 

@@ -8,9 +8,8 @@ use digest::sha256;
 use measure::clock::own_seconds;
 use measure::turns::{in_turn, turns_of};
 
-use crate::Failure;
 use crate::engine::Engine;
-use crate::interrupt::Interrupt;
+use crate::{Failure, interrupt};
 
 /// The times of several engines for one picture.
 #[derive(Clone, Debug)]
@@ -25,17 +24,11 @@ pub struct Times {
 ///
 /// # Errors
 /// An error of the renderer, an engine whose picture differs, or [`Failure::Interrupted`].
-pub fn measure(
-    engines: &[Engine],
-    repeats: usize,
-    config: &Config,
-    scene: &Scene,
-    interrupt: &Interrupt,
-) -> Result<Times, Failure> {
+pub fn measure(engines: &[Engine], repeats: usize, config: &Config, scene: &Scene) -> Result<Times, Failure> {
     let mut digest: Option<String> = None;
     let mut turns = Vec::new();
     for &engine in engines {
-        interrupt.check()?;
+        interrupt::check()?;
         // The first picture warms the caches and is compared. From its time follows the number of pictures in one
         // repeat.
         let before = own_seconds();
@@ -51,7 +44,7 @@ pub fn measure(
         turns.push(turns_of(seconds));
     }
     let times = in_turn(repeats, &turns, own_seconds, |index| {
-        interrupt.check()?;
+        interrupt::check()?;
         std::hint::black_box(engines[index].ppm(config, scene)?);
         Ok::<(), Failure>(())
     })?;

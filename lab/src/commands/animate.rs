@@ -15,9 +15,8 @@ use serde::Serialize;
 use crate::checkpoint::Origin;
 use crate::convert::transform::turned;
 use crate::engine::{self, ScatterName};
-use crate::interrupt::Interrupt;
 use crate::picture::{self, Picture};
-use crate::{Failure, sources, terminal};
+use crate::{Failure, interrupt, sources, terminal};
 
 /// Options of `animate`.
 #[derive(Debug, Args)]
@@ -95,10 +94,11 @@ impl Arguments {
         for (frame, config) in cameras.iter().enumerate() {
             config.check_picture().map_err(|error| format!("frame {frame}: {error}"))?;
         }
-        let (start, interrupt) = (Instant::now(), Interrupt::listen());
+        let start = Instant::now();
+        interrupt::listen();
         let rows = size.height() * cameras.len();
         let bar = if self.quiet { ProgressBar::hidden() } else { terminal::progress(rows, "rows") };
-        let film = Film { scene: &scene, scatter: self.scatter, cameras, size, bar, interrupt };
+        let film = Film { scene: &scene, scatter: self.scatter, cameras, size, bar };
         let rendered = if self.out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
             film.write_animated(&self.out, self.rate, options)?
         } else {
@@ -148,7 +148,6 @@ struct Film<'a> {
     cameras: Vec<Config>,
     size: Size,
     bar: ProgressBar,
-    interrupt: Interrupt,
 }
 
 impl Film<'_> {
@@ -158,7 +157,7 @@ impl Film<'_> {
         let prepared = prepared.map_err(|error| format!("frame {frame}: {error}"))?;
         let (image, rows) = engine::render_rows(&prepared, None, |_, _, _| {
             self.bar.inc(1);
-            self.interrupt.flow()
+            interrupt::flow()
         })?;
         Ok((rows == prepared.size.height()).then(|| Picture::of(&image)).transpose()?)
     }

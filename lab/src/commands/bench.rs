@@ -8,11 +8,10 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Subcommand};
 use output::Options;
 
-use crate::Failure;
 use crate::bench::matrix::{PARAMETERS, Task, tasks};
 use crate::bench::results::Results;
 use crate::bench::results::check::Total;
-use crate::terminal;
+use crate::{Failure, terminal};
 
 /// Options of `bench`.
 #[derive(Debug, Args)]

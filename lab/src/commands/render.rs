@@ -14,17 +14,14 @@ use indicatif::ProgressBar;
 use measure::clock::{own_seconds, peak_memory};
 use output::{Options, Output};
 
-use crate::Failure;
 use crate::checkpoint::Origin;
 use crate::engine::{self, LayoutName, ScatterName};
-use crate::interrupt::Interrupt;
 use crate::picture::Picture;
 use crate::picture::any::Any;
 use crate::picture::floats::{Floats, GAMMA};
 use crate::picture::kind::Kind;
 use crate::show::{self, Quantity};
-use crate::sources;
-use crate::terminal;
+use crate::{Failure, interrupt, sources, terminal};
 use stages::Stages;
 use taken::Taken;
 use values::{Setting, parse_crop, rows_of};
@@ -98,12 +95,9 @@ impl Arguments {
             return Err("--crop, --checkpoint and --resume are for pictures of colours, .ppm or .png".into());
         }
         let (inputs, how) = ((&config, &scene), (kind, options));
-        let mut taken = match (self.show, self.layout) {
-            (Some(quantity), _) => {
-                self.write::<Aos>(inputs, how, |prepared, bar| shown(quantity, kind, prepared, bar))?
-            }
-            (None, LayoutName::Aos) => self.write(inputs, how, |it, bar| self.colors::<Aos>(inputs, how, it, bar))?,
-            (None, LayoutName::Soa) => self.write(inputs, how, |it, bar| self.colors::<Soa>(inputs, how, it, bar))?,
+        let mut taken = match self.layout {
+            LayoutName::Aos => self.write::<Aos>(inputs, how)?,
+            LayoutName::Soa => self.write::<Soa>(inputs, how)?,
         };
         if self.count {
             let counts = cpu::reference::render_counted::<cpu::reference::intersect::Exact>(
@@ -128,21 +122,26 @@ impl Arguments {
         Ok(())
     }
 
-    /// Writes the picture that `make` returns with the number of rows that it rendered. Returns the time, the memory
-    /// and the rays.
-    fn write<L: Renderable>(
-        &self,
-        (config, scene): (&Config, &Scene),
-        (kind, options): (Kind, Options),
-        make: impl FnOnce(&Prepared<L>, &ProgressBar) -> Result<(Any, usize), Failure>,
-    ) -> Result<Taken, Failure> {
+    /// Renders the picture or the quantity, and writes it. Returns the time, the memory and the rays.
+    fn write<L: Renderable>(&self, inputs: (&Config, &Scene), how: (Kind, Options)) -> Result<Taken, Failure> {
+        let ((config, scene), (kind, options)) = (inputs, how);
         let explain = |error: Error| sources::about_picture(error, &self.config, &self.set);
         let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(explain)?;
         let output = Output::open(&sources::output(&self.out), options)?;
         let (before, start) = (own_seconds(), Instant::now());
         let rows = prepared.size.height();
         let bar = if self.quiet { ProgressBar::hidden() } else { terminal::progress(rows, "rows") };
-        let (picture, rows) = make(&prepared, &bar)?;
+        let (picture, rows) = if let Some(quantity) = self.show {
+            interrupt::listen();
+            let floats = show::show(quantity, &prepared, |row| {
+                bar.set_position(row as u64);
+                interrupt::flow()
+            })?;
+            let floats = floats.ok_or(Failure::Interrupted)?;
+            (if kind.is_of_floats() { Any::Floats(floats) } else { Any::Bytes(quantity.draw(&floats)?) }, rows)
+        } else {
+            self.colors(inputs, how, &prepared, &bar)?
+        };
         bar.finish_and_clear();
         let (width, height) = match &picture {
             Any::Bytes(picture) => (picture.width, picture.height),
@@ -165,7 +164,8 @@ impl Arguments {
         })
     }
 
-    /// Renders the colours of the pixels: as bytes, or as linear light for a format of numbers.
+    /// Renders the colours of the pixels: as bytes, or as linear light for a format of numbers. Returns the number of
+    /// rendered rows too.
     fn colors<L: Renderable>(
         &self,
         (config, scene): (&Config, &Scene),
@@ -185,7 +185,7 @@ impl Arguments {
         }
         let part = self.crop.unwrap_or([0, 0, width, height]);
         let rows = rows_of(part, width, height)?;
-        let interrupt = Interrupt::listen();
+        interrupt::listen();
         let origin = || Origin::new(config, scene, self.scatter);
         let (from, mut run) = self.stages.begin(origin, prepared.size, rows, options)?;
         let first = from.as_ref().map_or(0, |from| from.rows);
@@ -194,22 +194,10 @@ impl Arguments {
         bar.reset_eta();
         let (image, done) = engine::render_rows::<L>(prepared, from.as_ref(), |row, image, streams| {
             bar.set_position(row as u64);
-            run.after_row(row, image, streams, &interrupt)
+            run.after_row(row, image, streams)
         })?;
-        run.end(done, &interrupt)?;
+        run.end(done)?;
         let picture = Picture::of(&image)?;
         Ok((Any::Bytes(if self.crop.is_some() { picture.crop(part)? } else { picture }), done - first))
     }
-}
-
-/// Computes a quantity of each pixel: as numbers, or as a picture with a scale.
-fn shown(quantity: Quantity, kind: Kind, prepared: &Prepared<Aos>, bar: &ProgressBar) -> Result<(Any, usize), Failure> {
-    let interrupt = Interrupt::listen();
-    let floats = show::show(quantity, prepared, |row| {
-        bar.set_position(row as u64);
-        interrupt.flow()
-    })?;
-    let floats = floats.ok_or(Failure::Interrupted)?;
-    let any = if kind.is_of_floats() { Any::Floats(floats) } else { Any::Bytes(quantity.draw(&floats)?) };
-    Ok((any, prepared.size.height()))
 }

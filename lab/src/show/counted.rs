@@ -6,23 +6,23 @@ use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::layout::{Objects, Placed};
 use cpu::internals::math::vec3::Vec3;
-use cpu::{Aos, Error, Layout, Scene};
+use cpu::{Error, Scene};
 
 /// Objects that count how often one of them is read to intersect it with a ray.
-pub struct Counted<'a> {
+pub struct Counted<'a, O> {
     /// The objects.
-    pub objects: &'a <Aos as Layout>::Objects,
+    pub objects: &'a O,
     /// How often one of them was read.
     pub reads: Cell<u64>,
 }
 
-impl Counted<'_> {
+impl<O> Counted<'_, O> {
     fn count(&self) {
         self.reads.set(self.reads.get() + 1);
     }
 }
 
-impl Objects for Counted<'_> {
+impl<O: Objects> Objects for Counted<'_, O> {
     fn build(_: &Scene) -> Result<Self, Error> {
         Err(Error::OutOfMemory { what: "objects that are borrowed" })
     }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::engine;
-use cpu::{Config, Scene};
+use cpu::{Aos, Config, Scene};
 
 fn prepared(config: &Config, scene: &Scene) -> Prepared<Aos> {
     Prepared::new(config, scene, Scatter::Statement).expect("it is small")

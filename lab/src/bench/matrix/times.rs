@@ -7,7 +7,6 @@ use crate::Failure;
 use crate::bench::results::{Omitted, Results, Setting, Timing};
 use crate::bench::timing;
 use crate::engine::Engine;
-use crate::interrupt::Interrupt;
 use measure::statistics::Median;
 
 impl Plan {
@@ -20,7 +19,6 @@ impl Plan {
         engines: &[Engine],
         pictures: impl Iterator<Item = (u64, Config, Scene)>,
         results: &mut Results,
-        interrupt: &Interrupt,
     ) -> Result<(), Failure> {
         let setting = |value, engine: Engine| Setting {
             suite: suite.to_owned(),
@@ -40,7 +38,7 @@ impl Plan {
                 let reason = format!("a picture would take about {:.1} s", expected(engine));
                 results.omitted.push(Omitted { setting: setting(value, engine), reason });
             }
-            let times = timing::measure(&wanted, self.repeats, &config, &scene, interrupt)?;
+            let times = timing::measure(&wanted, self.repeats, &config, &scene)?;
             for (engine, seconds) in times.of {
                 let median = Median::of(&seconds);
                 last.push((engine, value, median.median));
@@ -66,8 +64,7 @@ mod tests {
         let pictures = [1, 1_000_000].map(|value| (value, config.clone(), scene.clone()));
         let mut results = Results::default();
         let engines = [Engine::Reference, Engine::main()[1]];
-        let outcome =
-            plan.times(["scale", "s", "samples"], &engines, pictures.into_iter(), &mut results, &Interrupt::default());
+        let outcome = plan.times(["scale", "s", "samples"], &engines, pictures.into_iter(), &mut results);
         outcome.expect("nothing fails");
         assert!(results.omitted.iter().any(|omitted| omitted.setting.engine == "reference"), "{:?}", results.omitted);
         assert!(results.omitted[0].reason.starts_with("a picture would take about "));

@@ -4,14 +4,12 @@ use std::time::Instant;
 
 use output::Options;
 
-use crate::Failure;
 use crate::bench::machine::Machine;
 use crate::bench::matrix::{Plan, Task};
 use crate::bench::progress;
 use crate::bench::results::{Growth, Results};
 use crate::commands::bench::How;
-use crate::interrupt::Interrupt;
-use crate::{sources, terminal};
+use crate::{Failure, interrupt, sources, terminal};
 
 impl How {
     /// Measures `tasks` one after the other, and writes the results to the file of `--out`.
@@ -19,7 +17,7 @@ impl How {
     /// # Errors
     /// An error of a file or a task, or an interruption.
     pub(super) fn run<'a>(&self, options: Options, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
-        let interrupt = Interrupt::listen();
+        interrupt::listen();
         // Checked first, because a measurement takes minutes and its results would be lost.
         Results::check_writable(&self.out, options)?;
         let plan = Plan { quick: self.quick, repeats: usize::from(self.repeats) };
@@ -30,7 +28,7 @@ impl How {
         let (tasks, start): (Vec<_>, _) = (tasks.collect(), Instant::now());
         for (done, task) in tasks.iter().enumerate() {
             say(progress::announcement(done, tasks.len(), task, start));
-            plan.run(task, &mut results, &interrupt)?;
+            plan.run(task, &mut results)?;
         }
         results.complete();
         progress::spread_warning(&results).map(say);

@@ -10,8 +10,7 @@ use cpu::{Image, Size};
 use output::{Options, Output};
 
 use crate::checkpoint::{Checkpoint, Origin};
-use crate::interrupt::Interrupt;
-use crate::{Failure, terminal};
+use crate::{Failure, interrupt, terminal};
 
 /// Options of `render` for a picture that takes several runs.
 #[derive(Debug, Args)]
@@ -109,15 +108,9 @@ struct Keep {
 
 impl Run {
     /// Is called after each row. Writes the checkpoint if it is time, and tells whether the run ends here.
-    pub fn after_row(
-        &mut self,
-        row: usize,
-        image: &impl Image,
-        streams: &mut Streams<'_>,
-        interrupt: &Interrupt,
-    ) -> ControlFlow<()> {
+    pub fn after_row(&mut self, row: usize, image: &impl Image, streams: &mut Streams<'_>) -> ControlFlow<()> {
         let is_late = self.until.is_some_and(|(began, time)| began.elapsed() >= time);
-        let ends = row >= self.last_row || is_late || interrupt.flow().is_break();
+        let ends = row >= self.last_row || is_late || interrupt::flow().is_break();
         if let Some(keep) = &mut self.keep
             && (ends || keep.written.elapsed() >= keep.every)
         {
@@ -139,7 +132,7 @@ impl Run {
     /// # Errors
     /// [`Failure::Interrupted`], [`Failure::Kept`], or the error of the last checkpoint. A finished picture
     /// needs no checkpoint, so then there is no error.
-    pub fn end(self, row: usize, interrupt: &Interrupt) -> Result<(), Failure> {
+    pub fn end(self, row: usize) -> Result<(), Failure> {
         if row >= self.rows {
             return Ok(());
         }
@@ -149,7 +142,7 @@ impl Run {
         }
         let (name, rows) = (terminal::name(&keep.path), self.rows);
         let message = format!("{name} has {row} of {rows} rows; go on by --resume {name}");
-        Err(Failure::Kept { message, interrupted: interrupt.flow().is_break() })
+        Err(Failure::Kept { message, interrupted: interrupt::flow().is_break() })
     }
 }
 
@@ -165,7 +158,7 @@ mod tests {
             let (path, options, every) = (PathBuf::from("c"), Options::default(), Duration::ZERO);
             let failed = Some("full".into());
             let keep = Some(Keep { path, options, origin, every, written: Instant::now(), failed });
-            Run { keep, last_row: 9, rows: 9, until: None }.end(row, &Interrupt::listen())
+            Run { keep, last_row: 9, rows: 9, until: None }.end(row)
         };
         assert!(end(9).is_ok() && end(8).is_err_and(|failure| failure.status() == 2));
     }
