@@ -22,7 +22,7 @@ pub mod site;
 use std::sync::Mutex;
 
 use loopback::Answer;
-use loopback::budget::Budget;
+use loopback::budget::{Budget, Full};
 use loopback::client::Client;
 use loopback::request::Request;
 use output::Options;
@@ -92,7 +92,7 @@ impl View {
             let [(config, length), (scene, other)] = [open(inputs[0])?, open(inputs[1])?];
             // Each file is in memory twice: alone, and in the answer.
             let share = self.budget.take(2 * (length + other) as usize + 1000);
-            let mut share = share.map_err(|full| Answer::refused("503 Service Unavailable", full.to_string()))?;
+            let mut share = share.map_err(full)?;
             let text = |input: &Input, file, length| input.text(file, length).map_err(|error| refused(input, error));
             let (config, scene) = (text(inputs[0], config, length)?, text(inputs[1], scene, other)?);
             let version = [&config, &scene].map(|text| input::version_of(text.as_bytes())).join("-");
@@ -107,6 +107,21 @@ impl View {
     fn version(&self) -> String {
         [&self.config, &self.scene].map(Input::version).join("-")
     }
+}
+
+/// Returns the answer to a request that is wrong.
+fn invalid(message: impl Into<String>) -> Answer {
+    Answer::refused("422 Unprocessable Content", message)
+}
+
+/// Returns the answer to a request that gives an error of the renderer.
+fn wrong(error: cpu::Error) -> Answer {
+    invalid(String::from_utf8_lossy(&error.message()))
+}
+
+/// Returns the answer to a request for which other requests leave too few bytes.
+fn full(full: Full) -> Answer {
+    Answer::refused("503 Service Unavailable", full.to_string())
 }
 
 #[cfg(test)]

@@ -7,9 +7,9 @@ use cpu::internals::input::text::Tokens;
 use loopback::Answer;
 use serde::Deserialize;
 
-use super::View;
 use super::input::{MAX_TEXT, content, version_of, without_links};
-use super::replace::{Unreplaced, replace};
+use super::replace::replace;
+use super::{View, invalid, wrong};
 use crate::Failure;
 
 /// Largest size of the body of such a request, in bytes. Three lines have some hundred.
@@ -27,63 +27,53 @@ struct Save {
     lines: [String; 3],
 }
 
-/// The status and the message of a refused request.
-type Refusal = (&'static str, String);
-
-const INVALID: &str = "422 Unprocessable Content";
-
 impl View {
     /// Writes the camera in `body` into the configuration file, and answers with the new version of the files. Refuses
     /// if one of the two files has changed since the page read them, or if the result is no valid configuration.
     pub(super) fn save_camera(&self, body: &[u8]) -> Answer {
-        match self.try_to_save(body) {
-            Ok(version) => Answer::ok("text/plain", version.into_bytes()),
-            Err((status, message)) => Answer::refused(status, message),
-        }
+        self.try_to_save(body).map_or_else(|refusal| refusal, |version| Answer::ok("text/plain", version))
     }
 
-    fn try_to_save(&self, body: &[u8]) -> Result<String, Refusal> {
+    fn try_to_save(&self, body: &[u8]) -> Result<String, Answer> {
         if body.len() > MAX_BODY {
-            return Err(("413 Content Too Large", format!("a camera has at most {MAX_BODY} bytes")));
+            let text = format!("a camera has at most {MAX_BODY} bytes");
+            return Err(Answer::refused("413 Content Too Large", text));
         }
-        let Save { version, lines } = serde_json::from_slice(body).map_err(|error| (INVALID, error.to_string()))?;
+        let Save { version, lines } = serde_json::from_slice(body).map_err(|error| invalid(error.to_string()))?;
         check(&lines)?;
         // Of two requests with one version the second one must see the change by the first one.
         let _turn = self.saving.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let changed = || ("409 Conflict", "a file has changed since the page read it".to_owned());
-        let old = self.config.read().map_err(|error| (INVALID, self.config.message(&error)))?;
+        let changed = || Answer::refused("409 Conflict", "a file has changed since the page read it");
+        let old = self.config.read().map_err(|error| invalid(self.config.message(&error)))?;
         let scene = self.scene.version();
         if [version_of(&old), scene.clone()].join("-") != version {
             return Err(changed());
         }
         let new = replaced(&old, &lines);
-        let valid = Config::parse(&new[..]).and_then(|config| config.check_picture());
-        valid.map_err(|error| (INVALID, String::from_utf8_lossy(&error.message()).into_owned()))?;
+        Config::parse(&new[..]).and_then(|config| config.check_picture()).map_err(wrong)?;
         let read = |path: &Path| {
             let file = without_links(path)?;
             let length = file.metadata()?.len();
             // One byte more than the page can edit is enough to see that the file is another one.
             content(file, length.min(MAX_TEXT + 1))
         };
-        replace(self.config.path(), (&old, &new), read, self.how).map_err(|error| match error {
-            Unreplaced::Changed => changed(),
-            Unreplaced::Failed(error) => {
-                ("500 Internal Server Error", Failure::from(error).message().unwrap_or_default())
-            }
-        })?;
+        let failed =
+            |error| Answer::refused("500 Internal Server Error", Failure::from(error).message().unwrap_or_default());
+        if !replace(self.config.path(), (&old, &new), read, self.how).map_err(failed)? {
+            return Err(changed());
+        }
         // The version of the new file, not of what another program may have written since.
         Ok([version_of(&new), scene].join("-"))
     }
 }
 
 /// Checks that each line has its key and values that the key may have.
-fn check(lines: &[String; 3]) -> Result<(), Refusal> {
+fn check(lines: &[String; 3]) -> Result<(), Answer> {
     for (line, key) in lines.iter().zip(KEYS) {
         if Tokens::new(line.as_bytes()).next() != Some(key.as_bytes()) {
-            return Err((INVALID, format!("the line [{}] is not one of {key}", line.escape_default())));
+            return Err(invalid(format!("the line [{}] is not one of {key}", line.escape_default())));
         }
-        let read = Config::default().set(line.as_bytes());
-        read.map_err(|error| (INVALID, String::from_utf8_lossy(&error.message()).into_owned()))?;
+        Config::default().set(line.as_bytes()).map_err(wrong)?;
     }
     Ok(())
 }
@@ -173,7 +163,7 @@ mod tests {
 
     #[test]
     fn only_a_line_with_its_key_and_three_numbers_is_a_line_of_the_camera() {
-        assert_eq!(check(&lines()), Ok(()));
+        assert!(check(&lines()).is_ok());
         let wrong = [
             "camera_target: 0 0 0",
             "camera_position: 0 0",
@@ -185,7 +175,10 @@ mod tests {
         ];
         for line in wrong {
             let [_, target, north] = lines();
-            assert!(check(&[line.to_owned(), target, north]).is_err_and(|(status, _)| status == INVALID), "{line:?}");
+            assert!(
+                check(&[line.to_owned(), target, north]).is_err_and(|refusal| refusal.status.starts_with("422")),
+                "{line:?}"
+            );
         }
     }
 }

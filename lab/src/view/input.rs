@@ -138,14 +138,13 @@ pub fn without_links(path: &Path) -> io::Result<File> {
     }
 }
 
-#[cfg(all(unix, not(target_os = "linux")))]
+#[cfg(not(target_os = "linux"))]
 pub use without_last_link as without_links;
 
 /// Opens the file at `path` for reading, if the last part of the path is no link.
 ///
 /// # Errors
 /// The error of the system.
-#[cfg(unix)]
 pub fn without_last_link(path: &Path) -> io::Result<File> {
     use nix::fcntl::OFlag;
     use std::os::unix::fs::OpenOptionsExt;
@@ -154,10 +153,5 @@ pub fn without_last_link(path: &Path) -> io::Result<File> {
     std::fs::OpenOptions::new().read(true).custom_flags(flags.bits()).open(path)
 }
 
-#[cfg(not(unix))]
-pub fn without_links(path: &Path) -> io::Result<File> {
-    File::open(path)
-}
-
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests;

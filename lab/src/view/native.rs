@@ -10,13 +10,14 @@ use std::time::Duration;
 
 use cpu::internals::image::Image;
 use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_within};
-use cpu::{Aos, Config, Error, Layout, Scatter, Scene};
+use cpu::{Aos, Config, Layout, Scatter, Scene};
 use loopback::Answer;
-use loopback::budget::{Budget, Full, Share};
+use loopback::budget::{Budget, Share};
 use loopback::client::Client;
 use serde::Deserialize;
 
 use super::input::MAX_TEXT;
+use super::{full, invalid, wrong};
 
 /// Largest number of pixels of a picture for the page: 2^25.
 const MAX_PIXELS: usize = 1 << 25;
@@ -73,39 +74,12 @@ impl Write for File<'_> {
     }
 }
 
-/// The reason why a request for a picture gets none.
-enum Refusal {
-    /// An error of the renderer, or a text that is no JSON.
-    Message(String),
-    /// A limit is exceeded.
-    TooLarge(String),
-    /// Other requests use too many bytes now.
-    Full(Full),
-    /// Another picture is wanted, or none.
-    Cancelled,
+fn too_large(message: String) -> Answer {
+    Answer::refused("413 Content Too Large", message)
 }
 
-impl From<Error> for Refusal {
-    fn from(error: Error) -> Self {
-        Self::Message(String::from_utf8_lossy(&error.message()).into_owned())
-    }
-}
-
-impl From<Full> for Refusal {
-    fn from(full: Full) -> Self {
-        Self::Full(full)
-    }
-}
-
-impl Refusal {
-    fn answer(self) -> Answer {
-        match self {
-            Self::Message(message) => Answer::refused("422 Unprocessable Content", message),
-            Self::TooLarge(message) => Answer::refused("413 Content Too Large", message),
-            Self::Full(full) => Answer::refused("503 Service Unavailable", full.to_string()),
-            Self::Cancelled => Answer::refused("409 Conflict", "the picture was cancelled"),
-        }
-    }
+fn cancelled() -> Answer {
+    Answer::refused("409 Conflict", "the picture was cancelled")
 }
 
 impl Native {
@@ -140,7 +114,7 @@ impl Native {
             }
             match thread.join() {
                 Ok(Ok((ppm, share))) => Answer { share: Some(share), ..Answer::ok("image/x-portable-pixmap", ppm) },
-                Ok(Err(refusal)) => refusal.answer(),
+                Ok(Err(refusal)) => refusal,
                 Err(panic) => std::panic::resume_unwind(panic),
             }
         })
@@ -165,47 +139,47 @@ impl Native {
     }
 
     /// Returns the PPM file of the two texts in `body`, with its share of the budget.
-    fn ppm(&self, stop: &Arc<AtomicBool>, body: &[u8]) -> Result<(Vec<u8>, Share), Refusal> {
+    fn ppm(&self, stop: &Arc<AtomicBool>, body: &[u8]) -> Result<(Vec<u8>, Share), Answer> {
         let _busy = self.busy.lock().unwrap_or_else(PoisonError::into_inner);
-        let check = || if stop.load(Ordering::SeqCst) { Err(Refusal::Cancelled) } else { Ok(()) };
+        let check = || if stop.load(Ordering::SeqCst) { Err(cancelled()) } else { Ok(()) };
         check()?;
         // A text in JSON is at least as long as the text itself.
-        let share_of_texts = self.budget.take(body.len())?;
-        let texts: Texts = serde_json::from_slice(body).map_err(|error| Refusal::Message(error.to_string()))?;
+        let share_of_texts = self.budget.take(body.len()).map_err(full)?;
+        let texts: Texts = serde_json::from_slice(body).map_err(|error| invalid(error.to_string()))?;
         for (name, text) in [("configuration", &texts.config), ("scene", &texts.scene)] {
             if text.len() as u64 > MAX_TEXT {
                 let length = text.len();
                 let text = format!("the {name} has {length} bytes, and the page renders at most {MAX_TEXT}");
-                return Err(Refusal::TooLarge(text));
+                return Err(too_large(text));
             }
         }
-        let config = Config::parse(texts.config.as_bytes())?;
-        let pixels = config.image_size().map_err(Error::from)?.pixels();
+        let config = Config::parse(texts.config.as_bytes()).map_err(wrong)?;
+        let pixels = config.image_size().map_err(|error| wrong(error.into()))?.pixels();
         if pixels > MAX_PIXELS {
-            return Err(Refusal::TooLarge(format!(
+            return Err(too_large(format!(
                 "the picture has {pixels} pixels, and the page shows at most {MAX_PIXELS}; render-lab render has no \
                  such limit"
             )));
         }
-        let mut share = self.budget.take(pixels * PIXEL_BYTES + PATH_BYTES)?;
-        let scene = Scene::parse(texts.scene.as_bytes())?;
+        let mut share = self.budget.take(pixels * PIXEL_BYTES + PATH_BYTES).map_err(full)?;
+        let scene = Scene::parse(texts.scene.as_bytes()).map_err(wrong)?;
         drop((texts, share_of_texts));
         check()?;
-        let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?;
+        let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).map_err(wrong)?;
         self.rows[0].store(0, Ordering::SeqCst);
         self.rows[1].store(prepared.size.height(), Ordering::SeqCst);
-        let mut image = <Aos as Layout>::Image::black(prepared.size)?;
+        let mut image = <Aos as Layout>::Image::black(prepared.size).map_err(wrong)?;
         let limits = Limits { stop: Arc::clone(stop), surfaces: MAX_SURFACES, ..Limits::prompt(scene.objects.len()) };
         drop(scene);
         let ended = render_within(&prepared, InstructionSet::chosen(), &limits, &mut image, |rows, _| {
             self.rows[0].store(rows, Ordering::SeqCst);
             ControlFlow::Continue(())
-        })?;
-        match ended {
+        });
+        match ended.map_err(wrong)? {
             None => {}
-            Some(Ended::Stopped) => return Err(Refusal::Cancelled),
+            Some(Ended::Stopped) => return Err(cancelled()),
             Some(Ended::TooManySurfaces) => {
-                return Err(Refusal::TooLarge(format!(
+                return Err(too_large(format!(
                     "the paths of a few pixels hit more than {MAX_SURFACES} surfaces, which is the limit of the page; \
                      choose a smaller max_depth, or use render-lab render"
                 )));
@@ -213,11 +187,11 @@ impl Native {
         }
         drop(prepared);
         let mut ppm = Vec::new();
-        let no_memory = |_| Refusal::Message("Not enough memory for the file of the picture".to_owned());
+        let no_memory = |_| invalid("Not enough memory for the file of the picture");
         // The header has less than a hundred bytes.
         ppm.try_reserve_exact(pixels * (PIXEL_BYTES - 3) + 100).map_err(no_memory)?;
         // The only reason for which this writer fails is the request to stop.
-        cpu::write_ppm(&image, &mut File { bytes: &mut ppm, limits: &limits }).map_err(|_| Refusal::Cancelled)?;
+        cpu::write_ppm(&image, &mut File { bytes: &mut ppm, limits: &limits }).map_err(|_| cancelled())?;
         drop(image);
         share.shrink(ppm.len());
         Ok((ppm, share))

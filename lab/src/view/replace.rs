@@ -12,39 +12,24 @@ use output::{Options, Output};
 
 use crate::terminal;
 
-/// The reason why a file was not replaced.
-#[derive(Debug)]
-pub enum Unreplaced {
-    /// The file has another content now.
-    Changed,
-    /// The new file could not be written.
-    Failed(output::Error),
-}
-
-impl From<output::Error> for Unreplaced {
-    fn from(error: output::Error) -> Self {
-        Self::Failed(error)
-    }
-}
-
 /// Replaces the content `old` of the regular file at `path` by `new`. `read` returns the present content. `how` tells
-/// how the file is written.
+/// how the file is written. Returns false if the file has another content now.
 ///
 /// Where the system cannot exchange names, the content is only compared directly before the renaming.
 ///
 /// # Errors
-/// [`Unreplaced`]. The file then has a content that another program or the user has written. If only the folder could
-/// not be synced, the file has the new content.
+/// The new file could not be written. The file then has a content that another program or the user has written. If only
+/// the folder could not be synced, the file has the new content.
 pub fn replace(
     path: &Path,
     (old, new): (&[u8], &[u8]),
     read: impl Fn(&Path) -> io::Result<Vec<u8>>,
     how: Options,
-) -> Result<(), Unreplaced> {
+) -> Result<bool, output::Error> {
     let is_old = |path: &Path| read(path).is_ok_and(|content| content == old);
     // A pipe would block when it is opened for writing, and a device would take the bytes.
     if !fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file()) || !is_old(path) {
-        return Err(Unreplaced::Changed);
+        return Ok(false);
     }
     let write = |path: &Path| {
         let mut output = Output::open(path, how)?;
@@ -53,22 +38,22 @@ pub fn replace(
     };
     let Some(beside) = Beside::new(path) else {
         let output = write(path)?;
-        return if is_old(path) { Ok(output.commit()?) } else { Err(Unreplaced::Changed) };
+        return if is_old(path) { output.commit().map(|()| true) } else { Ok(false) };
     };
     // The name beside the file is a link to the file itself, so the new file gets the rights of the old one.
     write(&beside.0)?.commit()?;
     exchange(&beside.0, path).map_err(|cause| output::Error { path: path.to_owned(), cause })?;
     if is_old(&beside.0) {
         drop(beside);
-        return if how.sync { Ok(sync_folder(path)?) } else { Ok(()) };
+        return if how.sync { sync_folder(path).map(|()| true) } else { Ok(true) };
     }
     // The exchanged file was edited, so it gets its name back. The hidden name must then hold the new file. Otherwise
     // the hidden file is kept.
     if exchange(&beside.0, path).is_ok() && read(&beside.0).is_ok_and(|content| content == new) {
-        return Err(Unreplaced::Changed);
+        return Ok(false);
     }
     let text = format!("it has changed meanwhile; a change is in [{}]", terminal::name(&beside.keep()));
-    Err(Unreplaced::Failed(output::Error { path: path.to_owned(), cause: io::Error::other(text) }))
+    Err(output::Error { path: path.to_owned(), cause: io::Error::other(text) })
 }
 
 /// Waits until the names in the folder of the file at `path` are on the disk.

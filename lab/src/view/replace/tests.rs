@@ -9,7 +9,7 @@ use super::*;
 use crate::view::input;
 
 /// Replaces the file, and calls `edit` just before the replaced content is looked at.
-fn replaced(path: &Path, edit: impl Fn()) -> Result<(), Unreplaced> {
+fn replaced(path: &Path, edit: impl Fn()) -> Result<bool, output::Error> {
     let reads = Cell::new(0);
     let read = |path: &Path| {
         reads.set(reads.get() + 1);
@@ -27,7 +27,7 @@ fn a_file_with_the_old_content_is_replaced_and_keeps_its_rights() {
     let folder = Folder::new();
     let path = folder.write("file", "old");
     fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).expect("it is ours");
-    replaced(&path, || ()).expect("nobody has changed it");
+    assert!(replaced(&path, || ()).expect("nobody has changed it"));
     assert_eq!(fs::read(&path).expect("it is there"), b"new");
     assert_eq!(fs::metadata(&path).expect("it is there").permissions().mode() & 0o777, 0o640);
     assert_eq!(folder.names(), ["file"], "no other file is left");
@@ -37,7 +37,7 @@ fn a_file_with_the_old_content_is_replaced_and_keeps_its_rights() {
 fn an_edit_that_came_before_the_exchange_stays() {
     let folder = Folder::new();
     let path = folder.write("file", "edited");
-    assert!(matches!(replaced(&path, || ()), Err(Unreplaced::Changed)));
+    assert!(matches!(replaced(&path, || ()), Ok(false)));
     assert_eq!((fs::read(&path).expect("it is there"), folder.names()), (b"edited".to_vec(), vec!["file".into()]));
 }
 
@@ -48,7 +48,7 @@ fn an_edit_during_the_exchange_stays_whether_it_writes_or_renames() {
     // The file that is replaced is still open in an editor, which writes into it.
     let mut editor = fs::OpenOptions::new().write(true).open(&path).expect("it is writable");
     let result = replaced(&path, || (&editor).write_all(b"typed").expect("it is open"));
-    assert!(matches!(result, Err(Unreplaced::Changed)));
+    assert!(matches!(result, Ok(false)));
     editor.flush().expect("it is open");
     assert_eq!(fs::read(&path).expect("it is there"), b"typed");
 
@@ -56,7 +56,7 @@ fn an_edit_during_the_exchange_stays_whether_it_writes_or_renames() {
     fs::write(&path, "old").expect("the folder is writable");
     let other = folder.write("other", "renamed");
     let result = replaced(&path, || fs::rename(&other, &path).expect("the folder is writable"));
-    assert!(result.is_ok());
+    assert!(matches!(result, Ok(true)));
     assert_eq!((fs::read(&path).expect("it is there"), folder.names()), (b"renamed".to_vec(), vec!["file".into()]));
 }
 
@@ -68,7 +68,7 @@ fn a_link_is_never_followed() {
     let read = |path: &Path| input::content(input::without_links(path)?, 3);
     let refused = |path: &Path, old: &[u8]| {
         let result = replace(path, (old, b"new"), read, Options::default());
-        assert!(matches!(result, Err(Unreplaced::Changed)), "{result:?}");
+        assert!(matches!(result, Ok(false)), "{result:?}");
     };
     refused(&path, b"old");
     assert_eq!(fs::read(&target).expect("it is there"), b"old");
