@@ -86,27 +86,24 @@ impl Grades {
         let file = File::read(folder)?;
         let scenes = timed_scenes(folder, &file)?;
         let mut programs = Vec::new();
-        // The jobs of each program that render the scenes.
-        let mut jobs: Vec<Vec<Option<Job>>> = Vec::new();
         for program in &file.program {
             let (job, place) = (program.job(folder), kept.join(&program.name));
             let mut graded = Graded { program: program.name.clone(), ..Graded::default() };
             let built = program.build_job(folder).map_or(Ok(()), |build| built(&build, &place));
             graded.report = graded.keep(built.and_then(|()| Report::of(&job, cases, limits, &place)))?;
-            let mut ready = Vec::new();
-            for scene in &scenes {
-                let convention = graded.report.as_ref().map(|report| report.convention);
-                let job = convention.map_or(Ok(None), |convention| timed_job(scene, &job, convention, &place, limits));
-                ready.push(graded.keep(job)?.flatten());
-            }
-            jobs.push(ready);
             programs.push(graded);
         }
-        for (index, scene) in scenes.iter().enumerate() {
-            let ready: Vec<_> = jobs.iter().filter_map(|jobs| jobs[index].clone()).collect();
-            let mut timed = rounds.measure(&ready, limits, |_| Ok(()))?.into_iter();
-            for (graded, jobs) in programs.iter_mut().zip(&jobs) {
-                let timed = jobs[index].as_ref().and_then(|_| timed.next()).transpose();
+        for scene in &scenes {
+            let mut ready = Vec::new();
+            for (graded, program) in programs.iter_mut().zip(&file.program) {
+                let job =
+                    timed_job(scene, &program.job(folder), graded.report.as_ref(), &kept.join(&graded.program), limits);
+                ready.push(graded.keep(job)?.flatten());
+            }
+            let measured: Vec<_> = ready.iter().flatten().cloned().collect();
+            let mut measured = rounds.measure(&measured, limits, |_| Ok(()))?.into_iter();
+            for (graded, job) in programs.iter_mut().zip(ready) {
+                let timed = job.and_then(|_| measured.next()).transpose();
                 let timed = timed.map_err(|message| format!("{}: {message}", scene_name(scene)).into());
                 let timed = graded.keep(timed)?;
                 graded.times.push(timed.flatten());
@@ -156,16 +153,18 @@ fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
         .collect())
 }
 
-/// Returns the job that renders a scene, or `None` if the course does not accept the picture.
+/// Returns the job that renders a scene, or `None` if the course does not accept the picture. `report` is that of the
+/// program, if it could be checked.
 fn timed_job(
     scene: &Case,
     program: &Job,
-    convention: usize,
+    report: Option<&Report>,
     kept: &Path,
     limits: &Limits,
 ) -> Result<Option<Job>, Failure> {
+    let Some(report) = report else { return Ok(None) };
     let place = kept.join(&scene.name);
     let outcome = scene.run(program, &place, limits).map_err(|error| error.about(scene_name(scene)))?;
-    let is_right = outcome.is_ok_and(|compared| compared[convention].difference.accepted);
+    let is_right = outcome.is_ok_and(|compared| compared[report.convention].difference.accepted);
     Ok(is_right.then(|| Job { words: scene.command(program, &place), ..program.clone() }))
 }
