@@ -5,7 +5,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use clap::ValueEnum;
-use cpu::internals::{InstructionSet, Limits, Prepared, Streams, render_from};
+use cpu::internals::{InstructionSet, Limits, Prepared, Streams, render_from, render_with};
 use cpu::{Aos, Config, Error, Layout, Renderable, Scatter, Scene, Soa, Vec3};
 
 use crate::checkpoint::Checkpoint;
@@ -18,16 +18,6 @@ pub enum LayoutName {
     Aos,
     /// Structures of arrays
     Soa,
-}
-
-impl LayoutName {
-    /// Returns the name of the layout, as used on the command line and in data.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Aos => "aos",
-            Self::Soa => "soa",
-        }
-    }
 }
 
 /// How surfaces scatter light.
@@ -44,8 +34,13 @@ pub enum ScatterName {
 
 impl fmt::Display for ScatterName {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
+        out.write_str(&name_of(self))
     }
+}
+
+/// Returns the name of a value of an option.
+fn name_of(value: &impl ValueEnum) -> String {
+    value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 impl From<ScatterName> for Scatter {
@@ -89,22 +84,17 @@ impl Engine {
     /// # Errors
     /// An error of the renderer.
     pub fn ppm(self, config: &Config, scene: &Scene) -> Result<Vec<u8>, Error> {
-        match self {
-            Self::Reference => {
-                cpu::reference::render::<<Aos as Layout>::Image>(config, scene, Scatter::Statement).map(|i| bytes(&i))
+        let statement = Scatter::Statement;
+        Ok(match self {
+            Self::Reference => bytes(&cpu::reference::render::<<Aos as Layout>::Image>(config, scene, statement)?),
+            Self::Real(LayoutName::Aos, set) => {
+                bytes(&render_with(&Prepared::<Aos>::new(config, scene, statement)?, set)?)
             }
-            Self::Real(LayoutName::Aos, set) => rendered(&prepared::<Aos>(config, scene)?, set),
-            Self::Real(LayoutName::Soa, set) => rendered(&prepared::<Soa>(config, scene)?, set),
-        }
+            Self::Real(LayoutName::Soa, set) => {
+                bytes(&render_with(&Prepared::<Soa>::new(config, scene, statement)?, set)?)
+            }
+        })
     }
-}
-
-fn prepared<L: Renderable>(config: &Config, scene: &Scene) -> Result<Prepared<L>, Error> {
-    Prepared::new(config, scene, Scatter::Statement)
-}
-
-fn rendered<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec<u8>, Error> {
-    cpu::internals::render_with(prepared, set).map(|image| bytes(&image))
 }
 
 fn bytes(image: &impl cpu::Image) -> Vec<u8> {
@@ -153,7 +143,7 @@ impl fmt::Display for Engine {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Reference => out.write_str("reference"),
-            Self::Real(layout, set) => write!(out, "{}-{}", layout.name(), set.name()),
+            Self::Real(layout, set) => write!(out, "{}-{}", name_of(layout), set.name()),
         }
     }
 }

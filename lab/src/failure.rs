@@ -51,8 +51,7 @@ impl Failure {
         match self {
             Self::Rejected | Self::CommandLine | Self::Help => None,
             Self::Renderer(error) => Some(String::from_utf8_lossy(&error.message_for_terminal()).into_owned()),
-            Self::Other(text) => Some(text.clone()),
-            Self::Kept { message, .. } => Some(message.clone()),
+            Self::Other(message) | Self::Kept { message, .. } => Some(message.clone()),
             Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }
     }

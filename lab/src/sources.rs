@@ -24,20 +24,19 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
     // The file is read first, so that its errors are reported before those of a setting.
     let mut config = read(path, Kind::Config, |input| Config::parse(input))?;
     for setting in settings {
-        let Some((key, value)) = setting.split_once('=') else {
-            // A line of the file was given, as in `image_width: 10`.
-            if let Some((key, value)) = setting.split_once(':').filter(|(_, value)| !value.trim().is_empty()) {
-                let option = option(key.trim(), value.trim());
-                return Err(format!("--set {setting}: KEY=VALUE is needed, as in {option}").into());
-            }
-            return Err(
-                format!("--set {setting}: a value is missing, as in --set {setting}={}", example(setting)).into()
-            );
-        };
+        let (key, value) = setting.split_once('=').unwrap_or((setting, ""));
         if value.trim().is_empty() {
-            return Err(format!("--set {setting}: a value is missing, as in --set {key}={}", example(key)).into());
+            let needed = match setting.split_once(':') {
+                // A line of the file was given, as in `image_width: 10`.
+                Some((key, value)) if !setting.contains('=') && !value.trim().is_empty() => {
+                    format!("KEY=VALUE is needed, as in {}", option(key.trim(), value.trim()))
+                }
+                _ => format!("a value is missing, as in --set {key}={}", example(key)),
+            };
+            return Err(format!("--set {setting}: {needed}").into());
         }
-        let line = line(setting);
+        // Line ends become spaces, because they would begin another line.
+        let line = format!("{}: {value}", bare(key)).replace(['\n', '\r'], " ");
         if let Err(error) = config.set(line.as_bytes()) {
             let place = Path::new("--set");
             let message = located::message(&error, Kind::Config, place, (1, line.as_bytes()), &[]);
@@ -152,16 +151,6 @@ fn in_one_line(message: &str) -> String {
     format!("{first}; {last}")
 }
 
-/// Returns the line of a configuration file that corresponds to a setting `key=value`. Line ends become spaces, because
-/// they would begin another line.
-fn line(setting: &str) -> String {
-    let setting = setting.replace(['\n', '\r'], " ");
-    match setting.split_once('=') {
-        Some((key, value)) => format!("{}: {value}", bare(key)),
-        None => setting,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::fs;
@@ -171,22 +160,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn settings_become_lines() {
-        assert_eq!(line("gamma=1"), "gamma: 1");
-        assert_eq!(line("camera_position: = 0 0 -5"), "camera_position:  0 0 -5");
-        assert_eq!(line("gamma"), "gamma");
-        assert_eq!(line("gamma=1\nimage_width: 3"), "gamma: 1 image_width: 3");
-    }
-
-    #[test]
     fn settings_replace_what_the_file_says() {
         let folder = Folder::new();
         let path = folder.file("config.txt");
         // The file has no line end. If settings were appended to its text, the first setting would join the last line.
         fs::write(&path, "image_width: 8\ngamma: 2").expect("the folder is writable");
-        let settings = ["gamma=1".to_owned(), "camera_north=1 0 0".to_owned()];
+        let settings = ["gamma=1", "camera_north=1 0 0", "camera_position: = 0 0 -5"].map(str::to_owned);
         let config = config(&path, &settings).expect("all is valid");
         assert_eq!((config.image_width, config.gamma, config.camera_north.x), (8, 1.0, 1.0));
+        assert_eq!(config.camera_position.z, -5.0);
         let complaint = |setting: &str| match super::config(&path, &[setting.to_owned()]) {
             Err(Failure::Other(message)) => message,
             other => panic!("{setting}: {other:?}"),
@@ -205,6 +187,7 @@ mod tests {
         assert!(complaint("camera_north: 1 0 0").ends_with("as in --set \"camera_north=1 0 0\""));
         assert!(complaint("gamma=2,2").ends_with("write a decimal point, not a comma: --set gamma=2.2"));
         assert!(complaint("camera_north=0,1,0").ends_with("by blanks alone: --set \"camera_north=0 1 0\""));
+        assert!(complaint("gamma=1\nimage_width: 3").contains("gamma"), "a line end is a blank");
         assert!(complaint("gamma=").ends_with("a value is missing, as in --set gamma=2.2"));
     }
 
