@@ -69,7 +69,8 @@ impl Hint {
         let (start, end) = place::span(text, place::wrong_token(error, text)?);
         // An unseen character may have moved what is missing or too much, so then it is sought in the whole line.
         let is_extra = matches!(error, Error::ExtraValue { .. } | Error::ExtraParameters { .. });
-        let part = if start == end || is_extra { 0..text.len() } else { start..end };
+        let has_lines = text.contains(&b'\r');
+        let part = if start == end || is_extra || has_lines { 0..text.len() } else { start..end };
         if let Some(unseen) = find(&text[part.clone()]) {
             let code = format!("U+{:04X}", u32::from(unseen.character));
             let what = unseen.what[language as usize];
@@ -169,18 +170,41 @@ impl Writer<'_> {
 
     /// Returns the remedy for the name of a material that no line defines.
     fn other_material(&self, name: &[u8]) -> String {
-        let Some(known) = nearest(name, self.names.iter().map(Vec::as_slice)) else {
+        let text = String::from_utf8_lossy(name);
+        let is_known = |bare: &str| self.names.iter().any(|known| known == bare.as_bytes());
+        if rewrite::MARKS[0].iter().any(|mark| text.split_once(mark).is_some_and(|(bare, _)| is_known(bare))) {
+            return self.say(rewrite::COMMENT, &[]);
+        }
+        // A name of few letters is not similar to itself with a character that is not seen.
+        let is_seen = |letter: &char| unseen::name(*letter).is_none();
+        let seen = |name: &[u8]| String::from_utf8_lossy(name).chars().filter(is_seen).collect::<String>();
+        let names = || self.names.iter().map(Vec::as_slice);
+        let Some(known) = names().find(|known| seen(known) == seen(name)).or_else(|| nearest(name, names())) else {
             let define = ["define it on a line above, as in: {}", "defínalo en una línea anterior, como en: {}"];
             return self.say(define, &["matte: NAME 0.5 0.5 0.5"]);
         };
-        let mean = self.say(["did you mean [{}]?", "¿quería decir [{}]?"], &[&shown(known)]);
+        let mean = self.mean(name, known, "");
         let there = ["{} It has {}, which is not seen; correct it there", "{} Tiene {}, que no se ve; corríjalo allí"];
         find(known).map_or(mean.clone(), |unseen| self.say(there, &[&mean, unseen.what[self.language as usize]]))
     }
 
+    /// Returns the question whether `known` was meant by `word`, with `end` after it. Words that look alike, such as of
+    /// Latin and of Cyrillic letters, are shown with the codes of their letters too.
+    fn mean(&self, word: &[u8], known: &[u8], end: &str) -> String {
+        let [word, known] = [word, known].map(shown);
+        let mean = self.say(["did you mean [{}{}]?", "¿quería decir [{}{}]?"], &[&known, end]);
+        let is_foreign = |letter: &char| !letter.is_ascii();
+        if word.chars().filter(is_foreign).eq(known.chars().filter(is_foreign)) {
+            return mean;
+        }
+        // `escape_default` would double the backslashes of `shown`.
+        let codes = [known, word].map(|text| text.escape_default().to_string().replace("\\\\", "\\"));
+        self.say(["{} That is [{}], and not [{}]", "{} Eso es [{}], y no [{}]"], &[&mean, &codes[0], &codes[1]])
+    }
+
     /// Returns a hint for a line whose first word is unknown.
     fn unknown(&self, word: &[u8]) -> String {
-        if [&b"#"[..], b"//", b"/*", b";", b"%", b"--"].iter().any(|mark| word.starts_with(mark)) {
+        if rewrite::MARKS.iter().copied().flatten().any(|mark| word.starts_with(mark.as_bytes())) {
             return self.say(rewrite::COMMENT, &[]);
         }
         let bare = word.strip_suffix(b":").unwrap_or(word);
@@ -201,7 +225,7 @@ impl Writer<'_> {
             return self.say(["a colon follows the word: [{}:]", "tras la palabra va «:»: [{}:]"], &[&shown(bare)]);
         }
         match nearest(bare, words(own)) {
-            Some(known) => self.say(["did you mean [{}:]?", "¿quería decir [{}:]?"], &[&shown(known)]),
+            Some(known) => self.mean(bare, known, ":"),
             None => self.say(["render-lab help {} lists all lines", "render-lab help {} muestra las líneas"], &[topic]),
         }
     }
@@ -259,6 +283,8 @@ impl Writer<'_> {
 /// these words.
 fn out_of_range(field: Field, token: &[u8]) -> Option<(Words, &'static str)> {
     const LARGE: Words = ["[{}] is too large: at most {}", "[{}] es demasiado grande: como máximo {}"];
+    const NEAR: Words =
+        ["[{}] is so near to {} that it is rounded to it", "[{}] está tan cerca de {} que se redondea a él"];
     let value: f64 = std::str::from_utf8(token).ok()?.parse().ok().filter(|_| token.iter().any(u8::is_ascii_digit))?;
     let mut mantissa = token.iter().take_while(|byte| !b"eE".contains(byte));
     match field {
@@ -270,9 +296,10 @@ fn out_of_range(field: Field, token: &[u8]) -> Option<(Words, &'static str)> {
         Field::Real if value == f64::NEG_INFINITY => {
             Some((["[{}] is too small: at least {}", "[{}] es demasiado pequeño: como mínimo {}"], "-1.797e308"))
         }
-        Field::Positive | Field::Degrees if value == 0.0 && mantissa.any(|byte| (b'1'..=b'9').contains(byte)) => Some(
-            (["[{}] is so near to 0 that it is rounded to it", "[{}] está tan cerca de 0 que se redondea a él"], ""),
-        ),
+        Field::Positive | Field::Degrees if value == 0.0 && mantissa.any(|byte| (b'1'..=b'9').contains(byte)) => {
+            Some((NEAR, "0"))
+        }
+        Field::Degrees if value == 180.0 && mantissa.any(|byte| *byte == b'9') => Some((NEAR, "180")),
         _ => None,
     }
 }
@@ -282,9 +309,10 @@ fn out_of_range(field: Field, token: &[u8]) -> Option<(Words, &'static str)> {
 pub fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a [u8]> {
     /// The smallest Jaro-Winkler similarity of a suggestion, from 0 to 1. clap uses 0.7 for its suggestions.
     const LEAST_SIMILARITY: f64 = 0.8;
-    let word = String::from_utf8_lossy(word);
+    let text = |word: &[u8]| String::from_utf8_lossy(word).to_lowercase();
+    let word = text(word);
     known
-        .map(|known| (strsim::jaro_winkler(&word, &String::from_utf8_lossy(known)), known))
+        .map(|known| (strsim::jaro_winkler(&word, &text(known)), known))
         .filter(|(similarity, _)| *similarity > LEAST_SIMILARITY)
         .max_by(|one, other| one.0.total_cmp(&other.0))
         .map(|(_, known)| known)

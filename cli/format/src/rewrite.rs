@@ -11,6 +11,10 @@ const KEY: Words = ["a colon follows the key, and a blank the colon", "tras la c
 /// What to do about a comment.
 pub const COMMENT: Words =
     ["the files have no comments, so leave it out", "los archivos no tienen comentarios; quítelo"];
+/// What begins a comment in other languages: after anything, and after a blank alone.
+pub const MARKS: [&[&str]; 2] = [&["#", "//", "/*"], &[";", "%", "--", "!", "<!--", "(*", "{-", "REM"]];
+/// Decimal commas: those of Europe, Arabic and Chinese.
+const COMMAS: [char; 3] = [',', '٫', '，'];
 const BLANKS: Words = ["separate numbers by blanks alone", "separe los números solo con espacios"];
 
 /// Corrects the values of a line of the format.
@@ -20,18 +24,31 @@ type Change = fn(&str, &Line) -> String;
 /// that does so in the values of a line.
 const CHANGES: [(Words, Change); 7] = [
     (KEY, |values, _| values.to_owned()),
+    (["write a decimal point, not a comma", "escriba un punto decimal, no una coma"], |values, line| {
+        if !values.split_whitespace().any(has_fraction) {
+            return values.to_owned();
+        }
+        each(values, line, |field, token| {
+            let token = std::str::from_utf8(token).ok()?.trim_end_matches([',', ';']);
+            Some(if field == Field::Name { token.to_owned() } else { token.replace(COMMAS, ".") })
+        })
+    }),
     (BLANKS, |values, line| {
+        let mut tokens = values.split_whitespace();
+        // With blanks beside it, 0,5 is one number.
+        if tokens.clone().nth(1).is_some() && tokens.any(|token| token.matches(',').count() == 1 && has_fraction(token))
+        {
+            return values.to_owned();
+        }
         let is_config = line.fields.iter().all(|field| *field != Field::Name);
         values.replace(|sign| ",;()[]{}<>\"'".contains(sign) || (is_config && ":/x×".contains(sign)), " ")
-    }),
-    (["write a decimal point, not a comma", "escriba un punto decimal, no una coma"], |values, _| {
-        let tokens = values.split_whitespace().map(|token| token.trim_end_matches([',', ';']).replace(',', "."));
-        tokens.collect::<Vec<_>>().join(" ")
     }),
     (["write digits alone", "escriba solo cifras"], |values, line| {
         each(values, line, |field, token| {
             let value = parse_real(token).filter(|value| field == Field::Count && value.fract() == 0.0)?;
-            Some(format!("{value:.0}"))
+            // 1.000 may stand for a thousand.
+            let is_clear = token.iter().rev().position(|byte| *byte == b'.') != Some(3);
+            is_clear.then(|| format!("{value:.0}"))
         })
     }),
     (["write the number without its unit", "escriba el número sin su unidad"], |values, line| {
@@ -42,7 +59,7 @@ const CHANGES: [(Words, Change); 7] = [
         })
     }),
     (["the minus sign is -", "el signo menos es -"], |values, _| {
-        values.replace(['\u{2010}', '\u{2011}', '–', '—', '−'], "-")
+        values.replace(['\u{2010}', '\u{2011}', '\u{2012}', '–', '—', '―', '−', '﹣', '－'], "-")
     }),
     (["channels go from 0 to 1, not to 255", "los canales van de 0 a 1, no a 255"], |values, line| {
         each(values, line, |field, token| {
@@ -51,6 +68,11 @@ const CHANGES: [(Words, Change); 7] = [
         })
     }),
 ];
+
+/// Whether a digit follows a decimal comma of the token.
+fn has_fraction(token: &str) -> bool {
+    token.split(COMMAS).skip(1).any(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit()))
+}
 
 /// Returns the values of a line, each as `change` returns it for its field and token, or unchanged if that is `None`.
 fn each(values: &str, line: &Line, change: impl Fn(Field, &[u8]) -> Option<String>) -> String {
@@ -71,14 +93,19 @@ fn is_valid(line: &Line, values: &str) -> bool {
 pub fn line(text: &[u8], find_line: impl Fn(&str) -> Option<&'static Line>) -> Option<(Words, String)> {
     let text = std::str::from_utf8(trim(text)).ok().filter(|text| text.len() <= LONGEST)?;
     let (key, rest) = text.split_at(text.find([':', '=', ' ', '\t'])?);
-    let line = find_line(&format!("{}:", key.trim_matches('"')))?;
+    let line = find_line(&format!("{}:", key.trim_matches(['"', '\''])))?;
     let rest = rest.trim_start();
     let rest = rest.strip_prefix([':', '=']).unwrap_or(rest);
-    let values = rest.split('#').next()?.split("//").next()?.split("/*").next()?.trim();
-    let has_comment = values != rest.trim();
-    let tried = CHANGES.iter().map(|(words, change)| (*words, change(values, line)));
+    let cut = |values: &str, mark: &str| values.split(mark).next().unwrap_or_default().trim().to_owned();
+    let narrow = MARKS[0].iter().fold(rest.trim().to_owned(), |values, mark| cut(&values, mark));
+    let wide = MARKS[1].iter().fold(narrow.clone(), |values, mark| cut(&values, &format!(" {mark}")));
+    let tried = [&narrow, &wide].into_iter().flat_map(|values| {
+        let has_comment = values != rest.trim();
+        CHANGES.iter().map(move |(words, change)| {
+            (if has_comment && *words == KEY { COMMENT } else { *words }, change(values, line))
+        })
+    });
     let (words, values) = tried.into_iter().find(|(_, values)| is_valid(line, values))?;
-    let words = if has_comment && words == KEY { COMMENT } else { words };
     let valid = values.split_whitespace().fold(line.tag.to_owned(), |line, token| line + " " + token);
     (valid != text).then_some((words, valid))
 }

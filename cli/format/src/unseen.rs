@@ -42,17 +42,32 @@ pub fn name(character: char) -> Option<(Words, Words)> {
         '\u{ad}'
         | '\u{34f}'
         | '\u{61c}'
+        | '\u{115f}'..='\u{1160}'
+        | '\u{17b4}'..='\u{17b5}'
         | '\u{180b}'..='\u{180f}'
         | '\u{200c}'..='\u{200f}'
         | '\u{202a}'..='\u{202e}'
         | '\u{2060}'..='\u{206f}'
         | '\u{fe00}'..='\u{fe0f}'
-        | '\u{fff9}'..='\u{fffb}'
+        | '\u{ffa0}'
+        | '\u{fff0}'..='\u{fffb}'
+        | '\u{1bca0}'..='\u{1bca3}'
+        | '\u{1d173}'..='\u{1d17a}'
         | '\u{e0000}'..='\u{e0fff}' => (["a character without width", "un carácter sin anchura"], DELETE),
         '\t' => return None,
         control if control.is_control() => (["a control character", "un carácter de control"], DELETE),
         _ => return None,
     })
+}
+
+/// Returns the mark by which a text file is no plain UTF-8 at its start: a byte order mark, or a zero byte of UTF-16.
+#[must_use]
+pub fn mark(file: &[u8]) -> Option<Unseen> {
+    let is_mark = |unseen: &Unseen| match unseen.character {
+        '\u{feff}' => unseen.span.start == 0,
+        character => character == '\0' && unseen.span.start < 2,
+    };
+    find(&file[..file.len().min(4)]).filter(is_mark)
 }
 
 /// Returns the first character of `text` that is not seen. It may be the byte order mark of UTF-16.
