@@ -80,7 +80,8 @@ impl Any {
 
 /// Returns the message for a file that begins with `bytes` and not as a picture does.
 pub(super) fn neither(bytes: &[u8]) -> String {
-    let mark = unseen::find(bytes).filter(|unseen| unseen.span.start == 0 && unseen.character == '\u{feff}');
+    // Binary files of other kinds have zero bytes too.
+    let mark = unseen::mark(bytes).filter(|mark| mark.character != '\0' || bytes.contains(&b'P'));
     let cause = mark.map(|mark| format!(": it begins with {}; {}", mark.what[0], mark.remedy[0]));
     format!("neither PPM (P3 or P6), PNG, PFM, NPY nor EXR{}", cause.unwrap_or_default())
 }

@@ -16,8 +16,11 @@ fn all_formats_hold_the_same_picture() {
     let raw = b"P6 2 2 255\n\0\0\0\x01\x02\x03\xff\xff\xff\x0a\x14\x1e";
     let free = b"P3 # made by hand\n2\t2 # size\n255 0 0 0 1 2 3\n\n255 255 255 10 20 30";
     let cr = b"P3 # ends in CR\r2 2\r255 # too\r0 0 0 1 2 3 255 255 255 10 20 30\r";
-    for bytes in [TEXT, &png, raw, free, cr] {
-        assert_eq!(Picture::parse(bytes), Ok(sample()));
+    let tail = b"P3 2 2 255#\n0 0 0 1 2 3 255 255 255 10 20 30 # the end";
+    let ends = [["#6\n", "\n"], ["#6\n ", ""], [" #6\n", ""], ["\n# 6\n", ""], ["\n", "\r\n"]];
+    let raws = ends.map(|[end, tail]| [&raw[..10], end.as_bytes(), &raw[11..], tail.as_bytes()].concat());
+    for bytes in [TEXT, &png, raw, free, cr, tail].into_iter().chain(raws.iter().map(Vec::as_slice)) {
+        assert_eq!(Picture::parse(bytes), Ok(sample()), "{}", bytes.escape_ascii());
     }
 }
 
@@ -32,7 +35,7 @@ fn ppm_is_written_as_the_renderer_writes_it() {
 
 #[test]
 fn damaged_pictures_are_refused() {
-    let texts: [&[u8]; 11] = [
+    let texts: [&[u8]; 12] = [
         b"",
         b"P3\n",
         b"P3 2 2 255 0 0 0",
@@ -42,6 +45,7 @@ fn damaged_pictures_are_refused() {
         b"P3 1 1 65535 0 0 0",
         b"P6 1 1 255\n\0\0",
         b"P6 1 1 255x\0\0\0",
+        b"P6 1 1 255\r\n\x01\x02\n",
         b"P6 1 1 255",
         b"P31 1 255 0 0 0",
     ];
@@ -55,6 +59,18 @@ fn damaged_pictures_are_refused() {
     let message = Picture::parse(b"\xff\xfeP\x003\0").expect_err("PowerShell has changed it");
     assert!(message.contains("the byte order mark of UTF-16; save"), "{message}");
     assert!(Picture::parse(b"P3 99999999999 9999999 255 0").is_err(), "a size that lies takes no memory");
+    for (text, words) in [
+        ("P3 1 1\n255\n0 1.5 2\n", "line 3 of this PPM has [1.5] where a whole number belongs"),
+        ("P3 1 1\n255\n0 256", "line 3 of this PPM has [256] where a number up to 255 belongs"),
+        (
+            "P3 1 1 255 0 9999999999999999999999",
+            "line 1 of this PPM has [99999999999999999999] where a smaller number belongs",
+        ),
+        ("P3 1 1 255 0 1", "a PPM that ends before its last number"),
+        ("P3 1 1 65535 0 1 2", "a PPM whose largest value is 65535, not 255; pamdepth 255 of netpbm converts it"),
+    ] {
+        assert_eq!(Picture::parse(text.as_bytes()), Err(words.to_owned()));
+    }
     assert!(Picture::parse(b"\x89PNG\r\n\x1a\nrest").is_err());
 }
 
