@@ -15,7 +15,7 @@ use crate::bench::scenes;
 use crate::check::Report;
 use crate::check::cases::{Case, Group, picture};
 use crate::supervise::{self, End, Limits, PRINTED};
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 use file::File;
 
 /// The longest time of a build, in seconds.
@@ -136,7 +136,10 @@ fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
     let read = |path: &Path| fs::read(path).map_err(|error| format!("{}: {error}", terminal::name(path)));
     if !file.scene.is_empty() {
         let scene = |timed: &file::Timed| {
-            let files = [read(&folder.join(&timed.config))?, read(&folder.join(&timed.scene))?];
+            let [config, scene] = [&timed.config, &timed.scene].map(|file| folder.join(file));
+            sources::config(&config, &[])?;
+            sources::scene(&scene)?;
+            let files = [read(&config)?, read(&scene)?];
             let case = case(&timed.name, files);
             // A wrong scene would give no points to all programs.
             case.expected_pictures().map_err(|error| error.about(&format!("scene [{}]", timed.name)))?;

@@ -34,7 +34,7 @@ use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{Arg, Command, CommandFactory, FromArgMatches};
 
 pub use failure::Failure;
 pub use format;
@@ -72,10 +72,18 @@ fn run() -> ExitCode {
     }
 }
 
+/// Returns the command whose options take negative numbers. So the message for one tells which numbers are allowed.
+fn with_negative_numbers(command: Command) -> Command {
+    let takes_value = |option: &Arg| !option.is_positional() && option.get_action().takes_values();
+    let option = |option: Arg| if takes_value(&option) { option.allow_negative_numbers(true) } else { option };
+    command.mut_args(option).mut_subcommands(with_negative_numbers)
+}
+
 /// Parses the command line. Prints the message of an error, or the help.
 fn command_line() -> Result<cli::Cli, Failure> {
     let arguments: Vec<OsString> = std::env::args_os().collect();
-    cli::Cli::try_parse_from(&arguments).map_err(|error| {
+    let matches = with_negative_numbers(cli::Cli::command()).try_get_matches_from(&arguments);
+    matches.and_then(|matches| cli::Cli::from_arg_matches(&matches)).map_err(|error| {
         let is_clean = |argument: &OsString| {
             cpu::internals::input::text::escape(argument.as_encoded_bytes()).as_bytes() == argument.as_encoded_bytes()
         };

@@ -10,7 +10,12 @@ pub fn number(
     range: RangeInclusive<f64>,
     what: &'static str,
 ) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
-    move |text| text.parse().ok().filter(|number| range.contains(number)).ok_or_else(|| format!("{what} is needed"))
+    move |text| {
+        text.parse().ok().filter(|number| range.contains(number)).ok_or_else(|| {
+            let has_comma = text.contains(',') && text.replace(',', ".").parse::<f64>().is_ok();
+            format!("{what} is needed{}", if has_comma { "; write a decimal point, not a comma" } else { "" })
+        })
+    }
 }
 
 /// Returns the number in `text`.

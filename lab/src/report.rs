@@ -16,7 +16,7 @@ use output::{Options, Output};
 
 use crate::bench::results::Results;
 use crate::format::hint::Language;
-use crate::{Failure, terminal};
+use crate::{Failure, sources};
 use chart::Chart;
 
 /// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`, with texts in `language`. `data` is the path
@@ -66,9 +66,7 @@ fn open(paths: &[PathBuf], data: &Path, options: Options) -> Result<Vec<Option<O
     for path in paths {
         output::refuse_inputs(path, &[data])?;
     }
-    for folder in paths.iter().filter_map(|path| path.parent()) {
-        std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
-    }
+    paths.iter().filter_map(|path| path.parent()).try_for_each(sources::make_folder)?;
     let open = |(index, path): (usize, &PathBuf)| {
         let output = Output::open(path, options)?;
         Ok((index < MOST_OPEN).then_some(output))

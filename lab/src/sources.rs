@@ -2,7 +2,8 @@
 
 pub mod located;
 
-use std::io::BufReader;
+use std::fs;
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
 use cpu::internals::input::error::Picture;
@@ -73,6 +74,45 @@ pub fn input(path: &Path) -> PathBuf {
 /// Returns the path to write to: `/dev/stdout` if `path` is `-`, and otherwise `path`.
 pub fn output(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdout") } else { path.to_owned() }
+}
+
+/// Refuses standard input as more than one of the files `paths`, because a pipe gives its content once.
+///
+/// # Errors
+/// A message about standard input.
+pub fn refuse_inputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
+    let is_stdin = |path: &&&Path| input(path) == Path::new("/dev/stdin");
+    if paths.iter().filter(is_stdin).count() > 1 {
+        return Err("standard input (-) can be only one of the files".into());
+    }
+    Ok(())
+}
+
+/// Refuses two outputs that are one file, even if their paths differ.
+///
+/// # Errors
+/// A message with the names of both.
+pub fn refuse_outputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
+    let target = |path: &Path| output::target(&output(path));
+    for (index, path) in paths.iter().enumerate() {
+        if let Some(other) = paths[..index].iter().find(|other| target(other) == target(path)) {
+            let [one, other] = [other, path].map(|path| output_name(path));
+            return Err(format!("[{one}] and [{other}] are one file; the outputs need a file each").into());
+        }
+    }
+    Ok(())
+}
+
+/// Makes the folder `path` and those above it, if they are not there.
+///
+/// # Errors
+/// A message with the name of the folder.
+pub fn make_folder(path: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(path).map_err(|error| {
+        let is_file = error.kind() == io::ErrorKind::AlreadyExists;
+        let cause = if is_file { "it is a file, and a folder is needed".to_owned() } else { error.to_string() };
+        format!("{}: {cause}", terminal::name(path)).into()
+    })
 }
 
 /// Returns the name of an output for messages: "standard output" if `path` is `-`.
@@ -153,8 +193,6 @@ fn in_one_line(message: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use test_support::folder::Folder;
 
     use super::*;

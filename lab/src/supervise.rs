@@ -171,7 +171,12 @@ impl Limits {
         let meter = Meter::open();
         let energy = meter.as_ref().and_then(|meter| Some((meter, meter.read()?)));
         let start = Instant::now();
-        let unknown = |error| format!("{}: {error}", crate::terminal::quoted([first.as_os_str()]));
+        let unknown = |error| {
+            let here = Path::new(".").join(first);
+            let [name, path] = [first.as_os_str(), here.as_os_str()].map(|word| crate::terminal::quoted([word]));
+            let is_here = Path::new(first).components().count() == 1 && here.is_file();
+            format!("{name}: {error}{}", if is_here { format!("; name the program {path}") } else { String::new() })
+        };
         let own_memory = peak_memory();
         let mut child = command.spawn().map_err(unknown)?;
         let group = Pid::from_raw(child.id().cast_signed());

@@ -74,13 +74,17 @@ pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
 /// Those of [`read`]. [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
 #[cfg(feature = "internals")]
 pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
-    String::from_utf8(read(path, limit)?).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        let is_utf_16 = matches!(error.as_bytes(), [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
-        let remedy = if is_utf_16 { "; it is UTF-16, so save it as UTF-8" } else { "" };
-        let text = format!("it is not UTF-8 text: see the byte at offset {place}{remedy}");
+    let bytes = read(path, limit)?;
+    // In UTF-16, one of the two bytes of an ASCII letter is zero.
+    let is_utf_16 = matches!(bytes[..], [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, _, ..] | [_, 0, ..]);
+    let refused = |place| {
+        let cause = if is_utf_16 { "it is UTF-16, so " } else { "" };
+        let text = format!("it is not UTF-8 text: see the byte at offset {place}; {cause}save it as UTF-8");
         io::Error::new(io::ErrorKind::InvalidData, text)
-    })
+    };
+    let zero = bytes.iter().position(|&byte| byte == 0).filter(|_| is_utf_16);
+    let text = String::from_utf8(bytes).map_err(|error| refused(error.utf8_error().valid_up_to()))?;
+    zero.map_or(Ok(text), |place| Err(refused(place)))
 }
 
 #[cfg(test)]
@@ -121,9 +125,11 @@ mod tests {
     fn a_text_that_is_not_utf_8_is_refused_with_the_place() {
         assert_eq!(read_text(&Temporary::new("text", "ä".as_bytes()).0, 9).expect("it is a text"), "ä");
         let error = read_text(&Temporary::new("bytes", b"abc\xff").0, 9).expect_err("it is none").to_string();
-        assert_eq!(error, "it is not UTF-8 text: see the byte at offset 3");
-        let error = read_text(&Temporary::new("utf-16", b"\xff\xfea\0").0, 9).expect_err("it is none").to_string();
-        assert!(error.ends_with("offset 0; it is UTF-16, so save it as UTF-8"), "{error}");
+        assert_eq!(error, "it is not UTF-8 text: see the byte at offset 3; save it as UTF-8");
+        for (bytes, place) in [(b"\xff\xfea\0", 0), (b"a\0b\0", 1), (b"\0a\0b", 0)] {
+            let error = read_text(&Temporary::new("utf-16", bytes).0, 9).expect_err("it is none").to_string();
+            assert!(error.ends_with(&format!("offset {place}; it is UTF-16, so save it as UTF-8")), "{error}");
+        }
     }
 
     #[cfg(unix)]

@@ -177,7 +177,8 @@ fn generated() -> impl Iterator<Item = Case> {
 fn of_course(folder: &Path, number: u32) -> Result<Case, Failure> {
     let read = |name: String| {
         let path = folder.join(name);
-        fs::read(&path).map_err(|error| format!("{}: {error}", crate::terminal::name(&path)))
+        let explain = "RENDER_REFERENCE_DIR must name the folder of the course's cases, or nothing";
+        fs::read(&path).map_err(|error| format!("{}: {error}; {explain}", crate::terminal::name(&path)))
     };
     let files = [read(format!("config{number}.txt"))?, read(format!("scene{number}.txt"))?];
     let sums = String::from_utf8_lossy(&read("SHA256SUMS".to_owned())?).into_owned();

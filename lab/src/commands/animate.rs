@@ -92,7 +92,8 @@ impl Arguments {
         let cameras: Vec<_> = (0..self.frames).map(|frame| self.camera(frame, &config, to.as_ref())).collect();
         // An invalid camera is an error before the first frame is rendered.
         for (frame, config) in cameras.iter().enumerate() {
-            config.check_picture().map_err(|error| format!("frame {frame}: {error}"))?;
+            let files = std::iter::once(&self.config).chain(&self.to).map(|path| path.as_os_str());
+            config.check_picture().map_err(|error| format!("{}: frame {frame}: {error}", terminal::quoted(files)))?;
         }
         let start = Instant::now();
         interrupt::listen();
@@ -183,7 +184,7 @@ impl Film<'_> {
     /// rendered.
     fn write_folder(&self, folder: &Path, about: &About, options: Options) -> Result<usize, Failure> {
         let name = terminal::name(folder);
-        fs::create_dir_all(folder).map_err(|error| format!("{name}: {error}"))?;
+        sources::make_folder(folder)?;
         let about = serde_json::to_string_pretty(about).map_err(|error| error.to_string())?;
         let place = folder.join(ABOUT);
         let frames: Vec<_> = (0..self.cameras.len()).map(|frame| folder.join(format!("{frame:04}.png"))).collect();

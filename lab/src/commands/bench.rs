@@ -11,7 +11,7 @@ use output::Options;
 use crate::bench::matrix::{PARAMETERS, Task, tasks};
 use crate::bench::results::Results;
 use crate::bench::results::check::Total;
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 
 /// Options of `bench`.
 #[derive(Debug, Args)]
@@ -114,6 +114,7 @@ impl Arguments {
 
 fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure> {
     let inputs: Vec<&Path> = parts.iter().map(PathBuf::as_path).collect();
+    sources::refuse_inputs_in_one(&inputs)?;
     output::refuse_inputs(out, &inputs)?;
     let (mut all, mut total) = (Results::default(), Total::default());
     for (index, path) in parts.iter().enumerate() {

@@ -1,7 +1,6 @@
 //! `render-lab check`: holds a program to the specification.
 
 use std::ffi::OsString;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -13,7 +12,7 @@ use crate::bench::commands::Job;
 use crate::check::{Report, cases};
 use crate::format::hint::Language;
 use crate::supervise::Limits;
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 
 /// Options of `check`.
 #[derive(Debug, Args)]
@@ -58,7 +57,7 @@ impl Shown {
     /// The folder cannot be made.
     pub fn folder(&self) -> Result<(PathBuf, Option<TempDir>), Failure> {
         if let Some(folder) = &self.keep {
-            fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
+            sources::make_folder(folder)?;
             return Ok((std::path::absolute(folder)?, None));
         }
         let temporary = TempDir::with_prefix("render-check-")?;

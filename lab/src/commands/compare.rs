@@ -1,6 +1,6 @@
 //! `render-lab compare`: compares two pictures.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use colorous::INFERNO;
@@ -57,14 +57,14 @@ impl Arguments {
     /// # Errors
     /// [`Failure::Rejected`] if the course does not accept the difference, or an error of a file.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        if self.first == self.second && self.first.as_os_str() == "-" {
-            return Err("standard input (-) can be only one of the two pictures".into());
-        }
-        let is_output_taken = self.heatmap.as_ref().is_some_and(|path| path.as_os_str() == "-");
+        sources::refuse_inputs_in_one(&[&self.first, &self.second])?;
+        let outs: Vec<_> = self.heatmap.iter().chain(&self.html).map(PathBuf::as_path).collect();
+        let is_output_taken = outs.contains(&Path::new("-"));
         if self.json && is_output_taken {
-            return Err("--json and --heatmap - both write to standard output; choose a file".into());
+            return Err("--json and an output - both write to standard output; choose a file".into());
         }
-        for path in self.heatmap.iter().chain(&self.html) {
+        sources::refuse_outputs_in_one(&outs)?;
+        for path in outs {
             output::refuse_inputs(path, &[&self.first, &self.second])?;
         }
         let open = |path: &PathBuf| -> Result<_, Failure> {

@@ -6,7 +6,7 @@ use clap::Args;
 use clap_complete::Shell;
 use output::{Options, Output};
 
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 
 /// Options of `completions`.
 #[derive(Debug, Args)]
@@ -50,8 +50,7 @@ impl Man {
     /// # Errors
     /// An error if a file cannot be written.
     pub fn run(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
-        let explain = |error: std::io::Error| format!("{}: {error}", terminal::name(&self.folder));
-        std::fs::create_dir_all(&self.folder).map_err(explain)?;
+        sources::make_folder(&self.folder)?;
         let mut command = command.disable_help_subcommand(true);
         command.build();
         self.write_page(command, options)

@@ -87,7 +87,8 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
         return Err("the configuration and the scene are read twice, so they cannot be standard input (-)".into());
     }
     let (config, scene) = (sources::config(inputs[0], &[])?, sources::scene(inputs[1])?);
-    let size = config.image_size().map_err(|error| sources::about_picture(error.into(), inputs[0], &[]))?;
+    let size = config.check_picture().and_then(|()| Ok(config.image_size()?));
+    let size = size.map_err(|error| sources::about_picture(error, inputs[0], &[]))?;
     // The name stands between quotation marks in both formats.
     let name = out.file_name().and_then(OsStr::to_str).unwrap_or_default();
     let name = format!("{}.exr", name.replace(|c: char| !c.is_alphanumeric() && !"-_. ".contains(c), "_"));
@@ -117,13 +118,9 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
 /// of them cannot be written.
 fn write_all(inputs: &[PathBuf], files: &[(&PathBuf, Vec<u8>)], options: Options) -> Result<(), Failure> {
     let inputs: Vec<_> = inputs.iter().map(PathBuf::as_path).collect();
-    let target = |path: &PathBuf| output::target(&sources::output(path));
+    sources::refuse_outputs_in_one(&files.iter().map(|(path, _)| path.as_path()).collect::<Vec<_>>())?;
     let (mut regular, mut others) = (Vec::new(), Vec::new());
-    for (index, (path, bytes)) in files.iter().enumerate() {
-        if let Some((other, _)) = files[..index].iter().find(|(other, _)| target(other) == target(path)) {
-            let [one, other] = [other, path].map(|path| sources::output_name(path));
-            return Err(format!("[{one}] and [{other}] are one file; the outputs need a file each").into());
-        }
+    for (path, bytes) in files {
         output::refuse_inputs(path, &inputs)?;
         let output = Output::open(&sources::output(path), options)?;
         let is_regular = fs::metadata(sources::output(path)).map_or(true, |metadata| metadata.is_file());

@@ -91,9 +91,7 @@ impl Arguments {
     pub fn run(&self, how: output::Options) -> Result<(), Failure> {
         let options = self.options()?;
         output::refuse_inputs(&self.scene, &[&self.config])?;
-        if self.scene == self.config {
-            return Err("the configuration and the scene need a file each; choose another name for one of them".into());
-        }
+        sources::refuse_outputs_in_one(&[&self.config, &self.scene])?;
         if let Some(old) = [&self.config, &self.scene].into_iter().find(|path| path.is_file() && !self.force) {
             let name = terminal::name(old);
             return Err(format!("{name}: a file of this name exists; choose another, or replace it by --force").into());

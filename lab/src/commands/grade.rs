@@ -11,7 +11,7 @@ use crate::bench::commands::Rounds;
 use crate::check::{Report, cases};
 use crate::grade::{Graded, Grades};
 use crate::supervise::Limits;
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 
 /// Options of `grade`.
 #[derive(Debug, Args)]
@@ -39,6 +39,8 @@ impl Arguments {
     /// # Errors
     /// An error of a file, or [`Failure::Interrupted`].
     pub fn run(&self, options: Options) -> Result<(), Failure> {
+        let outs: Vec<_> = self.shown.html.iter().chain(&self.csv).map(PathBuf::as_path).collect();
+        sources::refuse_outputs_in_one(&outs)?;
         let open = |path: &Option<PathBuf>| path.as_ref().map(|path| Output::open(path, options)).transpose();
         let (html, csv) = (open(&self.shown.html)?, open(&self.csv)?);
         let cases = cases::all(std::env::var_os("RENDER_REFERENCE_DIR").as_deref().map(Path::new))?;

@@ -1,7 +1,7 @@
 //! `render-lab inspect`: prints what a scene holds, and how the renderer prepares it.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use cpu::internals::Prepared;
@@ -9,7 +9,7 @@ use cpu::internals::accel::bounds::Bounds;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::input::scene::Shape;
-use cpu::{Aos, Config, Material, Scatter, Scene};
+use cpu::{Aos, Config, Error, Material, Scatter, Scene};
 use minijinja::value::Serde;
 use serde::Serialize;
 
@@ -81,15 +81,17 @@ impl Arguments {
     /// # Errors
     /// An error of a file.
     pub fn run(&self) -> Result<(), Failure> {
+        sources::refuse_inputs_in_one(&[self.config.as_deref().unwrap_or(Path::new("")), &self.scene])?;
         let config = self.config.as_ref().map_or(Ok(Config::default()), |path| sources::config(path, &[]))?;
         let scene = sources::scene(&self.scene)?;
-        let inspection = Inspection::of(&config, &scene)?;
+        let path = self.config.as_ref().unwrap_or(&self.scene);
+        let inspection = Inspection::of(&config, &scene).map_err(|error| sources::about_picture(error, path, &[]))?;
         if self.json { super::print_json(&inspection) } else { terminal::print(&inspection.text()?) }
     }
 }
 
 impl Inspection {
-    fn of(config: &Config, scene: &Scene) -> Result<Self, Failure> {
+    fn of(config: &Config, scene: &Scene) -> Result<Self, Error> {
         let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
         let extent = Extent::new(&prepared.objects, &prepared.camera, &scene.materials_in_use()?);
         let bounds = (0..scene.objects.len())

@@ -47,7 +47,7 @@ pub struct Arguments {
     #[arg(long, value_name = "KEY=VALUE", value_parser = Setting, hide_possible_values = true)]
     set: Vec<String>,
     /// Write this part of the picture only. What comes before it is rendered all the same, for its random numbers
-    #[arg(long, value_name = "COLUMN,ROW,WIDTH,HEIGHT", value_parser = parse_crop)]
+    #[arg(long, value_name = "COLUMN,ROW,WIDTH,HEIGHT", value_parser = parse_crop, allow_hyphen_values = true)]
     crop: Option<[usize; 4]>,
     /// Show this quantity instead of the colours: with a scale in a .png or .ppm, as numbers in the other formats
     #[arg(long, value_enum, value_name = "QUANTITY")]
@@ -71,20 +71,15 @@ impl Arguments {
     /// # Errors
     /// An error of a file, or [`Failure::Interrupted`].
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        let is_dash = |path: &Path| path == Path::new("-");
-        if is_dash(&self.config) && is_dash(&self.scene) {
-            return Err("standard input (-) can be only one of the two files".into());
-        }
-        if is_dash(&self.out) && self.json {
+        sources::refuse_inputs_in_one(&[&self.config, &self.scene])?;
+        if self.out == Path::new("-") && self.json {
             return Err("--json and the picture - both write to standard output; choose a file".into());
         }
         let kind = Kind::of(&self.out, Kind::Ppm)?;
         let inputs: Vec<&Path> = [&self.config, &self.scene].into_iter().map(PathBuf::as_path).collect();
         for path in self.stages.files() {
             output::refuse_inputs(path, &inputs)?;
-            if *path == self.out {
-                return Err("the picture and its checkpoint need a file each".into());
-            }
+            sources::refuse_outputs_in_one(&[path, &self.out])?;
         }
         let kept = self.stages.files().map(PathBuf::as_path);
         output::refuse_inputs(&self.out, &inputs.iter().copied().chain(kept).collect::<Vec<_>>())?;

@@ -5,10 +5,14 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use cpu::internals::input::reader::read_text;
 use serde::{Deserialize, Serialize};
 
 use crate::bench::commands::Job;
 use crate::{Failure, terminal};
+
+/// Largest size of `grade.toml`, in bytes.
+const MAX_BYTES: u64 = 1 << 20;
 
 /// The contents of `grade.toml`. Everything in it may be left out.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -82,7 +86,7 @@ impl File {
     pub fn read(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join("grade.toml");
         let explain = |error: String| format!("{}: {error}", terminal::name(&path));
-        let text = if path.exists() { fs::read_to_string(&path) } else { Ok(String::new()) };
+        let text = if path.exists() { read_text(&path, MAX_BYTES) } else { Ok(String::new()) };
         let text = text.map_err(|error| explain(error.to_string()))?;
         let mut file: Self = toml::from_str(&text).map_err(|error| explain(error.to_string()))?;
         let name = terminal::name(folder);

@@ -78,7 +78,8 @@ impl Input {
     pub fn text(&self, file: File, length: u64) -> io::Result<String> {
         String::from_utf8(content(file, length)?).map_err(|error| {
             let place = error.utf8_error().valid_up_to();
-            io::Error::new(io::ErrorKind::InvalidData, format!("it is not UTF-8 text: see the byte at offset {place}"))
+            let text = format!("it is not UTF-8 text: see the byte at offset {place}; save it as UTF-8");
+            io::Error::new(io::ErrorKind::InvalidData, text)
         })
     }
 

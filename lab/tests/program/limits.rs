@@ -42,11 +42,44 @@ fn an_output_that_is_an_input_is_refused_under_any_name_and_stays() {
             assert!(message.contains("it is the same file as the input ["), "{line} {out}: {message}");
         }
     }
-    assert!(bash_complaint(&folder, "$lab generate new new").contains("need a file each"));
+    let pictures = "picture.ppm picture.ppm";
+    for line in [
+        "generate new ./new",
+        "render config scene new.ppm --checkpoint ./new.ppm",
+        &format!("compare {pictures} --heatmap new.png --html ./new.png"),
+        &format!("compare {pictures} --heatmap - --html -"),
+    ] {
+        let message = bash_complaint(&folder, &format!("$lab {line}"));
+        assert!(message.contains("are one file; the outputs need a file each"), "{line}: {message}");
+    }
+    for line in ["inspect - /dev/stdin", "bench diff - -", "bench merge --out m - x -", "compare - /dev/stdin"] {
+        let message = bash_complaint(&folder, &format!("$lab {line}"));
+        assert!(message.contains("standard input (-) can be only one of the files"), "{line}: {message}");
+    }
     for name in ["index.html", "findings.json", "charts/scale-width.svg"] {
         let line = format!("mkdir -p r/charts; cp bench.json r/{name}; $lab report r/{name} --out r; s=$?");
         let message = bash_complaint(&folder, &format!("{line}; cmp bench.json r/{name} && rm -r r && exit $s"));
         assert!(message.contains("it is the same file as the input ["), "{name}: {message}");
+    }
+}
+
+#[test]
+fn complaints_name_the_file_and_the_remedy() {
+    let folder = Folder::new();
+    folder.write("same", "camera_position: 0 0 0\n");
+    folder.write("empty", "");
+    for (line, words) in [
+        ("inspect same empty", "[same]: camera_position is the same point"),
+        ("convert same empty o.xml", "[same]: camera_position is the same point"),
+        ("animate same empty o.png", "same: frame 0: "),
+        ("animate empty empty same", "same: it is a file, and a folder is needed"),
+        ("check same", "; name the program ./same"),
+        ("generate c s --objects -1", "invalid value '-1' for '--objects"),
+        ("generate c s --cylinders 0,5", "write a decimal point, not a comma"),
+        ("bench diff <(printf '\\xff\\xfe{') x", "the byte order mark of UTF-16; save the file as UTF-8"),
+    ] {
+        let message = bash_complaint(&folder, &format!("$lab {line}"));
+        assert!(message.contains(words), "{line}: {message}");
     }
 }
 

@@ -3,6 +3,7 @@
 use serde::de::DeserializeOwned;
 
 use super::{Results, Timing};
+use crate::format::unseen;
 
 /// Most bytes of one file of results, and of all files together. The full matrix takes 270,000.
 pub const MAX_BYTES: u64 = 16 << 20;
@@ -47,7 +48,10 @@ impl Total {
         if *values > MAX_VALUES {
             return Err(format!("{others}it has {values} values, more than {MAX_VALUES}"));
         }
-        let explain = |error| format!("not the JSON that `render-lab bench ... --out FILE` writes: {error}");
+        let explain = |error| match unseen::mark(json) {
+            Some(mark) => format!("not JSON: it begins with {}; {}", mark.what[0], mark.remedy[0]),
+            None => format!("not the JSON that `render-lab bench ... --out FILE` writes: {error}"),
+        };
         serde_json::from_slice(json).map_err(explain)
     }
 }

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::bench::diff::{Change, Changes, Times};
 use crate::report::style::{seconds, short};
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 
 /// Options of `bench diff`.
 #[derive(Debug, Args)]
@@ -30,6 +30,7 @@ impl Arguments {
     /// # Errors
     /// [`Failure::Rejected`] if a case became slower, or an error of a file.
     pub fn run(&self) -> Result<(), Failure> {
+        sources::refuse_inputs_in_one(&[&self.old, &self.new])?;
         let changes = Changes::between(&Times::read(&self.old)?, &Times::read(&self.new)?, self.least / 100.0);
         if !changes.has_common_cases() {
             return Err("the two records have no case in common".into());

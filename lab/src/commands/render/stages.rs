@@ -59,8 +59,8 @@ impl Stages {
                 _ => Err("--rows and --stop-after need --checkpoint FILE or --resume FILE".into()),
             };
         };
-        if self.checkpoint.is_some() && self.checkpoint != self.resume && path.exists() {
-            let name = terminal::name(path);
+        if self.checkpoint.is_some() && self.checkpoint != self.resume && path.is_file() {
+            let name = terminal::quoted([path.as_os_str()]);
             return Err(format!("{name}: the file exists; go on by --resume {name}, or delete it").into());
         }
         // An error of the file is found now, and not after the first minute.
@@ -140,7 +140,7 @@ impl Run {
         if let Some(failure) = keep.failed {
             return Err(failure);
         }
-        let (name, rows) = (terminal::name(&keep.path), self.rows);
+        let (name, rows) = (terminal::quoted([keep.path.as_os_str()]), self.rows);
         let message = format!("{name} has {row} of {rows} rows; go on by --resume {name}");
         Err(Failure::Kept { message, interrupted: interrupt::flow().is_break() })
     }
