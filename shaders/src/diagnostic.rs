@@ -63,12 +63,22 @@ impl Diagnostic {
         // naga labels an error by "see msg" if its message says all.
         let says_more = |text: &&str| !["", "see msg"].contains(text);
         for detail in error.labels().map(|(_, label)| label).chain(error.notes()).filter(says_more) {
-            message = format!("{message}: {detail}");
+            // Some labels repeat a part of the message.
+            if !message.contains(detail) {
+                message = format!("{message}: {detail}");
+            }
         }
         if let Some((_, own)) = OWN.iter().find(|(part, _)| message.contains(part)) {
             (*own).clone_into(&mut message);
         }
         let is_placed = error.labels().next().is_some_and(|(span, _)| span.is_defined());
+        // Without its last brace, a module goes on in the next one, where naga finds the error.
+        let is_in_replaced = |place: SourceLocation| composition.is_replaced(place.line_number as usize);
+        if let Some(place) = Place::of_open_brace(composition)
+            && !error.location(composition.source()).is_some_and(is_in_replaced)
+        {
+            return Self { message: "the `{` of this line has no `}`".to_owned(), place: Some(place) };
+        }
         let place = match is_placed {
             true => Place::new(error.location(composition.source()), composition),
             false => Place::of_largest_array(composition),
@@ -190,6 +200,35 @@ impl Place {
         Some(Self::of_line(line, text, composition))
     }
 
+    /// Returns the line of the first `{` that has no `}` in its replaced module, or `None` if there is none.
+    fn of_open_brace(composition: &Composition) -> Option<Self> {
+        let mut lines = composition.replaced_lines().peekable();
+        let mut open = Vec::new();
+        while let Some((line, text)) = lines.next() {
+            for (_, token) in tokens(text.as_bytes()) {
+                match token {
+                    b"{" => open.push((line, text)),
+                    b"}" => drop(open.pop()),
+                    _ => {}
+                }
+            }
+            let file = |line| composition.origin(line).0;
+            if let Some(&(first, text)) = open.first()
+                && lines.peek().is_none_or(|&(next, _)| file(next) != file(line))
+            {
+                return Some(Self::of_line(first, text, composition));
+            }
+        }
+        None
+    }
+
+    /// Returns the place behind the last word of the last replaced module, for an error at the end of the text.
+    fn end(composition: &Composition) -> Option<Self> {
+        let (line, text) = composition.replaced_lines().filter(|(_, text)| !text.trim().is_empty()).last()?;
+        let place = Self::of_line(line, text, composition);
+        Some(Self { column: place.column + place.length, length: 1, ..place })
+    }
+
     /// Returns the line of a replaced module that begins the function `name`, or `None` if no replaced module has it.
     fn of_function(name: &str, composition: &Composition) -> Option<Self> {
         let begins = |text: &str| {
@@ -242,7 +281,9 @@ impl Place {
     fn new(location: Option<SourceLocation>, composition: &Composition) -> Option<Self> {
         let location = location?;
         let (file, line) = composition.origin(location.line_number as usize);
-        let text = composition.source().lines().nth(location.line_number as usize - 1)?;
+        let Some(text) = composition.source().lines().nth(location.line_number as usize - 1) else {
+            return Self::end(composition);
+        };
         let before = (location.line_position as usize - 1).min(text.len());
         let column = text.get(..before)?.chars().count() + 1;
         let rest = text.chars().count() + 1 - column;

@@ -7,9 +7,8 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
-use cpu::internals::input::reader::read_text;
 use gpu_check::guard::{End, Limits, MAX_TEXT, REFUSED, limit_this_process};
-use gpu_check::shader_lab::files::{MAX_BYTES, shown};
+use gpu_check::shader_lab::files::{read_text, shown};
 use gpu_check::terminal;
 use shaders::Error;
 use shaders::lower::{Arithmetic, lower_text};
@@ -50,7 +49,7 @@ fn main() -> ExitCode {
 /// and time.
 fn lower(path: &Path) -> Result<String, String> {
     let shown = shown(path);
-    let source = read_text(path, MAX_BYTES).map_err(|error| format!("{shown}: {error}"))?;
+    let source = read_text(path).map_err(|error| format!("{shown}: {error}"))?;
     let mut command = Command::new(std::env::current_exe().map_err(|error| format!("this program: {error}"))?);
     command.arg(FLAG).args(Limits::STANDARD.arguments()).arg(&shown);
     match Limits::STANDARD.run(&mut command, &source).map_err(|error| format!("the process to lower in: {error}"))? {

@@ -1,6 +1,7 @@
 //! Reads the user's modules, and finds out which of the crate's modules each of them replaces.
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use shaders::diagnostic::Place;
@@ -11,6 +12,9 @@ use crate::hierarchy::WORTHWHILE;
 
 /// The start of a first line that names the module which the file replaces.
 const MARK: &str = "// module:";
+
+/// What ends a line in WGSL, besides LF.
+const LINE_ENDS: [char; 6] = ['\r', '\u{b}', '\u{c}', '\u{85}', '\u{2028}', '\u{2029}'];
 
 /// Largest size of a module that is read, in bytes. A text of this size usually has more tokens than
 /// [`shaders::limits`] allows.
@@ -59,10 +63,7 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
 }
 
 fn read_one(path: &Path) -> Result<UserModule, Error> {
-    let text = cpu::internals::input::reader::read_text(path, MAX_BYTES)
-        .map_err(|cause| Error::File { path: path.to_owned(), cause })?;
-    // Some editors put a byte order mark before the first character. WGSL has none.
-    let text = text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned);
+    let text = read_text(path).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
     let name = name(path, &text);
     if module::find(&name).is_none() {
         return Err(unknown(path, &text, &name));
@@ -70,16 +71,32 @@ fn read_one(path: &Path) -> Result<UserModule, Error> {
     Ok(UserModule { name, path: path.to_owned(), text })
 }
 
+/// Returns the text of the module at `path`, with LF as every line end, and without the byte order marks that some
+/// editors put before the first character.
+///
+/// # Errors
+/// The file cannot be read, has more than [`MAX_BYTES`], or is not UTF-8.
+pub fn read_text(path: &Path) -> io::Result<String> {
+    let text = cpu::internals::input::reader::read_text(path, MAX_BYTES)?;
+    Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n").replace(LINE_ENDS, "\n"))
+}
+
+/// Returns the name in the first line `line` of a file, after [`MARK`], in which blanks may differ.
+fn marked(line: &str) -> Option<&str> {
+    line.trim_start().strip_prefix("//")?.trim_start().strip_prefix("module:")
+}
+
 /// Returns the error for a module name that does not exist. The message lists all names. If the name is in the first
 /// line of the file, the message shows its place there.
 fn unknown(path: &Path, text: &str, name: &str) -> Error {
     let known: Vec<_> = module::MODULES.iter().chain(&module::REALS).map(|module| module.name).collect();
     let known = known.join(", ");
-    match text.lines().next().and_then(|line| Some((line, line.strip_prefix(MARK)?))) {
+    match text.lines().next().and_then(|line| Some((line, marked(line)?))) {
         Some((line, rest)) => {
             let (column, length) = (line.len() - rest.trim_start().len() + 1, name.chars().count().max(1));
             let place = Place { file: shown(path), line: 1, column, length, text: line.trim_end().to_owned() };
-            let message = format!("no module is called [{name}]; there are: {known}");
+            // A character that is not seen would hide what is wrong.
+            let message = format!("no module is called [{}]; there are: {known}", name.escape_default());
             shaders::Error::Invalid(Box::new(Diagnostic { message, place: Some(place) })).into()
         }
         None => {
@@ -92,7 +109,7 @@ fn unknown(path: &Path, text: &str, name: &str) -> Error {
 /// Returns the name of the module that a file replaces: the name in its first line, or else the file's name without its
 /// ending. If the file is in a folder `kernels`, `kernels/` is put before the file's name.
 fn name(path: &Path, text: &str) -> String {
-    if let Some(name) = text.lines().next().and_then(|line| line.strip_prefix(MARK)) {
+    if let Some(name) = text.lines().next().and_then(marked) {
         return name.trim().to_owned();
     }
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -107,7 +124,7 @@ pub fn shown(path: &Path) -> String {
 }
 
 fn fault(path: &Path, message: String) -> Error {
-    Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
+    Error::File { path: path.to_owned(), cause: io::Error::other(message) }
 }
 
 /// Whether a scene of `objects` objects gets a hierarchy: if it has many, and the user does not replace the loop over
@@ -147,11 +164,16 @@ mod tests {
     }
 
     #[test]
-    fn a_byte_order_mark_is_no_part_of_the_text() {
+    fn byte_order_marks_line_ends_and_blanks_are_those_of_any_editor() {
         let folder = Folder::new();
-        fs::write(folder.file("my.wgsl"), "\u{feff}// module: sphere\n").expect("the folder is writable");
-        let modules = read(&folder.file("my.wgsl")).expect("the first line names the module");
-        assert_eq!((modules[0].name.as_str(), modules[0].text.as_str()), ("sphere", "// module: sphere\n"));
+        for text in ["\u{feff}\u{feff}// module: sphere\n", "// module: sphere\r", " //module:\u{a0}sphere\r\n"] {
+            fs::write(folder.file("my.wgsl"), text).expect("the folder is writable");
+            let modules = read(&folder.file("my.wgsl")).expect("the first line names the module");
+            assert!(modules[0].name == "sphere" && modules[0].text.ends_with("sphere\n"), "{text:?}: {modules:?}");
+        }
+        fs::write(folder.file("my.wgsl"), "// module: \u{200b}sphere\n").expect("the folder is writable");
+        let message = read(&folder.file("my.wgsl")).expect_err("the name has one more character").to_string();
+        assert!(message.contains(r"no module is called [\u{200b}sphere]"), "{message}");
     }
 
     #[test]

@@ -20,6 +20,19 @@ fn a_fault_of_grammar_is_shown_with_a_caret() {
 }
 
 #[test]
+fn a_brace_that_is_not_closed_is_shown_in_its_own_module() {
+    let mut library = Library::standard();
+    let text = library.source("vec3").expect("it exists").trim_end().strip_suffix('}').expect("a function ends it");
+    let (line, text) = (text.lines().count(), text.to_owned());
+    library.replace("vec3", "mine.wgsl", text).expect("it exists");
+    let message = library.compose("scatter", Precision::F32).expect("it exists").validate().expect_err("it goes on");
+    let message = message.to_string();
+    assert!(message.starts_with("mine.wgsl:") && message.contains(": the `{` of this line has no `}`\n"), "{message}");
+    let place: usize = message.split(':').nth(1).and_then(|line| line.parse().ok()).expect("it is a number");
+    assert!((line - 5..=line).contains(&place), "{message}");
+}
+
+#[test]
 fn of_a_long_line_the_part_about_the_fault_is_shown() {
     let message = message(&format!("const a = {}; const b = missing; const c = {};", "1".repeat(999), "1".repeat(999)));
     let lines: Vec<_> = message.lines().collect();
@@ -84,6 +97,7 @@ fn every_fault_in_a_replaced_module_is_shown_with_its_file_and_the_types_of_wgsl
 #[test]
 fn advice_that_leads_nowhere_is_not_repeated() {
     let cases = [
+        ("// One.\nfn f() {", "mine.wgsl:2:9: expected statement, found \"\"\n"),
         ("enable f16;", "mine.wgsl:1:1: a module can have no directive such as `enable`, "),
         ("const a: f16 = 1.0h;", "mine.wgsl:1:16: this needs an extension, which a module cannot enable; use f32, "),
         ("const a = sqrt(-1.0);", "mine.wgsl:1:11: sqrt built-in function argument is out of valid range\n"),
