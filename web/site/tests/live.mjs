@@ -58,6 +58,12 @@ const FAILURES = {
             return window.works ? requestDevice.call(this, wanted) : Promise.reject(failure);
         };
     }],
+    'gives null for a device': ['This browser has WebGPU, but no graphics device for it.', () => {
+        const { requestDevice } = GPUAdapter.prototype;
+        GPUAdapter.prototype.requestDevice = function(wanted) {
+            return window.works ? requestDevice.call(this, wanted) : Promise.resolve(null);
+        };
+    }],
     'never answers': ['WebGPU has not answered within 15 s.', () => {
         const { requestDevice } = GPUAdapter.prototype;
         GPUAdapter.prototype.requestDevice = function(wanted) {

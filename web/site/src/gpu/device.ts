@@ -73,8 +73,12 @@ export class Device {
                 throw new Unavailable('gpuNoAdapter');
             }
             const { maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
-            const gpu = await soon(async () =>
+            // Browsers that follow an early draft of WebGPU give null instead of an error.
+            const gpu: GPUDevice | null = await soon(async () =>
                 adapter.requestDevice({ requiredLimits: { maxStorageBufferBindingSize, maxBufferSize } }));
+            if (!gpu) {
+                throw new Unavailable('gpuNoAdapter');
+            }
             // Older browsers have no information about an adapter.
             const { vendor, architecture, description } = (adapter.info as GPUAdapterInfo | undefined) ?? {};
             return new Device(gpu, [vendor, architecture, description].filter(Boolean).join(' ') || 'WebGPU');
