@@ -25,15 +25,20 @@ pub fn complete(world: &mut World) -> Result<(), Fault> {
     }
     let Some(view) = world.view.take() else {
         world.notes.add(START, "there is no camera; our default takes its place");
-        return Ok(());
+        return check(&world.config, START);
     };
     set_camera(world, &view);
     let fov = world.config.field_of_view;
     if !(fov > 0.0 && fov < 180.0) {
         return Err((view.place, format!("the field of view is {fov} degrees; it must be above 0 and below 180")));
     }
-    let camera = world.config.image_size().and_then(|size| Camera::new(&world.config, size));
-    camera.map(drop).map_err(|error| (view.place, error.to_string()))
+    check(&world.config, view.place)
+}
+
+/// Checks the camera and the size of the picture. A fault is that of `place`.
+fn check(config: &Config, place: Place) -> Result<(), Fault> {
+    let camera = config.image_size().and_then(|size| Camera::new(config, size));
+    camera.map(drop).map_err(|error| (place, error.to_string()))
 }
 
 fn set_camera(world: &mut World, view: &View) {

@@ -29,9 +29,9 @@ pub struct Plugin {
     pub place: Place,
 }
 
-/// Returns the start of a text, for messages.
+/// Returns the start of a text, for messages. Characters that are not seen are escaped.
 pub fn shown(text: &str) -> String {
-    text.chars().take(40).collect()
+    format::hint::shown(text.chars().take(40).collect::<String>().as_bytes())
 }
 
 /// Returns the number that `word` is.

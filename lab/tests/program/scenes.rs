@@ -82,9 +82,14 @@ fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
         assert!(complaint(&["convert", from, &new, input]).contains("it is the same file as the input"), "{input}");
         assert!(fs::read(input).is_ok_and(|after| after == before) && !folder.file("new.txt").exists());
     }
-    folder.write("far.pbrt", "Material \"conductor\" \"float roughness\" 1e308 \"bool remaproughness\" false");
-    let message = complaint(&["convert", &folder.name("far.pbrt"), &new, &scene]);
-    assert!(message.contains("far.pbrt:1: ") && !folder.file("new.txt").exists(), "{message}");
+    for text in [
+        "Material \"conductor\" \"float roughness\" 1e308 \"bool remaproughness\" false",
+        "Film \"rgb\" \"integer xresolution\" 99999999999 Shape \"sphere\"",
+    ] {
+        folder.write("far.pbrt", text);
+        let message = complaint(&["convert", &folder.name("far.pbrt"), &new, &scene]);
+        assert!(message.contains("far.pbrt:1: ") && !folder.file("new.txt").exists(), "{message}");
+    }
     // A sky of one pixel has its colour.
     folder.write("one.ppm", "P3 1 1 255 255 255 255");
     folder.write("one.pbrt", "LightSource \"infinite\" \"string filename\" \"one.ppm\"");
