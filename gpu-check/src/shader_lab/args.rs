@@ -28,9 +28,12 @@ standard output.
 
 Examples:
   shader-lab --template my.wgsl
-  shader-lab my.wgsl --config scenes/materials/config.txt --scene scenes/materials/scene.txt --out out.png --watch
-  shader-lab my.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt --out out.png --pixel 200 100
-  shader-lab sphere.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt --out out.png --first-difference
+  shader-lab my.wgsl --config scenes/materials/config.txt --scene scenes/materials/scene.txt \\
+      --out out.png --watch
+  shader-lab my.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt --out out.png \\
+      --pixel 200 100
+  shader-lab sphere.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt \\
+      --out out.png --first-difference
 
 Exit status: 0 done
              1 --check, and a bit differs

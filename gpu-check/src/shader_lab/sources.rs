@@ -64,8 +64,17 @@ pub fn scene(config: &Path, scene: &Path) -> Result<(Config, Scene), Error> {
 fn parse(config: (&Path, Text), scene: (&Path, Text)) -> Result<(Config, Scene), Error> {
     let bytes = |text: Text| text.map_err(|message| Error::Request { message });
     let texts = [bytes(config.1)?, bytes(scene.1)?];
-    let parsed = Config::parse(&texts[0][..]).map_err(|error| error.in_file(config.0))?;
-    Ok((parsed, Scene::parse(&texts[1][..]).map_err(|error| error.in_file(scene.0))?))
+    // The message for a wrong line has the line, but not the file.
+    let explain = |path: &Path, error: cpu::Error| match error {
+        cpu::Error::Input(_) | cpu::Error::Picture(_) | cpu::Error::OutOfMemory { .. } => error.in_file(path).into(),
+        line => {
+            let text = String::from_utf8_lossy(&line.message_for_terminal()).into_owned();
+            Error::Request { message: format!("{}: {text}", files::shown(path)) }
+        }
+    };
+    let checked = |parsed: Config| parsed.check_picture().map(|()| parsed);
+    let parsed = Config::parse(&texts[0][..]).and_then(checked).map_err(|error| explain(config.0, error))?;
+    Ok((parsed, Scene::parse(&texts[1][..]).map_err(|error| explain(scene.0, error))?))
 }
 
 /// Whether `path` is neither a file nor a folder. Then it is a pipe, a terminal or another device, which is read only
@@ -108,6 +117,18 @@ mod tests {
             fs::File::create(&path).and_then(|file| file.set_len(bytes)).expect("the folder is writable");
             assert_eq!(text(&path).is_ok(), is_read, "{bytes}");
         }
+    }
+
+    #[test]
+    fn a_wrong_text_is_named_with_its_file() {
+        let parsed = |config: &[u8], scene: &[u8]| {
+            let texts = [config, scene].map(|text| Ok(text.to_vec()));
+            let [config, scene] = texts;
+            parse((Path::new("c"), config), (Path::new("s"), scene)).expect_err("one is wrong").to_string()
+        };
+        assert!(parsed(b"gamma: 2,2", b"").starts_with("c: Invalid value for key: [gamma:]\nLine: "));
+        assert!(parsed(b"camera_position: 0 0 0", b"").starts_with("Invalid configuration [c]: camera_position"));
+        assert!(parsed(b"", b"sphere: 0").starts_with("s: Invalid sphere parameters\n"));
     }
 
     #[cfg(unix)]

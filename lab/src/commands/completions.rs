@@ -38,7 +38,9 @@ impl Completions {
 
 /// Options of `man`.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  render-lab man ~/.local/share/man/man1 && man render-lab-bench")]
+#[command(after_help = "\
+Examples:
+  render-lab man ~/.local/share/man/man1 && man ~/.local/share/man/man1/render-lab-bench.1")]
 pub struct Man {
     /// Folder for the pages, one for each command; it is made if it is not there
     folder: PathBuf,
