@@ -210,4 +210,9 @@ fn objects_of_extreme_magnitude() {
     check("sphere: 0 0 0 2 s\nsphere: 1e160 0 0 1 m\nsphere: 1 1 0 1 g\n", 4..=15, |accel| {
         matches!(accel, Accel::EveryObject)
     });
+    // The camera is inside objects whose squared distances exceed the limit of the camera rays' test.
+    let cylinder = "cylinder: 0 1e120 2e120 1e121 1e120 2e121 3e120 s\n";
+    for room in [cylinder, "sphere: 3e120 -1e121 2e120 1.3e121 s\n"] {
+        check(room, 1..=15, |accel| matches!(accel, Accel::EveryObject));
+    }
 }

@@ -24,6 +24,13 @@ pub fn limited(squares: f64) -> f64 {
     if squares < LARGEST_SQUARES { squares } else { f64::INFINITY }
 }
 
+/// Whether the object of one of the lanes in `bits` is so far away that its squares may have been [`limited`]. Then its
+/// plain formula was never certain, and the lanes begin with that formula again.
+#[inline(always)]
+fn is_far<V: SimdF64>(squares: V, bits: u32) -> bool {
+    V::bits(!squares.less(V::of(LARGEST_SQUARES))) & bits != 0
+}
+
 /// The closest hit of each of several rays, one ray in each lane. The number of the part is stored as a
 /// whole number in `f64` lanes.
 #[derive(Clone, Copy)]
@@ -138,6 +145,10 @@ impl<V: SimdF64> HitLanes<V> {
         let mut hits = (lanes.lambda, V::of(0.0));
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
+            if is_far(view.squares, uncertain) {
+                let intersect = |ray: &Ray| Some((exact::sphere::intersect(record, ray)?, CylinderPart::Side));
+                return self.update(id, precise(ray, hits, uncertain, &intersect), certain, rays);
+            }
             let terms = Terms::new(&record.lanes(), ray);
             let near = terms.hits(terms.near());
             hits.0 = V::select(certain, hits.0, near.lambda);
@@ -183,7 +194,7 @@ impl<V: SimdF64> HitLanes<V> {
         view: &CylinderView<V>,
         rays: &Rays<V, O>,
     ) {
-        let (record, _) = cylinder;
+        let (record, axis) = cylinder;
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let side = SideLanes::new(&lanes_record, view, ray, exact::cylinder_parts::is_long(record));
@@ -192,7 +203,11 @@ impl<V: SimdF64> HitLanes<V> {
         let certain = lanes.certain & in_scale(a);
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
-            hits = uncertain_cylinder(ray, hits, uncertain, cylinder);
+            hits = if is_far(view.squares, uncertain) {
+                precise(ray, hits, uncertain, &|ray| exact::cylinder::intersect(record, axis, ray))
+            } else {
+                uncertain_cylinder(ray, hits, uncertain, cylinder)
+            };
         }
         self.update(id, hits, certain, rays);
     }
