@@ -285,6 +285,10 @@ fn near_hits_are_compared_by_the_first_step_that_decides() {
     // Rays inside the glass leave it where it stands on the table.
     let straight = steps("camera_position: 0 3 -9\n", "cylinder: 0 -1 0 9 0 2 0 m\ncylinder: 0 1 0 2 0 2 0 g\n");
     assert!(straight[0] > 100 && straight[1] == 0, "{straight:?}");
+    let nested = steps("", "cylinder: 0 0 0 3 1 2 -2 g\ncylinder: 0 0 0 2 -1 -2 2 m\n");
+    assert!(nested[0] > 100 && nested[1] == 0, "{nested:?}");
+    let stacked = steps("", "cylinder: 0 0 0 3 1 2 -2 g\ncylinder: 1.1 2.2 -2.2 2 1.2 2.4 -2.4 g\n");
+    assert!(stacked[0] > 100 && stacked[1] == 0, "{stacked:?}");
     let equal = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 3 g\n");
     assert!(equal[0] > 100 && equal[1] == 0, "{equal:?}");
     let shells = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 2.9999999999 m\n");

@@ -2,8 +2,9 @@
 //!
 //! The computed lambdas have errors, so they decide only if they are further apart than their errors
 //! ([`is_certainly_closer`]). If they are not, [`compare`] takes these steps:
-//! 1. Identical surfaces tie. Two caps perpendicular to the same coordinate axis are ordered by the coordinates of
-//!    their planes. Rays inside a cylinder that stands on another one often meet two such caps.
+//! 1. Identical surfaces tie, and so do two caps in one plane whose axes are equal, opposite or along one coordinate
+//!    axis. Other caps are compared in [double-double](DoubleDouble) arithmetic. Rays often meet two near caps: inside
+//!    a cylinder that stands on another one, or on nested cylinders.
 //! 2. Both lambdas are computed by the [compensated](crate::exact::compensated_roots) formulas, with a bound of their
 //!    errors that is mostly a thousandth of the one of all accepted lambdas.
 //! 3. The exact lambdas are compared in dyadic arithmetic, without a square root. Only this step recognises equal
@@ -15,11 +16,11 @@ use std::cmp::Ordering;
 
 use crate::counters::{Counter, add};
 use crate::exact::{
-    cylinder_compensated, cylinder_exact, cylinder_parts::LIMITS, exact_lambda::ExactLambda, sphere_compensated,
-    sphere_exact, sphere_exact::NotFinite,
+    cylinder_compensated, cylinder_exact, cylinder_parts::LIMITS, error_bound::UNDERFLOW, exact_lambda::ExactLambda,
+    sphere_compensated, sphere_exact, sphere_exact::NotFinite,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
-use crate::math::{double_double::DoubleDouble, error_free::two_sum, rounding::Rounding, vec3::Vec3};
+use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
 /// A surface that a ray hits.
@@ -48,11 +49,10 @@ pub(crate) fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     if surfaces[0] == surfaces[1] {
         return Some(Ordering::Equal);
     }
-    if let [Some((axis, left)), Some((other_axis, right))] = surfaces.map(Surface::straight_plane)
-        && axis == other_axis
-        && let Some(order) = (left - right).high.partial_cmp(&0.0)
+    if let [Some(left), Some(right)] = surfaces.map(Surface::cap)
+        && let Some(order) = compare_caps(ray, &left, &right)
     {
-        return Some(if ray.direction.to_array()[axis] < 0.0 { order.reverse() } else { order });
+        return Some(order);
     }
     if let [Some(left), Some(right)] = surfaces.map(|surface| surface.bounds(ray)) {
         if left[1] < right[0] {
@@ -72,22 +72,82 @@ pub(crate) fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     Some(left?.compare(&right?))
 }
 
+/// A point, or a vector, of numbers with 106 bits.
+type Wide3 = Vec3<DoubleDouble>;
+
+/// A cap of a cylinder.
+struct Cap {
+    /// Twice the centre, without a rounding error. A coordinate is NaN if its sum overflows.
+    twice_center: Wide3,
+    /// The cylinder's axis in the scene file.
+    axis: Vec3,
+}
+
+impl Cap {
+    /// Returns a normal of the cap's plane. It is the same for axes along one coordinate axis, and for axes that are
+    /// equal or opposite.
+    fn normal(&self) -> Vec3 {
+        let mut components = self.axis.to_array().into_iter().filter(|&component| component != 0.0);
+        match (components.next(), components.next()) {
+            (_, None) => self.axis.map(|component| if component == 0.0 { 0.0 } else { 1.0 }),
+            (first, _) => self.axis * first.map_or(1.0, f64::signum),
+        }
+    }
+
+    /// Whether both caps certainly are in one plane.
+    fn is_in_plane_of(&self, other: &Self) -> bool {
+        let (normal, apart) = (self.normal(), self.twice_center - other.twice_center);
+        let is_zero = |component: DoubleDouble, factor: f64| component.high == 0.0 || factor == 0.0;
+        let is_across = is_zero(apart.x, normal.x) && is_zero(apart.y, normal.y) && is_zero(apart.z, normal.z);
+        is_across && normal == other.normal()
+    }
+}
+
+/// Bounds the error of the difference of two products of dot products, relative to the sizes of their terms: 2^-90.
+pub const ERROR_OF_CAPS: f64 = f64::from_bits((1023 - 90) << 52);
+
+/// Compares the lambdas of a ray's hits on two caps. The result is `None` if it is uncertain.
+fn compare_caps(ray: &Ray, left: &Cap, right: &Cap) -> Option<Ordering> {
+    if left.is_in_plane_of(right) {
+        return Some(Ordering::Equal);
+    }
+    run_fused!(|ray: &Ray, left: &Cap, right: &Cap| -> Option<Ordering> {
+        // A lambda is the quotient of the magnitudes of two dot products, the distance and the slope.
+        let (origin, direction) =
+            ((ray.origin + ray.origin).map(DoubleDouble::of), ray.direction.map(DoubleDouble::of));
+        let (distance, size) = magnitude(left.twice_center - origin, left.axis);
+        let (slope, size_of_slope) = magnitude(direction, left.axis);
+        let (other_distance, other_size) = magnitude(right.twice_center - origin, right.axis);
+        let (other_slope, other_size_of_slope) = magnitude(direction, right.axis);
+        let difference = (distance * other_slope - other_distance * slope).high;
+        let size = size * other_size_of_slope + other_size * size_of_slope;
+        (difference.abs() > size * ERROR_OF_CAPS + UNDERFLOW).then(|| difference.total_cmp(&0.0))
+    })
+}
+
+/// Returns the magnitude of the dot product of a vector and an axis, and the sum of the magnitudes of its terms.
+#[inline(always)]
+fn magnitude(vector: Wide3, axis: Vec3) -> (DoubleDouble, f64) {
+    let Vec3 { x, y, z } = vector.attenuate(axis.map(DoubleDouble::of));
+    ((x + y + z).abs(), x.high.abs() + y.high.abs() + z.high.abs())
+}
+
 impl Surface {
-    /// Returns the coordinate axis to which a cap is perpendicular, and twice the coordinate of its plane along that
-    /// axis, without a rounding error. The result is `None` for all other surfaces. It is NaN if the sum overflows.
-    fn straight_plane(&self) -> Option<(usize, DoubleDouble)> {
+    /// Returns the cap, or `None` for all other surfaces.
+    fn cap(&self) -> Option<Cap> {
         let &Self::Cylinder(CylinderRecord { center, .. }, axis, part) = self else { return None };
-        let axis = axis.to_array();
-        let mut components = (0..3).filter(|&component| axis[component] != 0.0);
-        let (Some(along), None) = (components.next(), components.next()) else { return None };
-        // A double is exact, but a half may underflow.
-        let twice_to_cap = match part {
+        let to_cap = match part {
             CylinderPart::Side => return None,
-            CylinderPart::Top => axis[along],
-            CylinderPart::Bottom => -axis[along],
+            CylinderPart::Top => axis,
+            CylinderPart::Bottom => -axis,
         };
-        let (high, low) = two_sum(2.0 * center.to_array()[along], twice_to_cap);
-        Some((along, DoubleDouble { high, low }))
+        // A double is exact, but a half may underflow.
+        let sum = |center: f64, to_cap: f64| {
+            let (high, low) = two_sum(center + center, to_cap);
+            DoubleDouble { high, low }
+        };
+        let twice_center = Vec3::new(sum(center.x, to_cap.x), sum(center.y, to_cap.y), sum(center.z, to_cap.z));
+        Some(Cap { twice_center, axis })
     }
 
     /// Returns bounds of the lambda of the ray's hit by the compensated formulas, or `None` if they are uncertain.
@@ -117,13 +177,14 @@ mod tests {
     use super::*;
     use crate::sampling::uniform::Uniform;
 
-    /// Returns the cap, at this height above `point`, of an upright cylinder. The cap faces a ray along `direction`.
-    fn cap(point: Vec3, direction: Vec3, height: f64, length: f64) -> Surface {
-        let (part, half) = match direction.y < 0.0 {
-            true => (CylinderPart::Top, length / 2.0),
-            false => (CylinderPart::Bottom, -length / 2.0),
+    /// Returns the cap, at this height above `point`, of a cylinder with this axis. The cap faces a ray along
+    /// `direction`.
+    fn cap(point: Vec3, direction: Vec3, height: f64, axis: Vec3) -> Surface {
+        let (part, half) = match direction.dot(axis) < 0.0 {
+            true => (CylinderPart::Top, 0.5),
+            false => (CylinderPart::Bottom, -0.5),
         };
-        let (center, axis) = (point + Vec3::new(0.0, height - half, 0.0), Vec3::new(0.0, length, 0.0));
+        let center = point + Vec3::new(0.0, height, 0.0) - axis * half;
         Surface::Cylinder(CylinderRecord::new(center, 2.0, axis), axis, part)
     }
 
@@ -146,9 +207,12 @@ mod tests {
             let gap = [0.0, 2e-16, 1e-14, 1e-11][draws.draw(0.0, 4.0) as usize] * draws.draw(-1.0, 1.0).signum();
             let center = target + Vec3::new(aside.x, 0.0, aside.z);
             let straight = [(0.0, 2.0), (gap, draws.draw(0.5, 4.0))];
-            let straight = straight.map(|(height, length)| cap(center, direction, height, length));
+            let straight = straight.map(|(height, length)| cap(center, direction, height, Vec3::new(0.0, length, 0.0)));
+            let tilted = [(0.0, 0.25), (gap, [-0.25, 0.31][draws.draw(0.0, 2.0) as usize])];
+            let tilted =
+                tilted.map(|(height, share)| cap(target, direction, height, Vec3::new(0.5, 4.0, -0.3) * share));
             let shells = [2.0, 2.0 - gap].map(|radius| Surface::Sphere(SphereRecord::new(target + aside, radius)));
-            for hits in [straight, shells] {
+            for hits in [straight, tilted, shells] {
                 let hits = hits.each_ref();
                 let order = compare(&ray, hits);
                 assert_eq!(order, exactly(&ray, hits), "{ray:?}, {hits:?}");

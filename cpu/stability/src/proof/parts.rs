@@ -6,7 +6,7 @@ use cpu::Vec3;
 use cpu::internals::accel::isolated::SEPARATION;
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_parts::{LEAST_EXTENT, LIMITS, Plane};
-use cpu::internals::exact::order::is_certainly_closer;
+use cpu::internals::exact::order::{ERROR_OF_CAPS, is_certainly_closer};
 use cpu::internals::geometry::{cylinder::CylinderRecord, ray::LAMBDA_MIN};
 use cpu::internals::math::real::Real;
 
@@ -60,6 +60,7 @@ pub fn rows(of_side: f64) -> Vec<Row> {
         row("distance from a cap's centre, due to lambda", cap[0], to_cap[0], "u lambda abs(d)"),
         row("distance from a cap's centre, due to the extent", cap[1], to_cap[1], "u X"),
         order(of_cap),
+        caps(),
         isolated(of_cap),
     ]
 }
@@ -74,6 +75,17 @@ fn order(of_lambda: f64) -> Row {
     let error = nearer.bounds().error.plus(&farther.bounds().error);
     let (constant, need) = (added(nearer, &size, margin, U), relative_to_sizes(&error, margin, &[size], 1.0));
     Row { what: "order of two hits", file: "exact/order.rs", constant, need, unit: "u lambda" }
+}
+
+/// Returns the row of the order of two caps, for the errors of the operations on
+/// [`DoubleDouble`](cpu::internals::math::double_double). A distance has those of a difference, a product and two sums,
+/// and a slope those of a product and two sums. A product and a difference follow. Twice the sum covers all errors of
+/// second order.
+fn caps() -> Row {
+    let [sum, product] = [3.0, 4.0];
+    let (distance, slope) = (sum + product + 2.0 * sum, product + 2.0 * sum);
+    let (what, file, need) = ("order of two caps", "exact/order.rs", 2.0 * (distance + slope + product + sum));
+    Row { what, file, constant: ERROR_OF_CAPS / (U * U), need, unit: "u^2" }
 }
 
 /// Returns the row of isolated objects, for this relative error of every lambda.
