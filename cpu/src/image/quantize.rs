@@ -145,11 +145,12 @@ impl Quantizer {
 fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
     let (room, [below, from]) = around(root, gamma);
     // With an extreme gamma nothing is certain. Then a power is computed for every mean.
-    if below.is_finite() && from > f64::MIN_POSITIVE && room < 0.5 {
-        (below, from)
-    } else {
-        (f64::NEG_INFINITY, f64::INFINITY)
+    if !(below.is_finite() && room < 0.5) {
+        return (f64::NEG_INFINITY, f64::INFINITY);
     }
+    // A boundary that underflows is below the smallest normal number.
+    let underflows = from <= f64::MIN_POSITIVE;
+    (if underflows { f64::NEG_INFINITY } else { below }, from.max(2.0 * f64::MIN_POSITIVE))
 }
 
 /// The room on both sides of a boundary, in units of the boundary, for a gamma near 0.
@@ -184,7 +185,7 @@ mod tests {
     fn the_table_has_the_byte_of_every_mean() {
         // The power is correctly rounded, so the byte never falls where the mean grows. So the ends of an interval
         // decide about all means between them, and nothing is left to try.
-        for gamma in GAMMAS.into_iter().chain([1e300, 1e-300, f64::MIN_POSITIVE, f64::MAX]) {
+        for gamma in GAMMAS.into_iter().chain([128.0, 1e3, 1e13, 1e300, 1e-300, f64::MIN_POSITIVE, f64::MAX]) {
             let table = Quantizer::new(gamma);
             for byte in 1..=255 {
                 let (below, from) = table.bounds[usize::from(byte)];
@@ -236,8 +237,8 @@ mod tests {
     fn bounds_are_infinite_where_nothing_is_certain() {
         // In the first case the boundary underflows. In the second case the bounds would be farther apart than the
         // boundary.
-        for (root, gamma) in [(1.0 / 255.0, 1000.0), (1.0, 1e15)] {
-            assert_eq!(bound_of(root, gamma), (f64::NEG_INFINITY, f64::INFINITY));
+        for (root, gamma, from) in [(1.0 / 255.0, 1000.0, 2.0 * f64::MIN_POSITIVE), (1.0, 1e15, f64::INFINITY)] {
+            assert_eq!(bound_of(root, gamma), (f64::NEG_INFINITY, from));
         }
     }
 
