@@ -131,14 +131,16 @@ fn rendering<L: Renderable>() {
     let preparing = refused("preparation", LEAST, || prepare().map(drop));
     assert!(preparing >= 5, "only {preparing}");
     let prepared = prepare().expect("there is enough memory");
-    let set = InstructionSet::chosen();
+    let (set, limits) = (InstructionSet::chosen(), cpu::internals::Limits::default());
     let rendering = refused("rendering", LEAST, || {
         let mut image = L::Image::black(prepared.size)?;
-        cpu::internals::render_into(&prepared, set, &mut image, |_, _| ControlFlow::Break(())).map(drop)
+        cpu::internals::render_within(&prepared, set, &limits, &mut image, |_, _| ControlFlow::Break(())).map(drop)
     });
     // The candidates of a row and those of a span.
     assert!(rendering >= 2, "only {rendering}");
-    assert!(refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, |_, _| ())) >= 2);
+    assert!(
+        refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, &limits, |_, _| ()).map(drop)) >= 2
+    );
 }
 
 /// Checks the rendering of a ray inside a mirror, whose path reaches the maximum depth.

@@ -7,7 +7,7 @@ use cpu::internals::accel::choice::Accel;
 use cpu::internals::image::quantize;
 use cpu::internals::image::quantize::Quantizer;
 use cpu::internals::sampling::uniform::Uniform;
-use cpu::internals::{InstructionSet, Prepared};
+use cpu::internals::{InstructionSet, Limits, Prepared};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 use generator::{self, Arrangement, Options};
 use measure::turns::compare;
@@ -38,7 +38,7 @@ fn render(prepared: &Prepared<Aos>) -> Picture {
 /// Renders a picture as [`render`] does, but traces all samples of every pixel.
 fn render_every_sample(prepared: &Prepared<Aos>) -> Picture {
     let mut image = Picture::black(prepared.size).expect("it is small");
-    cpu::internals::render_linear(prepared, InstructionSet::chosen(), |index, mean| {
+    cpu::internals::render_linear(prepared, InstructionSet::chosen(), &Limits::default(), |index, mean| {
         let [red, green, blue] = mean.to_array().map(|channel| prepared.quantizer.quantize(channel));
         image.set_pixel(index, cpu::Rgb { red, green, blue });
     })

@@ -59,9 +59,7 @@ pub mod internals {
     pub use crate::render::limits::{Ended, Limits};
     pub use crate::render::prepared::Prepared;
     pub use crate::render::span_state::Streams;
-    pub use crate::render::{
-        render_from, render_into, render_linear, render_linear_within, render_with, render_within,
-    };
+    pub use crate::render::{render_from, render_linear, render_with, render_within};
     pub use crate::simd::instruction_set::InstructionSet;
 
     macro_rules! open {

@@ -76,30 +76,15 @@ pub fn render<L: Renderable>(config: &Config, scene: impl Borrow<Scene>, scatter
 /// [`Error::OutOfMemory`] if memory is short.
 pub fn render_with<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
-    // The result is always `Continue`.
-    let _ = render_into(prepared, set, &mut image, |_, _| ControlFlow::Continue(()))?;
+    // The result is always `None`.
+    let _ = render_within(prepared, set, &Limits::default(), &mut image, |_, _| ControlFlow::Continue(()))?;
     Ok(image)
 }
 
-/// Renders the prepared scene into `image`, which must have the picture's size. After each row it calls `after_row`
-/// with the number of finished rows and with the image, which holds these rows. If `after_row` returns `Break`,
-/// rendering stops.
-///
-/// # Errors
-/// [`Error::OutOfMemory`] if memory is short.
-pub fn render_into<L: Renderable>(
-    prepared: &Prepared<L>,
-    set: InstructionSet,
-    image: &mut L::Image,
-    after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
-) -> Result<ControlFlow<()>, Error> {
-    let ended = render_within(prepared, set, &Limits::default(), image, after_row)?;
-    Ok(if ended.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
-}
-
-/// Renders as [`render_into`] does, within `limits`. Returns `None` if the picture is complete, or the reason why it
-/// ended before. `Break` of `after_row` counts as a request to stop. The pixels of the row in which the picture ended
-/// have no meaning.
+/// Renders the prepared scene into `image`, which must have the picture's size, within `limits`. After each row it
+/// calls `after_row` with the number of finished rows and with the image, which holds these rows. Returns `None` if the
+/// picture is complete, or the reason why it ended before. `Break` of `after_row` counts as a request to stop. The
+/// pixels of the row in which the picture ended have no meaning.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
@@ -128,8 +113,7 @@ pub fn render_from<L: Renderable>(
     mut after_row: impl FnMut(usize, &L::Image, &mut Streams<'_>) -> ControlFlow<()>,
 ) -> Result<Option<Ended>, Error> {
     debug_assert_eq!(image.size(), prepared.size);
-    let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
-    state.set_limits(limits);
+    let (mut state, accumulator) = (SpanState::new(prepared, set, limits)?, Accumulator::new(prepared.samples));
     if first_row > 0 {
         debug_assert_eq!(words.len(), Streams::count());
         let mut words = words.iter();
@@ -138,7 +122,8 @@ pub fn render_from<L: Renderable>(
     L::run(set, Picture { state, accumulator, first_row, target: Target::Image(image, &mut after_row) })
 }
 
-/// Renders the prepared scene. Calls `pixel` for every pixel, with its index and its mean colour before quantisation.
+/// Renders the prepared scene within `limits`. Calls `pixel` for every pixel, with its index and its mean colour before
+/// quantisation. Returns `None` if the picture is complete, or the reason why it ended before.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
@@ -146,26 +131,10 @@ pub fn render_from<L: Renderable>(
 pub fn render_linear<L: Renderable>(
     prepared: &Prepared<L>,
     set: InstructionSet,
-    pixel: impl FnMut(usize, Vec3),
-) -> Result<(), Error> {
-    // The result is always `None`.
-    let _ = render_linear_within(prepared, set, &Limits::default(), pixel)?;
-    Ok(())
-}
-
-/// Renders as [`render_linear`] does, within `limits`. Returns `None` if the picture is complete, or the reason why it
-/// ended before.
-///
-/// # Errors
-/// [`Error::OutOfMemory`] if memory is short.
-pub fn render_linear_within<L: Renderable>(
-    prepared: &Prepared<L>,
-    set: InstructionSet,
     limits: &Limits,
     mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<Option<Ended>, Error> {
-    let (mut state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
-    state.set_limits(limits);
+    let (state, accumulator) = (SpanState::new(prepared, set, limits)?, Accumulator::new(prepared.samples));
     L::run(set, Picture { state, accumulator, first_row: 0, target: Target::Means(&mut pixel) })
 }
 

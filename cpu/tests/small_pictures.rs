@@ -7,9 +7,7 @@
 use std::ops::{ControlFlow, RangeInclusive};
 
 use cpu::internals::accel::choice::Accel;
-use cpu::internals::{
-    Ended, InstructionSet, Limits, Prepared, render_from, render_into, render_linear, render_linear_within,
-};
+use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_from, render_linear};
 use cpu::reference::{self, Counts, Exact, render_counted, render_recorded};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 use test_support::agreement::{equals_reference, reference};
@@ -89,14 +87,10 @@ fn all_functions_that_render_give_one_picture() {
     let mut rest = black();
     let second = render_from(&prepared, set, &limits, (2, &words), &mut rest, |_, _, _| ControlFlow::Continue(()));
     assert_eq!((second.expect("memory is enough"), &pixels(&rest)[10..]), (None, &whole[10..]));
-    let mut image = black();
-    let ended = render_into(&prepared, set, &mut image, |_, _| ControlFlow::Continue(()));
-    assert_eq!((ended.expect("memory is enough"), pixels(&image)), (ControlFlow::Continue(()), whole));
 
-    let mut means = [const { Vec::new() }; 4];
-    let [linear, within, counted, recorded] = &mut means;
-    render_linear(&prepared, set, |at, mean| linear.push((at, mean))).expect("memory is enough");
-    let ended = render_linear_within(&prepared, set, &limits, |at, mean| within.push((at, mean)));
+    let mut means = [const { Vec::new() }; 3];
+    let [linear, counted, recorded] = &mut means;
+    let ended = render_linear(&prepared, set, &limits, |at, mean| linear.push((at, mean)));
     assert_eq!(ended.expect("memory is enough"), None);
     let scatter = Scatter::Statement;
     let counts = render_counted::<Exact>(&config, &scene, scatter, |at, mean| counted.push((at, mean)));

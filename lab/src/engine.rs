@@ -111,7 +111,8 @@ fn bytes(image: &impl cpu::Image) -> Vec<u8> {
 pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
     let mut means = vec![Vec3::ZERO; prepared.size.pixels()];
-    cpu::internals::render_linear(&prepared, InstructionSet::chosen(), |index, mean| means[index] = mean)?;
+    let limits = Limits::default();
+    cpu::internals::render_linear(&prepared, InstructionSet::chosen(), &limits, |index, mean| means[index] = mean)?;
     Ok(means)
 }
 

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cpu::internals::input::{error::with_room, size::Size};
-use cpu::internals::{InstructionSet, Limits, Prepared, render_linear_within, render_within};
+use cpu::internals::{InstructionSet, Limits, Prepared, render_linear, render_within};
 use cpu::{Aos, Image, Layout, Scatter};
 use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -53,7 +53,7 @@ fn means(prepared: &Prepared<Aos>, limits: &Limits) -> Result<Vec<f64>, Fault> {
     let count = 3 * prepared.size.pixels();
     let mut means = with_room(count, "the image")?;
     means.resize(count, 0.0);
-    render_linear_within(prepared, InstructionSet::chosen(), limits, |index, mean| {
+    render_linear(prepared, InstructionSet::chosen(), limits, |index, mean| {
         means[3 * index..][..3].copy_from_slice(&mean.to_array());
     })?;
     Ok(means)

@@ -25,7 +25,7 @@ impl Stages {
         let mut spans = spans_of_row(prepared.size.width(), prepared.samples, Limits::default().samples);
         let span = spans.find(|span| span.first >= column).expect("the row is longer");
         let set = InstructionSet::chosen();
-        let mut state = SpanState::new(prepared, set).expect("it fits");
+        let mut state = SpanState::new(prepared, set, &Limits::default()).expect("it fits");
         state.row = row;
         let mut stages = Self { state, set, span };
         stages.cull();

@@ -166,7 +166,7 @@ mod tests {
     use crate::layout::aos::Aos;
     use crate::math::vec3::Vec3;
     use crate::render::stages::{DrawSamples, FindBytes};
-    use crate::render::{background::Background, span_state::SpanState};
+    use crate::render::{background::Background, limits::Limits, span_state::SpanState};
     use crate::sampling::block::BlockUniform;
     use crate::sampling::scatter_vectors::Scatter;
     use crate::simd::instruction_set::InstructionSet;
@@ -199,7 +199,7 @@ mod tests {
     fn no_ray_is_needed(color: &str) {
         let text = format!("image_width: 40\nbackground_dark_color: {color}\nbackground_light_color: {color}\n");
         let prepared = prepared(&text);
-        let mut state = SpanState::new(&prepared, InstructionSet::Portable).expect("it fits");
+        let mut state = SpanState::new(&prepared, InstructionSet::Portable, &Limits::default()).expect("it fits");
         state.row = 3;
         let span = Span { first: 8, first_sample: 0, count: 640, last: 39 };
         let find = FindBytes { state: &mut state, span: &span, done: 0 };

@@ -39,12 +39,16 @@ impl PathTracer {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub(crate) fn new<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Boxed<Self>, Error> {
+    pub(crate) fn new<L: Layout>(
+        prepared: &Prepared<L>,
+        set: InstructionSet,
+        limits: &Limits,
+    ) -> Result<Boxed<Self>, Error> {
         Boxed::new(|| Self {
             scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed, set),
             queue: PathQueue::EMPTY,
-            ends: PathEnds::new(),
-            limits: Limits::default(),
+            ends: PathEnds::new(limits.surfaces),
+            limits: limits.clone(),
         })
     }
 

@@ -37,15 +37,11 @@ struct Attenuation {
 }
 
 impl PathEnds {
-    /// Returns the state before the first path.
-    pub(super) fn new() -> Self {
+    /// Returns the state before the first path. The paths of a span may hit at most `most` surfaces together, after
+    /// their first ones.
+    pub(super) fn new(most: usize) -> Self {
         let attenuations = Vec::with_capacity(8 * CAPACITY);
-        Self { direction: Columns::ZERO, attenuations, begin: 0, most: usize::MAX, shortage: Ok(None) }
-    }
-
-    /// Sets the largest number of surfaces that the paths of a span may hit together, after their first ones.
-    pub(super) const fn set_most(&mut self, most: usize) {
-        self.most = most;
+        Self { direction: Columns::ZERO, attenuations, begin: 0, most, shortage: Ok(None) }
     }
 
     /// Checks that all attenuations could be stored, so that all colours are right. Returns the reason if there were
@@ -162,7 +158,7 @@ mod tests {
     use crate::layout::aos::Aos;
     use crate::materials::prepared::PreparedMaterial;
     use crate::render::lane_numbers::ObjectNumber;
-    use crate::render::{path::PathTracer, span_state::SpanState, stages::ColorPaths};
+    use crate::render::{limits::Limits, path::PathTracer, span_state::SpanState, stages::ColorPaths};
     use crate::sampling::scatter_vectors::Scatter;
     use crate::simd::instruction_set::InstructionSet;
 
@@ -175,7 +171,7 @@ mod tests {
         let direction = Vec3::new(0.3, -0.7, 0.2);
         let background = prepared.background.color(direction);
         for set in InstructionSet::available() {
-            let mut state = SpanState::new(&prepared, set).expect("it fits");
+            let mut state = SpanState::new(&prepared, set, &Limits::default()).expect("it fits");
             let (PathTracer { queue, ends, .. }, batch) = (&mut *state.tracer, &mut *state.batch);
             batch.count = 11;
             for sample in 0..batch.count {
@@ -209,7 +205,7 @@ mod tests {
 
     #[test]
     fn a_path_longer_than_the_room_for_it_makes_more() {
-        let mut ends = PathEnds::new();
+        let mut ends = PathEnds::new(usize::MAX);
         let room = ends.attenuations.capacity();
         ends.begin();
         for number in 0..3 * room {
@@ -221,9 +217,8 @@ mod tests {
 
     #[test]
     fn attenuations_up_to_the_limit_are_stored_and_one_more_ends_the_picture() {
-        let mut ends = PathEnds::new();
-        let most = 3 * ends.attenuations.capacity() + 1;
-        ends.set_most(most);
+        let most = 24 * CAPACITY + 1;
+        let mut ends = PathEnds::new(most);
         ends.begin();
         assert!((0..most).all(|_| ends.push_attenuation(0, 0)));
         assert_eq!(ends.check().expect("memory is enough"), None);

@@ -51,12 +51,12 @@ pub struct SpanState<'a, L: Layout> {
 }
 
 impl<'a, L: Layout> SpanState<'a, L> {
-    /// Returns the state before the first span. `set` is the instruction set that makes the scatter samples: the one
-    /// that renders the picture.
+    /// Returns the state before the first span of a picture with these limits. `set` is the instruction set that makes
+    /// the scatter samples: the one that renders the picture.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(prepared: &'a Prepared<L>, set: InstructionSet) -> Result<Self, Error> {
+    pub fn new(prepared: &'a Prepared<L>, set: InstructionSet, limits: &Limits) -> Result<Self, Error> {
         Ok(Self {
             prepared,
             row: 0,
@@ -64,7 +64,7 @@ impl<'a, L: Layout> SpanState<'a, L> {
             pixel_jitter: PixelJitter::new(prepared.ray_seed),
             background_pixels: BackgroundPixels::new(prepared),
             batch: Batch::new()?,
-            tracer: PathTracer::new(prepared, set)?,
+            tracer: PathTracer::new(prepared, set, limits)?,
             stack: Boxed::new(|| Stack::EMPTY)?,
         })
     }
@@ -72,11 +72,5 @@ impl<'a, L: Layout> SpanState<'a, L> {
     /// Returns the random streams. Between two rows they are where the next row begins.
     pub(crate) fn streams(&mut self) -> Streams<'_> {
         Streams(&mut self.pixel_jitter, &mut self.tracer.scatter_samples)
-    }
-
-    /// Sets the limits of the picture. Before the call there are none.
-    pub(crate) fn set_limits(&mut self, limits: &Limits) {
-        self.tracer.ends.set_most(limits.surfaces);
-        self.tracer.limits = limits.clone();
     }
 }

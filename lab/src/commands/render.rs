@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use cpu::internals::{InstructionSet, Prepared, render_linear};
+use cpu::internals::{InstructionSet, Limits, Prepared, render_linear};
 use cpu::{Aos, Config, Error, Renderable, Scene, Soa};
 use indicatif::ProgressBar;
 use measure::clock::{own_seconds, peak_memory};
@@ -171,7 +171,7 @@ impl Arguments {
         let (width, height) = (prepared.size.width(), prepared.size.height());
         if kind.is_of_floats() {
             let mut floats = Floats::zeros(width, height, 3)?;
-            render_linear(prepared, InstructionSet::chosen(), |index, mean| {
+            render_linear(prepared, InstructionSet::chosen(), &Limits::default(), |index, mean| {
                 bar.set_position((index / width) as u64);
                 let pixel = &mut floats.values[3 * index..3 * index + 3];
                 pixel.iter_mut().zip(mean.to_array()).for_each(|(value, mean)| *value = mean as f32);

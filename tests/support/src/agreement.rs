@@ -2,7 +2,7 @@
 //! must give the reference's bytes, and the bits of its means.
 
 use cpu::internals::layout::aos::AosImage;
-use cpu::internals::{InstructionSet, Prepared, render_linear, render_with};
+use cpu::internals::{InstructionSet, Limits, Prepared, render_linear, render_with};
 use cpu::reference::intersect::Exact;
 use cpu::{Aos, Config, Error, Image, Renderable, Scatter, Scene, Soa, Vec3};
 
@@ -82,7 +82,8 @@ fn agrees<L: Renderable>(
     for set in InstructionSet::available() {
         let image = render_with(&prepared, set).map_err(|error| error.to_string())?;
         let mut means = vec![[0; 3]; expected.means.len()];
-        render_linear(&prepared, set, |index, mean| means[index] = bits(mean)).map_err(|error| error.to_string())?;
+        let pixel = |index, mean| means[index] = bits(mean);
+        render_linear(&prepared, set, &Limits::default(), pixel).map_err(|error| error.to_string())?;
         let differing = (0..means.len()).find(|&index| means[index] != expected.means[index]);
         let found = difference(&image, &expected.image)
             .or(differing.map(|index| format!("the mean of pixel {index} has other bits")));

@@ -1,7 +1,7 @@
 //! The scene for the shaders of the page: its buffers, the same pictures by Rust, and the steps of a pixel's path.
 
 use cpu::internals::render::background::Background;
-use cpu::internals::{Camera, InstructionSet, Prepared, render_linear};
+use cpu::internals::{Camera, InstructionSet, Limits, Prepared, render_linear};
 use cpu::{Aos, Config, Scatter, Scene, Vec3};
 use serde::Serialize;
 use twin::head::{Part, head};
@@ -138,7 +138,7 @@ impl Live {
         } else {
             let prepared = Prepared::<Aos>::new(&self.config, &self.scene, Scatter::Deterministic);
             let prepared = prepared.map_err(|error| Fault::without_line(error, 0))?;
-            render_linear(&prepared, InstructionSet::best(), |_, mean| add(mean))
+            render_linear(&prepared, InstructionSet::best(), &Limits::default(), |_, mean| add(mean))
                 .map_err(|error| Fault::without_line(error, 2))?;
         }
         Ok(bytes)

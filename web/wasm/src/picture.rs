@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 
 use cpu::internals::image::Image;
-use cpu::internals::{InstructionSet, Prepared, render_into};
+use cpu::internals::{InstructionSet, Limits, Prepared, render_within};
 use cpu::{Error, Renderable, Scatter};
 
 use crate::fault::Fault;
@@ -30,8 +30,8 @@ fn ppm<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec
     let mut row = Vec::new();
     row.try_reserve_exact(4 * width).map_err(|_| Error::OutOfMemory { what: "the image" })?;
     page::begin(width, height);
-    // The result is always `Continue`: the caller ends a picture by ending the module.
-    let _ = render_into(prepared, set, &mut image, |rows, image| {
+    // The result is always `None`: the caller ends a picture by ending the module.
+    let _ = render_within(prepared, set, &Limits::default(), &mut image, |rows, image| {
         row.clear();
         for index in (rows - 1) * width..rows * width {
             let color = image.pixel(index);
