@@ -32,7 +32,7 @@ pub(crate) mod tests;
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::math::rounding::MulAdd;
+use crate::math::rounding::Rounding;
 
 /// An instruction set, as a type for which kernels are compiled. A value of the type proves that the machine has the
 /// instruction set. [`portable::Portable`] and `Simd128` can be made anywhere, because this program could not run on a
@@ -70,7 +70,7 @@ pub trait Kernel {
 pub const MOST_LANES: usize = 8;
 
 /// Lanes of `f64`.
-pub trait SimdF64: MulAdd {
+pub trait SimdF64: Rounding {
     /// Number of lanes, at most [`MOST_LANES`].
     const LANES: usize;
 

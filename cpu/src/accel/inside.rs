@@ -18,7 +18,7 @@ use crate::accel::{
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
 use crate::layout::Objects;
-use crate::math::{real::Real, rounding::MulAdd};
+use crate::math::{real::Real, rounding::Rounding};
 
 /// If the dot product `p` of a ray's direction `d` and a cylinder's axis exceeds this in magnitude, and `p^2` exceeds
 /// `STEEP_SHARE |d|^2`, the ray is certainly not parallel to the caps: `|p|` is not below [`PARALLEL`], whatever its
@@ -65,7 +65,7 @@ impl ConservativeRay<f64> {
     }
 }
 
-impl<T: MulAdd> ConservativeRay<T> {
+impl<T: Rounding> ConservativeRay<T> {
     /// Whether the quadratic is certainly negative at the smallest lambda in range.
     #[inline(always)]
     pub fn starts_within(&self, &Quadratic { a, h, c, size }: &Quadratic<T>) -> T::Mask {

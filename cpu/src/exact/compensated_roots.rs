@@ -12,7 +12,7 @@
 use crate::exact::{error_bound::OVERFLOW, error_bound::UNDERFLOW, sphere_filter::LIMITS};
 use crate::geometry::ray::LAMBDA_MIN;
 use crate::math::error_free::{two_product, two_sum};
-use crate::math::{rounding::MulAdd, vec3::Vec3};
+use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// Limits the relative error of lambda to 4.6e-12. A root is accepted only if the [terms](Discriminant::size) of `D`
 /// are below `CONDITION_LIMIT w sqrt(D)`, and those of `h` below `CONDITION_LIMIT w`.
@@ -50,7 +50,7 @@ pub struct Discriminant<T> {
 
 /// What is certain about the two roots. One is `w / a` with the sign of `h`, and is called the large one. The other is
 /// `|c| / w` with the sign of `h c`, and is called the small one.
-pub struct Roots<T: MulAdd> {
+pub struct Roots<T: Rounding> {
     /// `|h| + sqrt(D)`.
     pub w: T,
     /// The size of the terms of `w`, relative to `w`.
@@ -73,7 +73,7 @@ pub struct Roots<T: MulAdd> {
 /// error or more.
 pub const ERROR_OF_ROOT: f64 = 64.0;
 
-impl<T: MulAdd> Roots<T> {
+impl<T: Rounding> Roots<T> {
     /// Returns the magnitudes of the small and of the large root of `quadratic`, each with twice the bound of its
     /// error.
     #[inline(always)]
@@ -85,7 +85,7 @@ impl<T: MulAdd> Roots<T> {
     }
 }
 
-impl<T: MulAdd> Quadratic<T> {
+impl<T: Rounding> Quadratic<T> {
     /// Returns `h^2 - a c`, which is accurate if the ray starts near the surface.
     #[inline(always)]
     pub fn near(&self) -> Discriminant<T> {
@@ -145,7 +145,7 @@ impl<T: MulAdd> Quadratic<T> {
 /// Returns `|q|^2 - s`, as accurate as if it were computed with twice the digits and then rounded, and `|q|^2 + s` with
 /// the usual accuracy. `q` and `s` are given rounded, each with its error.
 #[inline(always)]
-pub(crate) fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>), (s, s_error): (T, T)) -> (T, T) {
+pub(crate) fn difference_of_squares<T: Rounding>((q, q_error): (Vec3<T>, Vec3<T>), (s, s_error): (T, T)) -> (T, T) {
     let (xx, xx_error) = two_product(q.x, q.x);
     let (yy, yy_error) = two_product(q.y, q.y);
     let (zz, zz_error) = two_product(q.z, q.z);
@@ -161,12 +161,12 @@ pub(crate) fn difference_of_squares<T: MulAdd>((q, q_error): (Vec3<T>, Vec3<T>),
 /// Returns [`LAMBDA_MIN`], lowered by more than the error of a lambda. So if a computed lambda is below it, the exact
 /// one is below [`LAMBDA_MIN`].
 #[inline(always)]
-fn least_lambda<T: MulAdd>() -> T {
+fn least_lambda<T: Rounding>() -> T {
     T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * LIMITS.lambda_error())
 }
 
 /// Whether an accurate lambda certainly is in range, and has not overflowed.
 #[inline(always)]
-pub(crate) fn is_in_range<T: MulAdd>(lambda: T) -> T::Mask {
+pub(crate) fn is_in_range<T: Rounding>(lambda: T) -> T::Mask {
     LIMITS.in_range(lambda) & lambda.less(T::of(OVERFLOW))
 }

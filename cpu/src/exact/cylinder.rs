@@ -14,7 +14,7 @@ use crate::exact::cylinder_decision::{CapFormulas, Hit, PlainCaps, PlainSide, de
 use crate::exact::cylinder_parts::{Crossing, Side, is_inside, is_long};
 use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
-use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding, vec3::Vec3};
+use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::{SimdF64, fused::run_fused};
 
 /// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
@@ -165,10 +165,7 @@ impl<T: Rounding> SideLanes<T> {
     /// Intersects the rays with the side by the [compensated](crate::exact::cylinder_compensated) formulas. `axis` is
     /// the axis of the scene file.
     #[inline(always)]
-    pub fn compensated(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self
-    where
-        T: MulAdd,
-    {
+    pub fn compensated(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self {
         let inside = is_inside(&record.seen_from(ray.origin));
         let side = CompensatedSide::new(record, axis, ray, inside);
         Self::of(side.entry(), side.exit(), side.misses, inside)

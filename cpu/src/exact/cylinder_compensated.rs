@@ -17,7 +17,7 @@ use crate::exact::cylinder_parts::{Crossing, Plane, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::error_free::{cross, cross_with_error, difference, two_product, two_sum};
-use crate::math::{rounding::MulAdd, vec3::Vec3};
+use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// Covers the errors of a cap's lambda and of its point that are not those of the distance and of the slope, in units
 /// of `u lambda |d|`.
@@ -32,7 +32,7 @@ pub const SHARE_IN_C: f64 = 4.0;
 pub const SHARE_OF_DISTANCE: f64 = f64::EPSILON;
 
 /// The quadratic of a ray and the side of a cylinder.
-pub struct Terms<T: MulAdd> {
+pub struct Terms<T: Rounding> {
     /// The coefficients.
     pub quadratic: Quadratic<T>,
     /// The discriminant by Lagrange's identity.
@@ -43,7 +43,7 @@ pub struct Terms<T: MulAdd> {
     in_scale: T::Mask,
 }
 
-impl<T: MulAdd> Terms<T> {
+impl<T: Rounding> Terms<T> {
     /// Returns the quadratic. `axis` is the axis of the scene file.
     #[inline(always)]
     pub fn new(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self {
@@ -69,7 +69,7 @@ impl<T: MulAdd> Terms<T> {
 }
 
 /// The points where rays cross infinite cylinders.
-pub struct CompensatedSide<'a, T: MulAdd> {
+pub struct CompensatedSide<'a, T: Rounding> {
     record: &'a CylinderRecord<T>,
     ray: &'a Ray<T>,
     terms: Terms<T>,
@@ -83,7 +83,7 @@ pub struct CompensatedSide<'a, T: MulAdd> {
     backward: T::Mask,
 }
 
-impl<'a, T: MulAdd> CompensatedSide<'a, T> {
+impl<'a, T: Rounding> CompensatedSide<'a, T> {
     /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file, and
     /// `inside` says whether the ray certainly starts inside the infinite cylinder.
     #[inline(always)]
@@ -127,7 +127,7 @@ impl<'a, T: MulAdd> CompensatedSide<'a, T> {
     }
 }
 
-impl<T: MulAdd<Mask = bool>> SideFormulas<T> for CompensatedSide<'_, T> {
+impl<T: Rounding<Mask = bool>> SideFormulas<T> for CompensatedSide<'_, T> {
     #[inline(always)]
     fn misses(&self) -> bool {
         self.misses
@@ -161,7 +161,7 @@ impl<T: MulAdd<Mask = bool>> SideFormulas<T> for CompensatedSide<'_, T> {
 
 /// Returns `r^2 V.V`, rounded, and its rounding error, itself rounded.
 #[inline(always)]
-fn rim<T: MulAdd>(radius: T, axis: Vec3<T>) -> (T, T) {
+fn rim<T: Rounding>(radius: T, axis: Vec3<T>) -> (T, T) {
     let ((rr, rr_error), (xx, xx_error)) = (two_product(radius, radius), two_product(axis.x, axis.x));
     let ((yy, yy_error), (zz, zz_error)) = (two_product(axis.y, axis.y), two_product(axis.z, axis.z));
     let (sum, first) = two_sum(xx, yy);
@@ -178,7 +178,7 @@ pub const SHARE_OF_SIZE: f64 = 1.0 / (1_u64 << 40) as f64;
 /// Returns the plane of the cap around `center`. `axis` is the axis of the scene file, and `to_cap` is the axis or, for
 /// the bottom cap, its opposite.
 #[inline(always)]
-pub fn plane<T: MulAdd>(
+pub fn plane<T: Rounding>(
     record: &CylinderRecord<T>,
     axis: Vec3<T>,
     ray: &Ray<T>,
@@ -209,7 +209,7 @@ pub fn plane<T: MulAdd>(
 /// The caps by the compensated formula. This holds the axis of the scene file.
 pub struct CompensatedCaps<T>(pub Vec3<T>);
 
-impl<T: MulAdd> CapFormulas<T> for CompensatedCaps<T> {
+impl<T: Rounding> CapFormulas<T> for CompensatedCaps<T> {
     #[inline(always)]
     fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T> {
         plane(record, self.0, ray, center, Vec3::select(is_top, self.0, -self.0))

@@ -9,7 +9,7 @@ use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference
 use crate::exact::{error_bound::Decision, error_bound::in_scale, sphere_filter::SphereHits};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::error_free::{cross, difference, two_product};
-use crate::math::{rounding::MulAdd, vec3::Vec3};
+use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers errors of second
 /// order in the cross product, if the sphere is farther away than 2^40 radii.
@@ -27,7 +27,7 @@ pub struct Terms<T> {
     pub quadratic: Quadratic<T>,
 }
 
-impl<T: MulAdd> Terms<T> {
+impl<T: Rounding> Terms<T> {
     /// Returns the terms.
     #[inline(always)]
     pub fn new(record: &SphereRecord<T>, ray: &Ray<T>) -> Self {

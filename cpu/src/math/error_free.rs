@@ -1,7 +1,7 @@
 //! Sums and products with their rounding errors. A rounding error is itself a floating-point number. So result and
 //! rounding error together are exact, short of overflow and underflow.
 
-use crate::math::rounding::{MulAdd, Rounding};
+use crate::math::rounding::Rounding;
 use crate::math::vec3::Vec3;
 
 /// Returns the rounded `a + b` and its rounding error: the exact sum minus the rounded one (Knuth).
@@ -14,21 +14,21 @@ pub(crate) fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
 
 /// Returns the rounded `a b` and its rounding error: the exact product minus the rounded one.
 #[inline(always)]
-pub fn two_product<T: MulAdd>(a: T, b: T) -> (T, T) {
+pub fn two_product<T: Rounding>(a: T, b: T) -> (T, T) {
     let product = a * b;
     (product, a.mul_add(b, -product))
 }
 
 /// Returns `a - b`, rounded, and the rounding error.
 #[inline(always)]
-pub fn difference<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
+pub fn difference<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
     (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
 }
 
 /// Returns the cross product. The relative error of each component is at most 2 u.
 #[inline(always)]
-pub fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+pub fn cross<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     Vec3::new(
         difference_of_products(a.y, b.z, a.z, b.y),
         difference_of_products(a.z, b.x, a.x, b.z),
@@ -39,7 +39,7 @@ pub fn cross<T: MulAdd>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
 /// Returns the cross product of `a + a_error` and `b` as two vectors whose sum it is. The second vector consists of
 /// rounding errors, and of the part of `a_error`.
 #[inline(always)]
-pub fn cross_with_error<T: MulAdd>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
+pub fn cross_with_error<T: Rounding>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     let more = cross(a_error, b);
     let x = difference_with_error([a.y, b.z, a.z, b.y], more.x);
     let y = difference_with_error([a.z, b.x, a.x, b.z], more.y);
@@ -49,7 +49,7 @@ pub fn cross_with_error<T: MulAdd>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>)
 
 /// Returns `a b - c d + more` in two parts. `more` must be as small as a rounding error.
 #[inline(always)]
-fn difference_with_error<T: MulAdd>([a, b, c, d]: [T; 4], more: T) -> (T, T) {
+fn difference_with_error<T: Rounding>([a, b, c, d]: [T; 4], more: T) -> (T, T) {
     let ((left, left_error), (right, right_error)) = (two_product(a, b), two_product(c, d));
     let (difference, error) = two_sum(left, -right);
     (difference, error + (left_error - right_error) + more)
@@ -57,7 +57,7 @@ fn difference_with_error<T: MulAdd>([a, b, c, d]: [T; 4], more: T) -> (T, T) {
 
 /// Returns `a b - c d` by Kahan's algorithm.
 #[inline(always)]
-fn difference_of_products<T: MulAdd>(a: T, b: T, c: T, d: T) -> T {
+fn difference_of_products<T: Rounding>(a: T, b: T, c: T, d: T) -> T {
     let product = c * d;
     let error = (-c).mul_add(d, product);
     a.mul_add(b, -product) + error

@@ -1,5 +1,4 @@
-//! The traits of arithmetic whose rounding errors are known. Formulas with an error bound are generic over these
-//! traits.
+//! The trait of arithmetic whose rounding errors are known. Formulas with an error bound are generic over it.
 
 use crate::math::real::Real;
 
@@ -8,10 +7,7 @@ use crate::math::real::Real;
 pub trait Rounding: Real {
     /// The largest relative error of one operation, `u` in the error bounds.
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
-}
 
-/// Arithmetic with a fused multiply-add.
-pub trait MulAdd: Rounding {
     /// Returns `self * factor + term`, rounded once. In code that is compiled for a machine without the instruction, a
     /// library function computes the same bits.
     fn mul_add(self, factor: Self, term: Self) -> Self;
@@ -23,9 +19,7 @@ pub trait MulAdd: Rounding {
     }
 }
 
-impl Rounding for f64 {}
-
-impl MulAdd for f64 {
+impl Rounding for f64 {
     #[inline(always)]
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self.mul_add(factor, term)

@@ -2,7 +2,7 @@
 
 use std::arch::x86_64::*;
 
-use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::math::{real::Real, rounding::Rounding};
 use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::features, tables::intrinsics, tables::operators};
 
 features!(is_x86_feature_detected: "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
@@ -77,9 +77,7 @@ impl Real for F64 {
     }
 }
 
-impl Rounding for F64 {}
-
-impl MulAdd for F64 {
+impl Rounding for F64 {
     intrinsics! {
         fn mul_add(self, factor: Self, term: Self) -> Self { Self(_mm256_fmadd_pd(self.0, factor.0, term.0)) }
     }

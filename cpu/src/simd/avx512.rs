@@ -2,7 +2,7 @@
 
 use std::arch::x86_64::*;
 
-use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::math::{real::Real, rounding::Rounding};
 use crate::simd::{
     Kernel, Simd, SimdF32, SimdF64, avx2::Avx2, tables::features, tables::intrinsics, tables::operators,
 };
@@ -94,9 +94,7 @@ impl Real for F64 {
     }
 }
 
-impl Rounding for F64 {}
-
-impl MulAdd for F64 {
+impl Rounding for F64 {
     intrinsics! {
         fn mul_add(self, factor: Self, term: Self) -> Self { Self(_mm512_fmadd_pd(self.0, factor.0, term.0)) }
     }

@@ -5,7 +5,7 @@
 
 use std::arch::aarch64::*;
 
-use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::math::{real::Real, rounding::Rounding};
 use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::features, tables::intrinsics, tables::operators};
 
 features!(is_aarch64_feature_detected: "neon");
@@ -88,9 +88,7 @@ impl Real for F64 {
     }
 }
 
-impl Rounding for F64 {}
-
-impl MulAdd for F64 {
+impl Rounding for F64 {
     intrinsics! {
         fn mul_add(self, factor: Self, term: Self) -> Self { Self(both!(vfmaq_f64(term.0, self.0, factor.0))) }
     }

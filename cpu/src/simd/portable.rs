@@ -3,7 +3,7 @@
 use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::math::{real::Real, rounding::Rounding};
 use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::functions};
 
 /// The portable instruction set: lanes are arrays of four numbers, for `f64` and for `f32`. It needs nothing special of
@@ -77,9 +77,7 @@ impl Real for Array<f64> {
     }
 }
 
-impl Rounding for Array<f64> {}
-
-impl MulAdd for Array<f64> {
+impl Rounding for Array<f64> {
     functions! {
         fn mul_add(self, factor: Self, term: Self) -> Self {
             Self(array::from_fn(|lane| self.0[lane].mul_add(factor.0[lane], term.0[lane])))

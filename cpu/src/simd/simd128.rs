@@ -7,7 +7,7 @@
 
 use std::arch::wasm32::*;
 
-use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::math::{real::Real, rounding::Rounding};
 use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::functions, tables::intrinsics, tables::operators};
 
 /// The proof that the machine has the 128-bit vectors of WebAssembly. Without them the WebAssembly module would not
@@ -70,9 +70,7 @@ impl Real for F64 {
     }
 }
 
-impl Rounding for F64 {}
-
-impl MulAdd for F64 {
+impl Rounding for F64 {
     functions! {
         // WebAssembly has no fused multiply-add with a certain result, so each lane calls a function.
         fn mul_add(self, factor: Self, term: Self) -> Self {

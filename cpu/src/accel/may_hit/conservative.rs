@@ -10,7 +10,7 @@
 use crate::accel::{may_hit::target::Target, object::ObjectId, object::ObjectRef};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::layout::Objects;
-use crate::math::{real::Real, rounding::MulAdd, vec3::Vec3};
+use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
 /// The margin of the constant term `c` of a quadratic `a lambda^2 - 2 h lambda + c`, relative to the sum of the
 /// magnitudes of the terms of `c` ([`Quadratic::size`]). It is `1024 u`: room for about 1,000 roundings, each with a
@@ -40,7 +40,7 @@ pub(crate) fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
 /// If the square of the distance or of the radius overflows, `size` is infinite, so `c` less the margin is NaN or
 /// `-inf`, and the sphere is kept. If only `a c` less the margin overflows and the ray hits, the larger `h^2` overflows
 /// too, because the margin exceeds the errors of both. The difference is NaN, and the sphere is kept. A fused product
-/// would not overflow, but `f64` [rounds](MulAdd::mul_add_loosely) it.
+/// would not overflow, but `f64` [rounds](Rounding::mul_add_loosely) it.
 #[derive(Clone, Copy, Debug)]
 pub struct ConservativeRay<T> {
     /// The ray.
@@ -75,7 +75,7 @@ impl ConservativeRay<f64> {
     }
 }
 
-impl<T: MulAdd> ConservativeRay<T> {
+impl<T: Rounding> ConservativeRay<T> {
     /// Prepares a ray for the tests.
     #[inline(always)]
     pub fn new(ray: Ray<T>) -> Self {
@@ -131,7 +131,7 @@ impl<T: MulAdd> ConservativeRay<T> {
     }
 }
 
-impl<T: MulAdd> Quadratic<T> {
+impl<T: Rounding> Quadratic<T> {
     /// Whether the quadratic certainly has no root in range, at a lambda of at least [`LAMBDA_MIN`]. `least_product` is
     /// `a c`, lowered by the margin.
     #[inline(always)]
@@ -148,7 +148,7 @@ impl<T: MulAdd> Quadratic<T> {
 }
 
 #[inline(always)]
-fn dot<T: MulAdd>(left: Vec3<T>, right: Vec3<T>) -> T {
+fn dot<T: Rounding>(left: Vec3<T>, right: Vec3<T>) -> T {
     left.z.mul_add_loosely(right.z, left.y.mul_add_loosely(right.y, left.x * right.x))
 }
 

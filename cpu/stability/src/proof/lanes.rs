@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::{Add, Mul, Sub};
 
-use cpu::internals::math::{real::Real, rounding::MulAdd};
+use cpu::internals::math::{real::Real, rounding::Rounding};
 use cpu::internals::simd::SimdF32;
 
 use super::bounded::{self, Bounded, compared};

@@ -3,7 +3,7 @@
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use cpu::internals::math::real::Real;
-use cpu::internals::math::rounding::{MulAdd, Rounding};
+use cpu::internals::math::rounding::Rounding;
 
 use super::bounded::{Bounded, Operation};
 use super::bounds::{Bounds, arithmetic, composed};
@@ -116,9 +116,7 @@ impl Real for Bounded {
     }
 }
 
-impl Rounding for Bounded {}
-
-impl MulAdd for Bounded {
+impl Rounding for Bounded {
     /// Rounded once. The bound holds for two roundings too, because it adds the rounding of the product.
     fn mul_add(self, factor: Self, term: Self) -> Self {
         Self::of_operation(Operation::Fused(self, factor, term), || {
