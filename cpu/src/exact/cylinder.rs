@@ -10,8 +10,8 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
-use crate::exact::cylinder_decision::{CapFormulas, Hit, PlainCaps, PlainSide, decide, with_caps};
-use crate::exact::cylinder_parts::{Crossing, Side, is_inside, is_long};
+use crate::exact::cylinder_decision::{CapFormulas, Hit, PlainCaps, PlainSide, SideFacts, SideFormulas, decide, with_caps};
+use crate::exact::cylinder_parts::{Crossing, is_inside, is_long};
 use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
@@ -54,7 +54,7 @@ fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
 /// `Certain(None)` for a miss, and `Uncertain` if rounding may have changed a decision.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
-    decide(record, ray, &PlainSide::new(record, ray, is_long(record)), &PlainCaps)
+    decide(record, ray, &PlainSide::new(record, &record.seen_from(ray.origin), ray, is_long(record)), &PlainCaps)
 }
 
 /// Intersects a ray for which [`filtered`] is uncertain. The [compensated](crate::exact::cylinder_compensated) formulas
@@ -155,11 +155,7 @@ impl<T: Rounding> SideLanes<T> {
     /// Intersects the rays with the side by the plain formulas. `view` has the cylinder's terms for the rays' origin.
     #[inline(always)]
     pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>, is_long: bool) -> Self {
-        let side = Side::new(record, view, ray.direction, is_long);
-        let root = side.discriminant.sqrt();
-        let entry = side.crossing(record, ray, -side.h - root, root);
-        let exit = side.crossing(record, ray, -side.h + root, root);
-        Self::of(entry, exit, side.bound.misses(side.discriminant), side.inside)
+        Self::of(&PlainSide::new(record, view, ray, is_long))
     }
 
     /// Intersects the rays with the side by the [compensated](crate::exact::cylinder_compensated) formulas. `axis` is
@@ -167,12 +163,13 @@ impl<T: Rounding> SideLanes<T> {
     #[inline(always)]
     pub fn compensated(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self {
         let inside = is_inside(&record.seen_from(ray.origin));
-        let side = CompensatedSide::new(record, axis, ray, inside);
-        Self::of(side.entry(), side.exit(), side.misses, inside)
+        Self::of(&CompensatedSide::new(record, axis, ray, inside))
     }
 
     #[inline(always)]
-    fn of(entry: Crossing<T>, exit: Crossing<T>, misses: T::Mask, inside: T::Mask) -> Self {
+    fn of(side: &impl SideFormulas<T>) -> Self {
+        let (entry, exit) = (side.crossing(false), side.crossing(true));
+        let SideFacts { misses, inside, .. } = side.facts();
         let nothing = misses | (entry.fails() & entry.passes_by(&exit));
         let through = entry.behind & exit.straight & !nothing;
         Self { entry, exit, nothing, through, inside, open: !(nothing | entry.hits | through) }

@@ -12,7 +12,7 @@
 //! `V.V (a r^2 - ((O - C).p)^2)`, whose terms do not grow with the distance along the axis.
 
 use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
-use crate::exact::cylinder_decision::{CapFormulas, SideFormulas};
+use crate::exact::cylinder_decision::{CapFormulas, SideFacts, SideFormulas};
 use crate::exact::cylinder_parts::{Crossing, Plane, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
@@ -76,7 +76,7 @@ pub struct CompensatedSide<'a, T: Rounding> {
     /// What is certain about the two roots, if the numbers are in scale.
     roots: Roots<T>,
     /// The ray's line certainly misses the infinite cylinder.
-    pub misses: T::Mask,
+    misses: T::Mask,
     /// The ray certainly starts inside the infinite cylinder.
     inside: T::Mask,
     /// The large root is where the line enters, and it is negative. Otherwise it is where the line leaves.
@@ -101,61 +101,32 @@ impl<'a, T: Rounding> CompensatedSide<'a, T> {
         let backward = terms.quadratic.h.less(T::of(0.0));
         Self { record, ray, terms, roots, misses, inside, backward }
     }
-
-    /// Returns the crossing at the small root where `is_small` holds, and at the large root elsewhere.
-    #[inline(always)]
-    fn crossing(&self, is_small: T::Mask) -> Crossing<T> {
-        let Self { record, ray, roots, .. } = self;
-        let either = |yes: T::Mask, no: T::Mask| (is_small & yes) | (!is_small & no);
-        let start = [self.terms.from_center.dot(record.axis), ray.direction.dot(record.axis)];
-        let [small, large] = roots.magnitudes(&self.terms.quadratic);
-        let [lambda, error] = [(small.0, large.0), (small.1, large.1)].map(|(a, b)| T::select(is_small, a, b));
-        let hits = either(roots.small_is_ahead, roots.accurate & !self.backward) & is_in_range(lambda);
-        Crossing::new(record, ray, start, (lambda, error), hits, either(roots.small_fails, roots.large_fails))
-    }
-
-    /// Returns the point where the line enters the infinite cylinder.
-    #[inline(always)]
-    pub(crate) fn entry(&self) -> Crossing<T> {
-        self.crossing(!self.backward)
-    }
-
-    /// Returns the point where the line leaves the infinite cylinder.
-    #[inline(always)]
-    pub(crate) fn exit(&self) -> Crossing<T> {
-        self.crossing(self.backward)
-    }
 }
 
-impl<T: Rounding<Mask = bool>> SideFormulas<T> for CompensatedSide<'_, T> {
+impl<T: Rounding> SideFormulas<T> for CompensatedSide<'_, T> {
     #[inline(always)]
-    fn misses(&self) -> bool {
-        self.misses
+    fn facts(&self) -> SideFacts<T> {
+        SideFacts { misses: self.misses, is_accurate: self.roots.accurate, inside: self.inside }
     }
 
     #[inline(always)]
-    fn is_accurate(&self) -> bool {
-        self.roots.accurate
-    }
-
-    #[inline(always)]
-    fn inside(&self) -> bool {
-        self.inside
-    }
-
-    #[inline(always)]
-    fn enters_behind(&self) -> bool {
+    fn enters_behind(&self) -> bool
+    where
+        T: Rounding<Mask = bool>,
+    {
         if self.backward { self.roots.large_fails } else { self.roots.small_fails }
     }
 
     #[inline(always)]
-    fn entry(&self) -> Crossing<T> {
-        self.entry()
-    }
-
-    #[inline(always)]
-    fn exit(&self) -> Crossing<T> {
-        self.exit()
+    fn crossing(&self, leaves: bool) -> Crossing<T> {
+        let &Self { record, ray, ref terms, ref roots, backward, .. } = self;
+        let is_small = if leaves { backward } else { !backward };
+        let either = |yes: T::Mask, no: T::Mask| (is_small & yes) | (!is_small & no);
+        let start = [terms.from_center.dot(record.axis), ray.direction.dot(record.axis)];
+        let [small, large] = roots.magnitudes(&terms.quadratic);
+        let [lambda, error] = [(small.0, large.0), (small.1, large.1)].map(|(a, b)| T::select(is_small, a, b));
+        let hits = either(roots.small_is_ahead, roots.accurate & !backward) & is_in_range(lambda);
+        Crossing::new(record, ray, start, (lambda, error), hits, either(roots.small_fails, roots.large_fails))
     }
 }
 
@@ -223,7 +194,7 @@ pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: Cylin
     let (center, to_cap) = match part {
         CylinderPart::Side => {
             let side = CompensatedSide::new(record, axis, ray, false);
-            let (entry, exit) = (side.entry(), side.exit());
+            let (entry, exit) = (side.crossing(false), side.crossing(true));
             let crossing = if entry.hits { entry } else { exit };
             return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error));
         }

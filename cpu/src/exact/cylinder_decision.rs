@@ -7,26 +7,32 @@
 
 use crate::exact::cylinder_parts::{Crossing, Plane, Side, filtered_cap};
 use crate::exact::{error_bound::Decision, error_bound::in_scale};
-use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
 /// The lambda and the part of a hit, or `None` for a miss.
 pub(super) type Hit<T> = Option<(T, CylinderPart)>;
 
+/// What is certain about a ray and an infinite cylinder before a crossing is computed.
+pub(super) struct SideFacts<T: Real> {
+    /// The ray's line misses the infinite cylinder.
+    pub misses: T::Mask,
+    /// The crossings can be accurate. Elsewhere no crossing is certain.
+    pub is_accurate: T::Mask,
+    /// The ray starts inside the infinite cylinder.
+    pub inside: T::Mask,
+}
+
 /// A way to compute where a ray crosses an infinite cylinder.
 pub(super) trait SideFormulas<T: Rounding> {
-    /// Whether the ray's line certainly misses the infinite cylinder.
-    fn misses(&self) -> bool;
-    /// Whether the crossings can be accurate. If not, no crossing is certain.
-    fn is_accurate(&self) -> bool;
-    /// Whether the ray certainly starts inside the infinite cylinder.
-    fn inside(&self) -> bool;
-    /// Whether lambda at the [entry](Self::entry) certainly is below the least lambda. This is cheaper than the entry.
-    fn enters_behind(&self) -> bool;
-    /// Returns the point where the line enters the infinite cylinder.
-    fn entry(&self) -> Crossing<T>;
-    /// Returns the point where it leaves the infinite cylinder.
-    fn exit(&self) -> Crossing<T>;
+    /// Returns what is certain before a crossing is computed.
+    fn facts(&self) -> SideFacts<T>;
+    /// Whether lambda certainly is below the least lambda where the line enters. This is cheaper than the crossing.
+    fn enters_behind(&self) -> bool
+    where
+        T: Rounding<Mask = bool>;
+    /// Returns the point where the line leaves the infinite cylinder if `leaves` holds, and where it enters otherwise.
+    fn crossing(&self, leaves: bool) -> Crossing<T>;
 }
 
 /// The side by the plain formulas. `root` is the square root of the discriminant.
@@ -38,43 +44,35 @@ pub(super) struct PlainSide<'a, T: Real> {
 }
 
 impl<'a, T: Rounding> PlainSide<'a, T> {
+    /// Computes the quadratic. `view` has the cylinder's terms for the ray's origin.
     #[inline(always)]
-    pub(super) fn new(record: &'a CylinderRecord<T>, ray: &'a Ray<T>, is_long: bool) -> Self {
-        let side = Side::new(record, &record.seen_from(ray.origin), ray.direction, is_long);
+    pub(super) fn new(record: &'a CylinderRecord<T>, view: &CylinderView<T>, ray: &'a Ray<T>, is_long: bool) -> Self {
+        let side = Side::new(record, view, ray.direction, is_long);
         let root = side.discriminant.sqrt();
         Self { record, ray, side, root }
     }
 }
 
-impl<T: Rounding<Mask = bool>> SideFormulas<T> for PlainSide<'_, T> {
+impl<T: Rounding> SideFormulas<T> for PlainSide<'_, T> {
     #[inline(always)]
-    fn misses(&self) -> bool {
-        self.side.bound.misses(self.side.discriminant)
+    fn facts(&self) -> SideFacts<T> {
+        let Side { a_is_accurate, inside, .. } = self.side;
+        SideFacts { misses: self.side.bound.misses(self.side.discriminant), is_accurate: a_is_accurate, inside }
     }
 
     #[inline(always)]
-    fn is_accurate(&self) -> bool {
-        self.side.a_is_accurate
-    }
-
-    #[inline(always)]
-    fn inside(&self) -> bool {
-        self.side.inside
-    }
-
-    #[inline(always)]
-    fn enters_behind(&self) -> bool {
+    fn enters_behind(&self) -> bool
+    where
+        T: Rounding<Mask = bool>,
+    {
         self.side.is_behind(-self.side.h - self.root, self.root)
     }
 
     #[inline(always)]
-    fn entry(&self) -> Crossing<T> {
-        self.side.crossing(self.record, self.ray, -self.side.h - self.root, self.root)
-    }
-
-    #[inline(always)]
-    fn exit(&self) -> Crossing<T> {
-        self.side.crossing(self.record, self.ray, -self.side.h + self.root, self.root)
+    fn crossing(&self, leaves: bool) -> Crossing<T> {
+        let Self { record, ray, side, root } = self;
+        let numerator = if leaves { -side.h + *root } else { -side.h - *root };
+        side.crossing(record, ray, numerator, *root)
     }
 }
 
@@ -105,14 +103,15 @@ pub(super) fn decide<T: Rounding<Mask = bool>>(
     if !in_scale(ray.direction.dot(ray.direction)) {
         return Decision::Uncertain;
     }
-    if side.misses() {
+    let SideFacts { misses, is_accurate, inside } = side.facts();
+    if misses {
         return Decision::Certain(None);
     }
-    if !side.is_accurate() {
-        return caps_alone(record, ray, side, caps);
+    if !is_accurate {
+        return caps_alone(record, ray, inside, caps);
     }
     let exit = if side.enters_behind() {
-        let exit = side.exit();
+        let exit = side.crossing(true);
         if exit.straight {
             return Decision::Certain(Some((exit.lambda, CylinderPart::Side)));
         }
@@ -121,34 +120,35 @@ pub(super) fn decide<T: Rounding<Mask = bool>>(
         }
         exit
     } else {
-        let entry = side.entry();
+        let entry = side.crossing(false);
         if entry.hits {
             return Decision::Certain(Some((entry.lambda, CylinderPart::Side)));
         }
         if !entry.fails() {
-            return caps_alone(record, ray, side, caps);
+            return caps_alone(record, ray, inside, caps);
         }
-        let exit = side.exit();
+        let exit = side.crossing(true);
         if entry.passes_by(&exit) {
             return Decision::Certain(None);
         }
         exit
     };
     if !(exit.hits || exit.fails()) {
-        return caps_alone(record, ray, side, caps);
+        return caps_alone(record, ray, inside, caps);
     }
     with_caps(record, ray, caps, Decision::Certain(exit.hits.then_some((exit.lambda, CylinderPart::Side))))
 }
 
-/// Returns the hit if the caps decide it alone, although it is uncertain where the ray crosses the side.
+/// Returns the hit if the caps decide it alone, although it is uncertain where the ray crosses the side. They can if
+/// the ray certainly starts inside the infinite cylinder.
 #[inline(always)]
 fn caps_alone<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
     ray: &Ray<T>,
-    side: &impl SideFormulas<T>,
+    inside: bool,
     caps: &impl CapFormulas<T>,
 ) -> Decision<Hit<T>> {
-    if side.inside() { with_caps(record, ray, caps, Decision::Uncertain) } else { Decision::Uncertain }
+    if inside { with_caps(record, ray, caps, Decision::Uncertain) } else { Decision::Uncertain }
 }
 
 /// Returns the closest hit with a cap or with the side. The ray certainly does not hit the side where its line enters

@@ -3,7 +3,6 @@
 //! the least lambda. The tests try each order, and in each order all sets of facts that may be certain.
 
 use super::*;
-use crate::exact::cylinder_decision::SideFormulas;
 use crate::exact::cylinder_parts::Plane;
 use crate::geometry::ray::LAMBDA_MIN;
 
@@ -120,9 +119,19 @@ impl Order {
 /// The facts about an order, as formulas of the side and of the caps.
 struct Known<'a>(&'a Order, Facts);
 
-impl Known<'_> {
-    fn crossing(&self, place: usize) -> Crossing<f64> {
+impl SideFormulas<f64> for Known<'_> {
+    fn facts(&self) -> SideFacts<f64> {
+        let Facts { misses, is_accurate, inside, .. } = self.1;
+        SideFacts { misses, is_accurate, inside }
+    }
+
+    fn enters_behind(&self) -> bool {
+        self.crossing(false).behind
+    }
+
+    fn crossing(&self, leaves: bool) -> Crossing<f64> {
         let (Self(order, facts), [near, far]) = (self, self.0.caps);
+        let place = usize::from(leaves);
         let (lambda, known) = (order.side[place], facts.crossings[place]);
         let in_range = known > 0 && LAMBDA_MIN < lambda;
         let hits = in_range && near < lambda && lambda < far;
@@ -136,27 +145,6 @@ impl Known<'_> {
             above: if order.upward { after } else { before },
             below: if order.upward { before } else { after },
         }
-    }
-}
-
-impl SideFormulas<f64> for Known<'_> {
-    fn misses(&self) -> bool {
-        self.1.misses
-    }
-    fn is_accurate(&self) -> bool {
-        self.1.is_accurate
-    }
-    fn inside(&self) -> bool {
-        self.1.inside
-    }
-    fn enters_behind(&self) -> bool {
-        self.entry().behind
-    }
-    fn entry(&self) -> Crossing<f64> {
-        self.crossing(0)
-    }
-    fn exit(&self) -> Crossing<f64> {
-        self.crossing(1)
     }
 }
 
@@ -192,7 +180,7 @@ fn no_order_of_surfaces_is_decided_wrongly() {
                     assert!(is_right(hit), "{hit:?} for {expected:?}: {order:?}, {facts:?}");
                     certain += 1;
                 }
-                let lanes = SideLanes::of(known.entry(), known.exit(), facts.misses, facts.inside);
+                let lanes = SideLanes::of(&known);
                 for hits in [lanes.without_caps(), lanes.with_caps(&record, &ray, &known)] {
                     let part = match (hits.bottom, hits.top) {
                         (true, _) => CylinderPart::Bottom,
