@@ -127,10 +127,10 @@ impl<B: Boxes> Bvh<B> {
             let mut distances = [0.0; WIDTH];
             let (bits, lanes) = match node.bounding_spheres() {
                 Some(leaf) => {
-                    let bits = sphere_ray.intersect::<_, S::F32>(&leaf, farthest(closest), &mut distances);
+                    let bits = sphere_ray.intersect::<_, S::F32>(&leaf, farthest_for(closest.lambda), &mut distances);
                     (bits, [0, node.occupied(), 0])
                 }
-                None => (node.boxes.intersect(slab_ray, farthest(closest), &mut distances), node.lanes()),
+                None => (node.boxes.intersect(slab_ray, farthest_for(closest.lambda), &mut distances), node.lanes()),
             };
             let bits = bits & !node.lane_of(start_kind, start_object);
             let [nodes, spheres, cylinders] = lanes.map(|lanes| lanes & bits);
@@ -140,12 +140,12 @@ impl<B: Boxes> Bvh<B> {
             }
             for lane in lanes_in(spheres) {
                 // Another object of this node may have been hit before the ray enters this box.
-                if distances[lane] <= farthest(closest) {
+                if distances[lane] <= farthest_for(closest.lambda) {
                     closest.intersect_sphere(objects, node.number(Kind::Sphere, lane) as usize, ray);
                 }
             }
             for lane in lanes_in(cylinders) {
-                if distances[lane] <= farthest(closest) {
+                if distances[lane] <= farthest_for(closest.lambda) {
                     let id = node.number(Kind::Cylinder, lane);
                     closest.intersect_cylinder(objects, cylinder_index(objects, id), ray);
                 }
@@ -169,7 +169,7 @@ impl<B: Boxes> Bvh<B> {
                     return;
                 }
                 let (next, distance) = stack.pop(&mut depth);
-                if distance <= farthest(closest) {
+                if distance <= farthest_for(closest.lambda) {
                     node = &self.nodes[next as usize];
                     break;
                 }
@@ -188,15 +188,9 @@ struct Query<'a, O, F> {
     sphere_ray: &'a SphereRay,
 }
 
-/// Returns a lambda in single precision beyond which no object is closer than the closest hit so far, or ties with it.
-/// It is infinite before the first hit.
-#[inline(always)]
-fn farthest(closest: &ClosestHit) -> f32 {
-    farthest_for(closest.lambda)
-}
-
-/// Returns a lambda in single precision that exceeds the lambda of a hit by more than the error of that lambda. The
-/// factor adds at least one unit in the last place, and rounding takes at most half of one.
+/// Returns a lambda in single precision beyond which no object is closer than a hit at `lambda`, or ties with it. It is
+/// infinite before the first hit. It exceeds `lambda` by more than the error of a lambda. The factor adds at least one
+/// unit in the last place, and rounding takes at most half of one.
 #[inline(always)]
 pub const fn farthest_for(lambda: f64) -> f32 {
     lambda as f32 * (1.0 + f32::EPSILON)
@@ -259,7 +253,7 @@ impl<B: Boxes> Accelerator for Traversal<'_, B> {
         let (mut node, mut boxes) = (&bvh.nodes[0], 0);
         let backwards = bvh.collapsed_root.is_passed_backwards(ray.direction);
         if S::F32::LANES >= collapsed_root::LEAST_LANES && !bvh.collapsed_root.is_empty() {
-            boxes = bvh.collapsed_root.intersect(&query.slab_ray, farthest(&closest));
+            boxes = bvh.collapsed_root.intersect(&query.slab_ray, farthest_for(closest.lambda));
             if boxes == 0 {
                 return closest;
             }

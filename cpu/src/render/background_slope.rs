@@ -13,8 +13,9 @@
 //! up to `2 r`. So `|e|` is larger by up to `2 r`. As `|g| <= 1 / |d0^|`, the linear term has an additional error of at
 //! most `2 r / |d0^|`, which is at most twice [`RayError::turn`].
 
+use crate::math::{vec3::Vec3, vec3::broadcast};
 use crate::render::ray_error::RayError;
-use crate::{geometry::camera::Camera, geometry::camera::HALF_PIXEL, math::real::Real, math::vec3::Vec3};
+use crate::{geometry::camera::Camera, geometry::camera::HALF_PIXEL, math::real::Real};
 
 /// Bounds of the directions of the camera rays through one pixel, which hold for every pixel of a picture.
 #[derive(Clone, Copy, Debug)]
@@ -26,17 +27,13 @@ pub struct PixelReach<T = f64> {
     linear: T,
 }
 
+broadcast!(PixelReach:; radius, linear);
+
 impl PixelReach {
     /// Returns the bounds for a camera and the error of its rays.
     pub fn new(camera: &Camera, error: &RayError) -> Self {
         let half_sides = (camera.delta_x.length() + camera.delta_y.length()) / 2.0;
         Self { radius: half_sides + 2.0 * error.length, linear: 2.0 * error.turn }
-    }
-
-    /// Returns the bounds with all lanes equal.
-    #[inline(always)]
-    pub fn lanes<T: Real>(&self) -> PixelReach<T> {
-        PixelReach { radius: T::of(self.radius), linear: T::of(self.linear) }
     }
 }
 
