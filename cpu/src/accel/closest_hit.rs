@@ -6,7 +6,7 @@ use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use crate::counters::{Counter, add};
 use crate::exact::order::{self, Surface, is_certainly_closer};
 use crate::exact::{self, error_bound::Decision};
-use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::Place};
+use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie};
 use crate::layout::Objects;
 
 /// The closest hit among the objects intersected so far.
@@ -29,9 +29,7 @@ pub(crate) fn is_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, clos
     if !closest.is_hit() {
         return true;
     }
-    let rank = |hit: &ClosestHit| {
-        Place { order: order_of(objects, hit.object), on_cap: hit.part != CylinderPart::Side }.rank()
-    };
+    let rank = |hit: &ClosestHit| tie::rank(order_of(objects, hit.object), hit.part != CylinderPart::Side);
     // If a number is not finite, there are no exact lambdas, and the computed ones are compared.
     let compared = order::compare(&ray, [&hit.surface(objects), &closest.surface(objects)]);
     match compared.or(hit.lambda.partial_cmp(&closest.lambda)) {

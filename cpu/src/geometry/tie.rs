@@ -5,11 +5,11 @@
 //! order is side, top cap, bottom cap. So of surfaces at the same lambda the last sphere or side counts. If all of them
 //! are caps, the first one counts.
 //!
-//! Hits on several objects are found in any order, so their [ranks](Place::rank) are compared, by
-//! `accel/closest_hit.rs`. Two parts of a cylinder have the same lambda only on its edge, and `closest_part` in
-//! `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie, so `exact/cylinder.rs` finds the part without
-//! this rule. The reference has a literal copy of this rule in `is_nearer` of `reference/nearest.rs`, and WGSL has one
-//! in `tie.wgsl`. The plain formulas in WGSL and their twins compare computed lambdas (`is_closer`).
+//! Hits on several objects are found in any order, so their [ranks](rank) are compared, by `accel/closest_hit.rs`. Two
+//! parts of a cylinder have the same lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides
+//! there. Elsewhere there is no tie, so `exact/cylinder.rs` finds the part without this rule. The reference has a
+//! literal copy of this rule in `is_nearer` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`. The plain
+//! formulas in WGSL and their twins compare computed lambdas (`is_closer`).
 
 use crate::math::real::Real;
 
@@ -20,40 +20,26 @@ pub fn later_cap_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
     lambda.less(closest)
 }
 
-/// The place of a hit, which decides between hits at the same lambda.
-#[derive(Clone, Copy, Debug)]
-pub struct Place {
-    /// The place of the object in the scene file.
-    pub order: u32,
-    /// Whether the hit is on a cap.
-    pub on_cap: bool,
-}
-
-impl Place {
-    /// Returns the rank of the hit among the hits at the same lambda: the hit with the highest rank counts.
-    #[inline(always)]
-    pub(crate) fn rank(self) -> i64 {
-        let order = i64::from(self.order);
-        if self.on_cap { -1 - order } else { order }
-    }
+/// Returns the rank of a hit among the hits at the same lambda: the hit with the highest rank counts. `order` is the
+/// object's place in the scene file.
+#[inline(always)]
+pub fn rank(order: u32, on_cap: bool) -> i64 {
+    let order = i64::from(order);
+    if on_cap { -1 - order } else { order }
 }
 
 /// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
-/// are equal and its [rank](Place::rank) is not lower. Each hit is a pair of computed lambda and place. The objects may
+/// are equal and its [rank] is not lower. Each hit is a pair of computed lambda and rank. The objects may
 /// come in any order.
 #[cfg(any(test, feature = "internals"))]
 #[inline(always)]
-pub fn is_closer<T: Real<Mask = bool>>((lambda, place): (T, Place), (closest, closest_place): (T, Place)) -> bool {
-    lambda.less_equal(closest) && (lambda.less(closest) || place.rank() >= closest_place.rank())
+pub fn is_closer<T: Real<Mask = bool>>((lambda, rank): (T, i64), (closest, closest_rank): (T, i64)) -> bool {
+    lambda.less_equal(closest) && (lambda.less(closest) || rank >= closest_rank)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn place(order: u32, on_cap: bool) -> Place {
-        Place { order, on_cap }
-    }
 
     /// Returns the index of the hit that counts, by the statement's rule, of hits at one lambda in the order of the
     /// scene file. Each hit says whether it is on a cap.
@@ -66,9 +52,9 @@ mod tests {
         for bits in 0..8 {
             let on_cap = [0, 1, 2].map(|index| bits >> index & 1 == 1);
             for search in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
-                let (mut found, mut closest) = (usize::MAX, (f64::INFINITY, place(0, false)));
+                let (mut found, mut closest) = (usize::MAX, (f64::INFINITY, rank(0, false)));
                 for index in search {
-                    let hit = (2.0, place(index as u32, on_cap[index]));
+                    let hit = (2.0, rank(index as u32, on_cap[index]));
                     if is_closer(hit, closest) {
                         (found, closest) = (index, hit);
                     }
@@ -80,9 +66,9 @@ mod tests {
 
     #[test]
     fn a_smaller_lambda_wins_whatever_the_rank() {
-        assert!(is_closer((1.0, place(5, true)), (2.0, place(9, false))));
-        assert!(!is_closer((2.0, place(9, false)), (1.0, place(5, true))));
+        assert!(is_closer((1.0, rank(5, true)), (2.0, rank(9, false))));
+        assert!(!is_closer((2.0, rank(9, false)), (1.0, rank(5, true))));
         assert!(!later_cap_is_closer(2.0_f64, 2.0) && later_cap_is_closer(1.0_f64, 2.0));
-        assert!(place(0, false).rank() > place(0, true).rank());
+        assert!(rank(0, false) > rank(0, true));
     }
 }

@@ -4,7 +4,7 @@
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::internals::geometry::tie::{Place, is_closer};
+use cpu::internals::geometry::tie::{is_closer, rank};
 use cpu::internals::layout::Placed;
 use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::real::Real;
@@ -22,9 +22,9 @@ struct ClosestHit<T> {
 }
 
 impl<T> ClosestHit<T> {
-    fn place(&self) -> Place {
+    fn rank(&self) -> i64 {
         let on_cap = matches!(self.surface, Surface::Cylinder(_, CylinderPart::Top | CylinderPart::Bottom));
-        Place { order: self.order, on_cap }
+        rank(self.order, on_cap)
     }
 }
 
@@ -131,7 +131,7 @@ pub fn scattered<T: Real<Mask = bool>>(
 /// Replaces the closest hit by the hit at `lambda` if that hit is closer. The objects may come in any order.
 fn update<T: Real<Mask = bool>>(closest: &mut Option<ClosestHit<T>>, lambda: T, order: u32, surface: Surface) {
     let hit = ClosestHit { lambda, order, surface };
-    if closest.as_ref().is_none_or(|best| is_closer((lambda, hit.place()), (best.lambda, best.place()))) {
+    if closest.as_ref().is_none_or(|best| is_closer((lambda, hit.rank()), (best.lambda, best.rank()))) {
         *closest = Some(hit);
     }
 }

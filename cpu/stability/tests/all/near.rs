@@ -7,7 +7,7 @@ use cpu::internals::accel::every_object::intersect_every_object;
 use cpu::internals::accel::object::order_of;
 use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::internals::geometry::tie::{Place, is_closer};
+use cpu::internals::geometry::tie::{is_closer, rank};
 use cpu::internals::input::scene::Object;
 use cpu::internals::layout::{Objects, aos::AosObjects};
 use cpu::{Material, Scene, Vec3};
@@ -31,16 +31,16 @@ fn found(NearCase { shapes, ray }: &NearCase) -> Option<(usize, CylinderPart)> {
 
 /// Returns what [`found`] would return if it compared the rounded lambdas.
 fn found_by_rounded_lambdas(NearCase { shapes, ray }: &NearCase) -> Option<(usize, CylinderPart)> {
-    let mut closest = None;
+    let mut closest: Option<((f64, i64), usize, CylinderPart)> = None;
     for (order, &shape) in shapes.iter().enumerate() {
         let (record, ray) = Case { shape, ray: *ray }.of();
         let Some((lambda, part)) = record.exact(&ray) else { continue };
-        let place = Place { order: order as u32, on_cap: part != CylinderPart::Side };
-        if closest.is_none_or(|(best, _)| is_closer((lambda, place), best)) {
-            closest = Some(((lambda, place), part));
+        let hit = (lambda, rank(order as u32, part != CylinderPart::Side));
+        if closest.is_none_or(|(best, ..)| is_closer(hit, best)) {
+            closest = Some((hit, order, part));
         }
     }
-    closest.map(|((_, place), part)| (place.order as usize, part))
+    closest.map(|(_, order, part)| (order, part))
 }
 
 /// Whether the lambdas decide as they are which of the first two objects is closer. The result is `None` unless the ray
