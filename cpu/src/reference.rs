@@ -9,16 +9,17 @@
 //! Uses `math`, `input`, `geometry`, `exact`, `sampling` and `image`. Begin here: this is the specification as a
 //! program.
 
+mod hit;
 pub mod intersect;
 mod nearest;
 
 pub use crate::reference::intersect::{Exact, Intersect, Plain};
 
-use crate::reference::nearest::Hit;
+use crate::reference::{hit::Hit, nearest::is_nearer};
 use crate::{
     geometry::camera::Camera, geometry::ray::Ray, image::Image, image::Rgb, image::quantize::quantize,
-    input::config::Config, input::error::Error, input::error::push, input::material::Material, input::scene::Object,
-    input::scene::Scene, input::scene::Shape, math::vec3::Vec3, sampling::scatter_vectors::Scatter,
+    input::config::Config, input::error::Error, input::error::push, input::material::Material,
+    input::scene::MaterialId, input::scene::Scene, math::vec3::Vec3, sampling::scatter_vectors::Scatter,
     sampling::scatter_vectors::ScatterVectors, sampling::uniform::Uniform,
 };
 
@@ -165,24 +166,18 @@ impl Path<'_> {
     /// Returns the nearest hit among all objects, in the order of the scene file, and the material of its object. The
     /// result is `None` if the ray hits no object.
     fn nearest<P: Intersect>(&self, ray: &Ray) -> Option<(Hit, Material)> {
-        let mut nearest: Option<(Hit, &Object)> = None;
+        let mut nearest: Option<(Hit, MaterialId)> = None;
         for object in &self.scene.objects {
-            let hit = match (P::IS_LITERAL, &object.shape) {
-                (true, Shape::Sphere(sphere)) => nearest::sphere(sphere, ray),
-                (true, Shape::Cylinder(cylinder)) => nearest::cylinder(cylinder, ray),
-                (false, Shape::Sphere(sphere)) => nearest::sphere_by::<P>(sphere, ray),
-                (false, Shape::Cylinder(cylinder)) => nearest::cylinder_by::<P>(cylinder, ray),
-            };
-            let Some(hit) = hit else { continue };
-            let is_nearer = nearest.is_none_or(|(nearest, of_nearest)| {
-                let hits = [hit.lambda_and_surface(&object.shape), nearest.lambda_and_surface(&of_nearest.shape)];
-                nearest::is_nearer(&hit, P::compare(ray, hits))
+            let Some(hit) = Hit::new::<P>(&object.shape, ray) else { continue };
+            let is_nearer = nearest.is_none_or(|(nearest, _)| {
+                let hits = [(hit.lambda, hit.surface), (nearest.lambda, nearest.surface)];
+                is_nearer(hit.is_on_cap(), P::compare(ray, hits))
             });
             if is_nearer {
-                nearest = Some((hit, object));
+                nearest = Some((hit, object.material));
             }
         }
-        nearest.map(|(hit, object)| (hit, self.scene.materials[object.material as usize]))
+        nearest.map(|(hit, material)| (hit, self.scene.materials[material as usize]))
     }
 
     fn background(&self, direction: Vec3) -> Vec3 {

@@ -5,13 +5,11 @@ use std::cmp::Ordering;
 use crate::exact::{self, order, order::Surface};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::vec3::Vec3;
+use crate::reference::nearest;
 
 /// The formulas with which the reference intersects a ray with one sphere or cylinder: [`Plain`] or [`Exact`]. Some
 /// tests implement this trait too, to count intersections or to leave out a step of the exact formulas.
 pub trait Intersect {
-    /// Whether the reference takes its own literal formulas instead of those of this type.
-    const IS_LITERAL: bool = false;
-
     /// Returns the lambda at which the ray hits the sphere, or `None`, as [`SphereRecord::intersect`] does.
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
 
@@ -26,7 +24,7 @@ pub trait Intersect {
     }
 }
 
-/// The plain formulas, with their rounding errors.
+/// The plain formulas as the specification has them, with their rounding errors.
 #[derive(Clone, Copy, Debug)]
 pub enum Plain {}
 
@@ -36,14 +34,12 @@ pub enum Plain {}
 pub enum Exact {}
 
 impl Intersect for Plain {
-    const IS_LITERAL: bool = true;
-
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-        record.intersect(ray)
+        nearest::sphere(record.center, record.radius, ray)
     }
 
-    fn cylinder(record: &CylinderRecord, _: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-        record.intersect(ray)
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+        nearest::cylinder(record.center, record.radius, *axis, ray)
     }
 }
 
