@@ -10,7 +10,9 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
-use crate::exact::cylinder_decision::{CapFormulas, Hit, PlainCaps, PlainSide, SideFacts, SideFormulas, decide, with_caps};
+use crate::exact::cylinder_decision::{
+    CapFormulas, Hit, PlainCaps, PlainSide, SideFacts, SideFormulas, decide, with_caps,
+};
 use crate::exact::cylinder_parts::{Crossing, is_inside, is_long};
 use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
@@ -94,8 +96,7 @@ pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     add(Counter::Fallbacks, 1);
-    cylinder_exact::intersect(record.center, record.radius, *axis, ray)
-        .unwrap_or_else(|NotFinite| record.intersect(ray))
+    cylinder_exact::intersect(record, *axis, ray).unwrap_or_else(|NotFinite| record.intersect(ray))
 }
 
 /// The hits of several rays or cylinders at once, one in each lane.

@@ -10,11 +10,9 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::{
-    exact_lambda::ExactLambda, exact_lambda::Quadratic, sphere_exact::Exact3, sphere_exact::NotFinite,
-    sphere_exact::exact, sphere_exact::least_lambda,
-};
-use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, ray::Ray};
+use crate::exact::exact_lambda::{ExactLambda, Quadratic};
+use crate::exact::sphere_exact::{Exact3, Exactly, NotFinite, exact, least_lambda};
+use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::{dyadic::Dyadic, vec3::Vec3};
 
 /// The inputs of the formulas of side and caps as exact numbers: a ray, a cylinder, and the products that both formulas
@@ -39,27 +37,16 @@ struct Inputs {
 
 /// Returns the rounded lambda and the part of the ray's hit with the cylinder, or `None` if it misses. `axis` is the
 /// axis of the scene file, and its length is the cylinder's height. The error says that an input is not finite.
-pub(crate) fn intersect(
-    center: Vec3,
-    radius: f64,
-    axis: Vec3,
-    ray: &Ray,
-) -> Result<Option<(f64, CylinderPart)>, NotFinite> {
-    let inputs = Inputs::new(center, radius, axis, ray)?;
+pub(crate) fn intersect(record: &CylinderRecord, axis: Vec3, ray: &Ray) -> Exactly<(f64, CylinderPart)> {
+    let inputs = Inputs::new(record, axis, ray)?;
     let parts = [inputs.side(), inputs.cap(false)?, inputs.cap(true)?];
     Ok(closest_part(parts).map(|(lambda, part)| (lambda.rounded(), part)))
 }
 
 /// Returns the exact lambda of the ray's hit with a part of the cylinder, which it must hit. The other parameters and
 /// the error are those of [`intersect`].
-pub(crate) fn lambda(
-    center: Vec3,
-    radius: f64,
-    axis: Vec3,
-    ray: &Ray,
-    part: CylinderPart,
-) -> Result<Option<ExactLambda>, NotFinite> {
-    let inputs = Inputs::new(center, radius, axis, ray)?;
+pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Exactly<ExactLambda> {
+    let inputs = Inputs::new(record, axis, ray)?;
     if part == CylinderPart::Side {
         return Ok(inputs.side());
     }
@@ -68,7 +55,7 @@ pub(crate) fn lambda(
 }
 
 impl Inputs {
-    fn new(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Self, NotFinite> {
+    fn new(&CylinderRecord { center, radius, .. }: &CylinderRecord, axis: Vec3, ray: &Ray) -> Result<Self, NotFinite> {
         let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
         let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
         let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
@@ -106,7 +93,7 @@ impl Inputs {
     }
 
     /// Returns a cap's lambda, or `None` if the ray misses the cap. The rule is that of [`crate::geometry::cap`].
-    fn cap(&self, is_bottom: bool) -> Result<Option<ExactLambda>, NotFinite> {
+    fn cap(&self, is_bottom: bool) -> Exactly<ExactLambda> {
         let Self { direction, r_c, axis, radius_squared, half, slope, least, .. } = self;
         let parallel = &exact(PARALLEL)?.squared() * &half.scaled(1);
         if (&slope.squared() - &parallel).sign() == Ordering::Less {

@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 use crate::counters::{Counter, add};
 use crate::exact::{
     cylinder_compensated, cylinder_exact, cylinder_parts::LIMITS, error_bound::UNDERFLOW, exact_lambda::ExactLambda,
-    sphere_compensated, sphere_exact, sphere_exact::NotFinite,
+    sphere_compensated, sphere_exact, sphere_exact::Exactly,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
@@ -162,12 +162,10 @@ impl Surface {
         Some([lambda - error, lambda + error])
     }
 
-    fn exact_lambda(&self, ray: &Ray) -> Result<Option<ExactLambda>, NotFinite> {
+    fn exact_lambda(&self, ray: &Ray) -> Exactly<ExactLambda> {
         match self {
             Self::Sphere(record) => sphere_exact::lambda(record, ray),
-            &Self::Cylinder(CylinderRecord { center, radius, .. }, axis, part) => {
-                cylinder_exact::lambda(center, radius, axis, ray, part)
-            }
+            Self::Cylinder(record, axis, part) => cylinder_exact::lambda(record, *axis, ray, *part),
         }
     }
 }

@@ -11,6 +11,9 @@ use crate::math::{dyadic::Dyadic, vec3::Vec3};
 #[derive(Debug)]
 pub struct NotFinite;
 
+/// What exact arithmetic finds, or `None`.
+pub(crate) type Exactly<R> = Result<Option<R>, NotFinite>;
+
 /// A vector of three exact numbers.
 pub struct Exact3([Dyadic; 3]);
 
@@ -50,7 +53,7 @@ pub(crate) fn least_lambda() -> Result<Dyadic, NotFinite> {
 
 /// Returns the exact lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
 /// not finite.
-pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Result<Option<ExactLambda>, NotFinite> {
+pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Exactly<ExactLambda> {
     let direction = Exact3::new(ray.direction)?;
     let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
     let c = &r_c.dot(&r_c) - &exact(record.radius)?.squared();
@@ -61,6 +64,6 @@ pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Result<Option<ExactLam
 
 /// Returns the rounded lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
 /// not finite.
-pub(crate) fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFinite> {
+pub(crate) fn intersect(record: &SphereRecord, ray: &Ray) -> Exactly<f64> {
     Ok(lambda(record, ray)?.map(|lambda| lambda.rounded()))
 }
