@@ -33,12 +33,8 @@ pub fn power(base: f64, exponent: f64) -> f64 {
 #[cold]
 #[inline(never)]
 fn special(base: f64, exponent: f64) -> f64 {
-    // From 2^53 on every number is an even integer.
-    let is_large = exponent >= 2.0_f64.powi(53);
-    let integer = exponent as i64;
-    let is_integer = is_large || integer as f64 == exponent;
-    let sign = if !is_large && is_integer && integer % 2 == 1 { base.signum() } else { 1.0 };
     let magnitude = base.abs();
+    let sign = if exponent % 2.0 == 1.0 { base.signum() } else { 1.0 };
     if exponent.is_nan() || exponent <= 0.0 || base.is_nan() {
         f64::NAN
     } else if magnitude == 0.0 || magnitude == f64::INFINITY {
@@ -51,7 +47,7 @@ fn special(base: f64, exponent: f64) -> f64 {
         } else {
             f64::INFINITY
         }
-    } else if is_integer {
+    } else if exponent % 1.0 == 0.0 {
         sign * power(magnitude, exponent)
     } else {
         f64::NAN
