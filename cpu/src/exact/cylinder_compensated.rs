@@ -16,7 +16,7 @@ use crate::exact::cylinder_decision::{CapFormulas, SideFacts, SideFormulas};
 use crate::exact::cylinder_parts::{Crossing, Plane, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
-use crate::math::error_free::{cross, cross_with_error, difference, two_product, two_sum};
+use crate::math::error_free::{cross, cross_with_error, difference, dot_with_error, two_product};
 use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// Covers the errors of a cap's lambda and of its point that are not those of the distance and of the slope, in units
@@ -133,12 +133,8 @@ impl<T: Rounding> SideFormulas<T> for CompensatedSide<'_, T> {
 /// Returns `r^2 V.V`, rounded, and its rounding error, itself rounded.
 #[inline(always)]
 fn rim<T: Rounding>(radius: T, axis: Vec3<T>) -> (T, T) {
-    let ((rr, rr_error), (xx, xx_error)) = (two_product(radius, radius), two_product(axis.x, axis.x));
-    let ((yy, yy_error), (zz, zz_error)) = (two_product(axis.y, axis.y), two_product(axis.z, axis.z));
-    let (sum, first) = two_sum(xx, yy);
-    let (sum, second) = two_sum(sum, zz);
+    let ((rr, rr_error), (sum, sum_error)) = (two_product(radius, radius), dot_with_error(axis, axis));
     let (product, error) = two_product(rr, sum);
-    let sum_error = (first + second) + (xx_error + yy_error + zz_error);
     (product, error + (rr * sum_error + rr_error * sum))
 }
 
@@ -159,13 +155,8 @@ pub fn plane<T: Rounding>(
     let (from_middle, error) = difference(record.center + record.center, ray.origin + ray.origin);
     let (twice, more) = difference(from_middle, -to_cap);
     let (error, two) = (error + more, T::of(2.0));
-    let (x, x_error) = two_product(twice.x, axis.x);
-    let (y, y_error) = two_product(twice.y, axis.y);
-    let (z, z_error) = two_product(twice.z, axis.z);
-    let (sum, first) = two_sum(x, y);
-    let (sum, second) = two_sum(sum, z);
-    let rest = (first + second) + (x_error + y_error + z_error) + error.dot(axis);
-    let to_plane = (sum + rest) / (record.half_height * (two + two));
+    let (sum, sum_error) = dot_with_error(twice, axis);
+    let to_plane = (sum + (sum_error + error.dot(axis))) / (record.half_height * (two + two));
     let size = to_plane.abs() + Plane::size(record, center - ray.origin) * T::of(SHARE_OF_SIZE);
     let plane = Plane::at(record, ray, center, (to_plane, size));
     // The errors of the distance and of the slope, twice each.

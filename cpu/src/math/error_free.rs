@@ -26,6 +26,16 @@ pub fn difference<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
 }
 
+/// Returns the dot product, rounded, and its rounding error, itself rounded.
+#[inline(always)]
+pub(crate) fn dot_with_error<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> (T, T) {
+    let ((x, x_error), (y, y_error)) = (two_product(a.x, b.x), two_product(a.y, b.y));
+    let (z, z_error) = two_product(a.z, b.z);
+    let (sum, first) = two_sum(x, y);
+    let (sum, second) = two_sum(sum, z);
+    (sum, (first + second) + (x_error + y_error + z_error))
+}
+
 /// Returns the cross product. The relative error of each component is at most 2 u.
 #[inline(always)]
 pub fn cross<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
