@@ -3,7 +3,7 @@
 
 use std::hint::black_box;
 
-use cpu::internals::accel::choice::Accel;
+use cpu::internals::accel::{choice::Accel, every_object::EveryObject};
 use cpu::internals::image::quantize;
 use cpu::internals::image::quantize::Quantizer;
 use cpu::internals::sampling::uniform::Uniform;
@@ -84,7 +84,7 @@ fn board(what: &str, objects: usize, width: u64) {
     let config = Config { image_width: width, samples_per_pixel: 4, ..generator::view(&options) };
     let new = || Prepared::<Aos>::new(&config, generator::scene(&options), Scatter::Statement).expect("it is small");
     let (skipping, mut doing) = (new(), new());
-    (doing.accel, doing.moderate) = (Accel::EveryObject, false);
+    (doing.accel, doing.moderate) = (Accel::EveryObject(EveryObject), false);
     pictures(what, || render(&skipping), || render(&doing));
 }
 
@@ -154,7 +154,7 @@ fn main() {
         prepared.scatters_everywhere = false;
     });
     without("an unused material that no filter bears, 40 spheres", COLORS, &format!("{MATTE}{forty}"), |prepared| {
-        (prepared.accel, prepared.moderate) = (Accel::EveryObject, false);
+        (prepared.accel, prepared.moderate) = (Accel::EveryObject(EveryObject), false);
     });
     gamma();
 }

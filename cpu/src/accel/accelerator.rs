@@ -1,7 +1,7 @@
 //! The trait of acceleration structures. The path tracing loop is written once, generic over this trait, and compiled
 //! for each structure ([`dispatch`](crate::accel::choice::dispatch)).
 
-use crate::accel::{closest_hit::ClosestHit, object::ObjectId};
+use crate::accel::{closest_hit::ClosestHit, object::ObjectId, stack::Stack};
 use crate::{geometry::ray::Ray, layout::Objects, math::vec3::Vec3, simd::Simd};
 
 /// The start of a ray: its start object, and a prediction of whether the ray enters that object. A wrong prediction
@@ -34,8 +34,8 @@ pub trait Accelerator {
     /// path tracing loop is then run by [`Simd::run_promptly`].
     const IS_PROMPT: bool = false;
 
-    /// Returns the closest hit of a ray. The caller counts the ray.
-    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, start: Start) -> ClosestHit;
+    /// Returns the closest hit of a ray. The caller counts the ray. `stack` is memory for the traversal of a tree.
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, start: Start, stack: &mut Stack) -> ClosestHit;
 
     /// Returns the start of a ray whose start object is `object`.
     #[inline(always)]

@@ -196,25 +196,15 @@ pub const fn farthest_for(lambda: f64) -> f32 {
     lambda as f32 * (1.0 + f32::EPSILON)
 }
 
-/// A tree, with the stack for its traversal.
-#[derive(Debug)]
-pub struct Traversal<'a, B> {
-    /// The tree.
-    pub bvh: &'a Bvh<B>,
-    /// The stack, which is reused for every ray.
-    pub stack: &'a mut Stack,
-}
-
-impl<B: Boxes> Accelerator for Traversal<'_, B> {
+impl<B: Boxes> Accelerator for Bvh<B> {
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, start: Start) -> ClosestHit {
-        let bvh = self.bvh;
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, start: Start, stack: &mut Stack) -> ClosestHit {
         let (mut closest, mut start_object) = (ClosestHit::NOTHING, start.object);
         let conservative = ConservativeRay::new(*ray);
         if !is_in_scale(conservative.length_squared) {
             return intersect_every_object(objects, *ray);
         }
-        if let Some(apart) = &bvh.apart {
+        if let Some(apart) = &self.apart {
             if !is_in_reach(ray.origin, conservative.length_squared) {
                 return intersect_every_object(objects, *ray);
             }
@@ -223,24 +213,24 @@ impl<B: Boxes> Accelerator for Traversal<'_, B> {
                 start_object = NO_OBJECT;
             }
         }
-        if let Some(index) = bvh.dominant.may_be_hit(objects, &conservative) {
+        if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
             closest.intersect_dominant_sphere(objects, index, ray);
         }
-        if start_object != NO_OBJECT && !bvh.dominant.is(start_object) {
+        if start_object != NO_OBJECT && !self.dominant.is(start_object) {
             let mut again = ClosestHit::NOTHING;
-            if conservative.may_hit(objects, start_object, bvh.max_coordinate) {
+            if conservative.may_hit(objects, start_object, self.max_coordinate) {
                 again.intersect(objects, start_object, ray);
             }
             if again.is_hit() {
                 closest.update(objects, ray, again);
-                if bvh.isolated.is(start_object) {
+                if self.isolated.is(start_object) {
                     return closest;
                 }
             }
         }
-        let slab_ray = SlabRay::<S::F32>::new(ray, &bvh.margins);
-        let sphere_ray = if bvh.has_sphere_leaves {
-            SphereRay::new(ray, &bvh.margins, conservative.length_squared)
+        let slab_ray = SlabRay::<S::F32>::new(ray, &self.margins);
+        let sphere_ray = if self.has_sphere_leaves {
+            SphereRay::new(ray, &self.margins, conservative.length_squared)
         } else {
             SphereRay::UNUSED
         };
@@ -250,21 +240,21 @@ impl<B: Boxes> Accelerator for Traversal<'_, B> {
         let query = Query { objects, ray, start_object, slab_ray, sphere_ray };
         // The traversal begins at the root if there is no collapsed root. The root's address needs no test of boxes, so
         // its boxes can be loaded at once. `boxes` are those of the collapsed root that are still to be visited.
-        let (mut node, mut boxes) = (&bvh.nodes[0], 0);
-        let backwards = bvh.collapsed_root.is_passed_backwards(ray.direction);
-        if S::F32::LANES >= collapsed_root::LEAST_LANES && !bvh.collapsed_root.is_empty() {
-            boxes = bvh.collapsed_root.intersect(&query.slab_ray, farthest_for(closest.lambda));
+        let (mut node, mut boxes) = (&self.nodes[0], 0);
+        let backwards = self.collapsed_root.is_passed_backwards(ray.direction);
+        if S::F32::LANES >= collapsed_root::LEAST_LANES && !self.collapsed_root.is_empty() {
+            boxes = self.collapsed_root.intersect(&query.slab_ray, farthest_for(closest.lambda));
             if boxes == 0 {
                 return closest;
             }
-            node = &bvh.nodes[bvh.collapsed_root.take_nearest(&mut boxes, backwards)];
+            node = &self.nodes[self.collapsed_root.take_nearest(&mut boxes, backwards)];
         }
         loop {
-            bvh.traverse::<S, O>(node, &query, &mut closest, self.stack);
+            self.traverse::<S, O>(node, &query, &mut closest, stack);
             if boxes == 0 {
                 return closest;
             }
-            node = &bvh.nodes[bvh.collapsed_root.take_nearest(&mut boxes, backwards)];
+            node = &self.nodes[self.collapsed_root.take_nearest(&mut boxes, backwards)];
         }
     }
 }

@@ -29,8 +29,8 @@
 
 use crate::accel::{
     accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
-    closest_hit::ClosestHit, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit, object::ObjectId,
-    object::count, small_scene::SmallScene, stack::Stack,
+    closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit,
+    object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
@@ -40,7 +40,7 @@ use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::
 #[expect(clippy::large_enum_variant, reason = "a scene has one")]
 pub enum Accel {
     /// No structure: every object is intersected, because the magnitudes are too extreme for conservative tests.
-    EveryObject,
+    EveryObject(EveryObject),
     /// The structure for up to eight objects.
     SmallScene(SmallScene),
     /// The structure for up to 64 spheres and 64 cylinders, which tests several of them at once in single precision.
@@ -60,7 +60,7 @@ impl Accel {
         let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         let is_small = count(objects) <= may_hit::object_lanes::CAPACITY;
         Ok(if !extent.moderate || is_small && (extent.has_tiny || extent.max_coordinate > Extent::LARGEST) {
-            Self::EveryObject
+            Self::EveryObject(EveryObject)
         } else if is_small {
             Self::SmallScene(SmallScene::new(objects, extent))
         } else if most_of_a_kind <= flat_filter::CAPACITY
@@ -84,7 +84,7 @@ impl Accel {
     /// Calls `visit` with objects of the tree of boxes; see [`Bvh::visit`]. Returns false if the scene has no tree.
     pub fn visit_boxes(&self, may_reach: impl FnMut(&Bounds) -> bool, visit: impl FnMut(ObjectId)) -> bool {
         match self {
-            Self::EveryObject | Self::SmallScene(_) | Self::FlatFilter(_) => return false,
+            Self::EveryObject(_) | Self::SmallScene(_) | Self::FlatFilter(_) => return false,
             Self::Bvh(bvh) => bvh.visit(may_reach, visit),
             Self::LargeBvh(bvh) => bvh.visit(may_reach, visit),
         }
@@ -95,7 +95,7 @@ impl Accel {
     #[cfg(feature = "internals")]
     pub fn without_isolation(&mut self) {
         match self {
-            Self::EveryObject | Self::SmallScene(_) => {}
+            Self::EveryObject(_) | Self::SmallScene(_) => {}
             Self::FlatFilter(filter) => filter.overlapping = None,
             Self::Bvh(bvh) => bvh.isolated = Default::default(),
             Self::LargeBvh(bvh) => bvh.isolated = Default::default(),
@@ -113,41 +113,25 @@ impl Accel {
         stack: &mut Stack,
     ) -> ClosestHit {
         add(Counter::PathRays, 1);
-        dispatch!(self, stack, |mut accel| {
+        dispatch!(self, |accel| {
             let start = accel.start(objects, ray, start_object);
-            accel.closest_hit::<S, O>(objects, ray, start)
+            accel.closest_hit::<S, O>(objects, ray, start, stack)
         })
     }
 }
 
 /// Evaluates an expression in which a name stands for the [`Accelerator`] of a scene, as in
-/// `dispatch!(accel, stack, |structure| work(structure))`. The expression is compiled once for each structure. `accel`
-/// is an [`Accel`], and `stack` is memory for the traversal of a tree. This is a macro and no closure;
-/// see [`Kernel::call`](crate::simd::Kernel::call).
+/// `dispatch!(accel, |structure| work(structure))`. The expression is compiled once for each structure. `accel` is a
+/// reference to an [`Accel`]. This is a macro and no closure; see [`Kernel::call`](crate::simd::Kernel::call).
 macro_rules! dispatch {
-    ($accel:expr, $stack:expr, |$structure:pat_param| $work:expr) => {{
-        use crate::accel::{bvh::Traversal, choice::Accel, every_object::EveryObject};
+    ($accel:expr, |$structure:ident| $work:expr) => {{
+        use crate::accel::choice::Accel;
         match $accel {
-            Accel::EveryObject => {
-                let $structure = EveryObject;
-                $work
-            }
-            Accel::SmallScene(small_scene) => {
-                let $structure = small_scene;
-                $work
-            }
-            Accel::FlatFilter(filter) => {
-                let $structure = filter;
-                $work
-            }
-            Accel::Bvh(bvh) => {
-                let $structure = Traversal { bvh, stack: $stack };
-                $work
-            }
-            Accel::LargeBvh(bvh) => {
-                let $structure = Traversal { bvh, stack: $stack };
-                $work
-            }
+            Accel::EveryObject($structure) => $work,
+            Accel::SmallScene($structure) => $work,
+            Accel::FlatFilter($structure) => $work,
+            Accel::Bvh($structure) => $work,
+            Accel::LargeBvh($structure) => $work,
         }
     }};
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::accel::{
     accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, object::ObjectId, object::count,
-    object::cylinder_index,
+    object::cylinder_index, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Objects, simd::Simd};
 
@@ -18,7 +18,7 @@ impl Accelerator for EveryObject {
     const IS_PROMPT: bool = true;
 
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, _: Start) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Start, _: &mut Stack) -> ClosestHit {
         intersect_every_object(objects, *ray)
     }
 }

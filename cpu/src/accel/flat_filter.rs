@@ -8,7 +8,7 @@ use crate::accel::{
     may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::filter_ray::BLOCK,
     may_hit::filter_ray::BoundingSpheres, may_hit::filter_ray::FilterRay, may_hit::filter_ray::InfiniteCylinders,
     may_hit::filter_ray::misses, may_hit::target::Target, object::ObjectId, object::ObjectRef, object::bounding_sphere,
-    object::count,
+    object::count, stack::Stack,
 };
 use crate::{
     counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::OBJECTS, layout::Objects,
@@ -138,11 +138,11 @@ fn middle(objects: &impl Objects, dominant: DominantSphere) -> Vec3 {
     if low.x > high.x { Vec3::ZERO } else { (low + high) * 0.5 }
 }
 
-impl Accelerator for &FlatFilter {
+impl Accelerator for FlatFilter {
     const MAY_BE_SLOW: bool = false;
 
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, start: Start) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, start: Start, _: &mut Stack) -> ClosestHit {
         let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if is_too_short(conservative.length_squared) {

@@ -7,7 +7,7 @@
 use crate::accel::{
     accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, extent::Extent, extent::is_within,
     may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::object_lanes::ObjectLanes,
-    object::ObjectId, object::count,
+    object::ObjectId, object::count, stack::Stack,
 };
 use crate::{geometry::ray::Ray, layout::Objects, simd::Simd, simd::SimdF64};
 
@@ -88,12 +88,12 @@ fn intersect_cylinders<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &
     }
 }
 
-impl Accelerator for &SmallScene {
+impl Accelerator for SmallScene {
     const MAY_BE_SLOW: bool = false;
     const IS_PROMPT: bool = true;
 
     #[inline(always)]
-    fn closest_hit<S: Simd, O: Objects>(&mut self, objects: &O, ray: &Ray, _: Start) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Start, _: &mut Stack) -> ClosestHit {
         let (may_hit, mut closest) = (self.objects_may_hit::<S::F64, O>(objects, ray), ClosestHit::NOTHING);
         // Most rays can hit no object of a kind, so one branch for each kind skips the loop over its objects.
         if may_hit & ((1 << objects.sphere_count()) - 1) != 0 {
@@ -142,8 +142,8 @@ mod tests {
             assert_eq!(each.any, if may_hit == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.of_lane(lane) == may_hit), "{each:?}");
             assert_eq!(self.small_scene.objects_may_hit::<S::F64, _>(self.objects, &self.ray), may_hit);
-            let (mut small_scene, start) = (self.small_scene, Start { object: NO_OBJECT, enters: false });
-            (may_hit, small_scene.closest_hit::<S, _>(self.objects, &self.ray, start))
+            let (start, mut stack) = (Start { object: NO_OBJECT, enters: false }, Stack::EMPTY);
+            (may_hit, self.small_scene.closest_hit::<S, _>(self.objects, &self.ray, start, &mut stack))
         }
     }
 

@@ -4,7 +4,7 @@
 //! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop, unless a path of the queue
 //! is already at the maximum depth.
 
-use crate::accel::{accelerator::Accelerator, choice::dispatch};
+use crate::accel::{accelerator::Accelerator, choice::dispatch, stack::Stack};
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
@@ -28,7 +28,7 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
         {
             return simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene, hits: 0 });
         }
-        dispatch!(&prepared.accel, stack, |accel| OneByOne { prepared, tracer, accel }.run(simd));
+        dispatch!(&prepared.accel, |accel| OneByOne { prepared, tracer, accel, stack }.run(simd));
     }
 }
 
@@ -36,7 +36,8 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
 struct OneByOne<'a, L: Layout, A> {
     prepared: &'a Prepared<L>,
     tracer: &'a mut PathTracer,
-    accel: A,
+    accel: &'a A,
+    stack: &'a mut Stack,
 }
 
 impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
@@ -76,7 +77,7 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
     /// its first ray.
     #[inline(always)]
     fn trace<S: Simd>(&mut self, at: usize, vertex: &PathVertex, scatter_sample: Vec3) {
-        let Self { prepared, tracer, accel } = self;
+        let Self { prepared, tracer, accel, stack } = self;
         let objects = &prepared.objects;
         let mut ray = vertex.scattered_ray(scatter_sample);
         let mut rays = vertex.rays.get();
@@ -86,7 +87,7 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
                 return tracer.ends.terminate(at, &mut tracer.queue);
             }
             add(Counter::PathRays, 1);
-            let hit = accel.closest_hit::<S, _>(objects, &ray, start);
+            let hit = accel.closest_hit::<S, _>(objects, &ray, start, stack);
             if !hit.is_hit() {
                 return tracer.ends.escape(at, ray.direction);
             }

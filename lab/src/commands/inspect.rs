@@ -115,7 +115,7 @@ impl Inspection {
             reach: extent.max_coordinate,
             moderate: extent.moderate,
             structure: match &prepared.accel {
-                Accel::EveryObject => Structure::EveryObject,
+                Accel::EveryObject(_) => Structure::EveryObject,
                 Accel::SmallScene(_) => Structure::SmallScene,
                 Accel::FlatFilter(_) => Structure::FlatFilter,
                 Accel::Bvh(_) | Accel::LargeBvh(_) => Structure::Bvh(Tree::of(&prepared.accel)),
