@@ -202,24 +202,23 @@ impl Place {
 
     /// Returns the line of the first `{` that has no `}` in its replaced module, or `None` if there is none.
     fn of_open_brace(composition: &Composition) -> Option<Self> {
-        let mut lines = composition.replaced_lines().peekable();
-        let mut open = Vec::new();
-        while let Some((line, text)) = lines.next() {
-            for (_, token) in tokens(text.as_bytes()) {
-                match token {
-                    b"{" => open.push((line, text)),
-                    b"}" => drop(open.pop()),
-                    _ => {}
+        let lines: Vec<_> = composition.replaced_lines().collect();
+        lines.chunk_by(|(one, _), (next, _)| composition.origin(*one).0 == composition.origin(*next).0).find_map(
+            |file| {
+                // The lines are joined, because a comment may have several.
+                let text = file.iter().map(|(_, text)| *text).collect::<Vec<_>>().join("\n");
+                let mut open = Vec::new();
+                for (at, token) in tokens(text.as_bytes()) {
+                    match token {
+                        b"{" => open.push(at),
+                        b"}" => drop(open.pop()),
+                        _ => {}
+                    }
                 }
-            }
-            let file = |line| composition.origin(line).0;
-            if let Some(&(first, text)) = open.first()
-                && lines.peek().is_none_or(|&(next, _)| file(next) != file(line))
-            {
-                return Some(Self::of_line(first, text, composition));
-            }
-        }
-        None
+                let (line, text) = file[text[..*open.first()?].matches('\n').count()];
+                Some(Self::of_line(line, text, composition))
+            },
+        )
     }
 
     /// Returns the place behind the last word of the last replaced module, for an error at the end of the text.

@@ -37,7 +37,7 @@ impl<R: BufRead> Recorder<R> {
         self.names.extend(name);
     }
 
-    /// Keeps the last line of `bytes`, which follow those before, and the names of the lines that are complete.
+    /// Adds the next bytes of the file. Keeps the line that they reach, and the names that complete lines define.
     fn record(&mut self, bytes: &[u8]) {
         for piece in bytes.split_inclusive(|&byte| byte == b'\n') {
             if self.is_complete {

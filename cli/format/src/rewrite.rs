@@ -98,7 +98,9 @@ pub fn line(text: &[u8], find_line: impl Fn(&str) -> Option<&'static Line>) -> O
     let rest = rest.strip_prefix([':', '=']).unwrap_or(rest);
     let cut = |values: &str, mark: &str| values.split(mark).next().unwrap_or_default().trim().to_owned();
     let narrow = MARKS[0].iter().fold(rest.trim().to_owned(), |values, mark| cut(&values, mark));
-    let wide = MARKS[1].iter().fold(narrow.clone(), |values, mark| cut(&values, &format!(" {mark}")));
+    let wide = MARKS[1]
+        .iter()
+        .fold(narrow.clone(), |values, mark| cut(&cut(&values, &format!(" {mark}")), &format!("\t{mark}")));
     let tried = [&narrow, &wide].into_iter().flat_map(|values| {
         let has_comment = values != rest.trim();
         CHANGES.iter().map(move |(words, change)| {

@@ -60,7 +60,7 @@ pub fn name(character: char) -> Option<(Words, Words)> {
     })
 }
 
-/// Returns the mark by which a text file is no plain UTF-8 at its start: a byte order mark, or a zero byte of UTF-16.
+/// Returns the byte order mark, or the zero byte of UTF-16, at the start of a file that is not plain UTF-8.
 #[must_use]
 pub fn mark(file: &[u8]) -> Option<Unseen> {
     let is_mark = |unseen: &Unseen| match unseen.character {

@@ -173,12 +173,13 @@ mod tests {
             let mut hit = 0;
             for index in 0..objects.sphere_count() {
                 let record = objects.sphere(index).record;
-                let any = [Plain::sphere(&record, &ray), Exact::sphere(&record, &ray)];
+                let any = [record.intersect(&ray), Plain::sphere(&record, &ray), Exact::sphere(&record, &ray)];
                 hit |= u32::from(any.iter().any(Option::is_some)) << index;
             }
             for index in 0..objects.cylinder_count() {
                 let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
-                let any = [Plain::cylinder(&record, &axis, &ray), Exact::cylinder(&record, &axis, &ray)];
+                let exact = Exact::cylinder(&record, &axis, &ray);
+                let any = [record.intersect(&ray), Plain::cylinder(&record, &axis, &ray), exact];
                 hit |= u32::from(any.iter().any(Option::is_some)) << (objects.sphere_count() + index);
             }
             for set in InstructionSet::available() {

@@ -77,7 +77,7 @@ type Wide3 = Vec3<DoubleDouble>;
 
 /// A cap of a cylinder.
 struct Cap {
-    /// Twice the centre, without a rounding error. A coordinate is NaN if its sum overflows.
+    /// Twice the centre, without a rounding error. A coordinate has no meaning if its sum overflows.
     twice_center: Wide3,
     /// The cylinder's axis in the scene file.
     axis: Vec3,
@@ -104,6 +104,7 @@ impl Cap {
 }
 
 /// Bounds the error of the difference of two products of dot products, relative to the sizes of their terms: 2^-90.
+/// Axes that a scene file may have, of 1e-161 and more, do not make the rounding errors of these products underflow.
 pub const ERROR_OF_CAPS: f64 = f64::from_bits((1023 - 90) << 52);
 
 /// Compares the lambdas of a ray's hits on two caps. The result is `None` if it is uncertain.

@@ -4,8 +4,8 @@
 //! [`quantize`] is the definition, which the reference uses too. `web/site/src/gpu/develop.wgsl` has a copy in f32,
 //! for the live view. Tests of WGSL compare the means. The power is slow, so [`Quantizer`] has a table with the
 //! interval of means of each of the 256 bytes. It calls [`quantize`] only for means close to a boundary, where the
-//! rounding of the power decides, for means below -1/16, and for NaN. With an extreme gamma the boundaries are
-//! uncertain, so [`quantize`] is called for most means.
+//! rounding of the power decides, for means below -1/16, and for NaN. With a gamma of 1e14 or more the
+//! boundaries are uncertain, so [`quantize`] is called for most means.
 //!
 //! A mean can be negative: if the length of a ray underflows, the weight of the background is outside of `[0, 1]`. The
 //! power of a negative mean is NaN, except if `1 / gamma` is a whole number. It is positive if that number is even.
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_are_infinite_where_nothing_is_certain() {
+    fn bounds_of_extreme_gammas_are_normal_or_infinite() {
         // In the first case the boundary underflows. In the second case the bounds would be farther apart than the
         // boundary.
         for (root, gamma, from) in [(1.0 / 255.0, 1000.0, 2.0 * f64::MIN_POSITIVE), (1.0, 1e15, f64::INFINITY)] {

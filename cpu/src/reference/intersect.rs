@@ -10,10 +10,10 @@ use crate::reference::nearest;
 /// The formulas with which the reference intersects a ray with one sphere or cylinder: [`Plain`] or [`Exact`]. Some
 /// tests implement this trait too, to count intersections or to leave out a step of the exact formulas.
 pub trait Intersect {
-    /// Returns the lambda at which the ray hits the sphere, or `None`, as [`SphereRecord::intersect`] does.
+    /// Returns the lambda at which the ray hits the sphere, or `None`; see [`SphereRecord::intersect`].
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
 
-    /// Returns lambda and part of the ray's hit with the cylinder, or `None`, as [`CylinderRecord::intersect`] does.
+    /// Returns lambda and part of the ray's hit with the cylinder, or `None`; see [`CylinderRecord::intersect`].
     /// `axis` is that of the scene file.
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 

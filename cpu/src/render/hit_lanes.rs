@@ -24,8 +24,8 @@ pub fn limited(squares: f64) -> f64 {
     if squares < LARGEST_SQUARES { squares } else { f64::INFINITY }
 }
 
-/// Whether the object of one of the lanes in `bits` is so far away that its squares may have been [`limited`]. Then its
-/// plain formula was never certain, and the lanes begin with that formula again.
+/// Whether the object of one of the lanes in `bits` is so far away that its squares may have been [`limited`]. Then
+/// these lanes take all steps of a single ray, since the plain formula may be certain with the real squares.
 #[inline(always)]
 fn is_far<V: SimdF64>(squares: V, bits: u32) -> bool {
     V::bits(!squares.less(V::of(LARGEST_SQUARES))) & bits != 0

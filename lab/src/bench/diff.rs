@@ -96,8 +96,9 @@ impl Changes {
     /// Compares `new` with `old`. A case has changed if its ratio differs from 1 by more than `least`, and the bounds
     /// of the two medians do not meet.
     pub fn between(old: &Times, new: &Times, least: f64) -> Self {
-        let processor =
-            |times: &Times| times.machines.iter().map(|machine| machine.processor.clone()).collect::<BTreeSet<_>>();
+        // Older records lack the family.
+        let name = |machine: &Machine| machine.processor.split(", family ").next().unwrap_or_default().to_owned();
+        let processor = |times: &Times| times.machines.iter().map(name).collect::<BTreeSet<_>>();
         let mut changes = Self { other_processor: processor(old) != processor(new), ..Self::default() };
         for (case, was) in &old.medians {
             let Some(is) = new.medians.get(case) else {

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use colorous::INFERNO;
-use minijinja::context;
 use minijinja::value::Serde;
+use minijinja::{Value, context};
 use output::{Options, Output};
 use serde::Serialize;
 
-use crate::difference::{Difference, Errors};
+use crate::difference::{Difference, Errors, MAXIMUM_BOUND, RMSE_BOUND};
 use crate::heatmap::{Scale, color_at, heatmap};
 use crate::numbers::{LEAST, number};
 use crate::picture::Picture;
@@ -80,7 +80,9 @@ impl Arguments {
         };
         let (first, second) = (first.into_picture(GAMMA)?, second.into_picture(GAMMA)?);
         let figures = Figures { levels: Difference::between(&first, &second)?, values };
-        let text = filled(include_str!("../../templates/compare.txt"), Serde(&figures).into())?;
+        let bounds = context! { maximum_bound => MAXIMUM_BOUND, rmse_bound => RMSE_BOUND };
+        let values = context! { ..bounds, ..Value::from(Serde(&figures)) };
+        let text = filled(include_str!("../../templates/compare.txt"), values)?;
         if let Some((kind, output)) = heatmap_output {
             let automatic = Scale::automatic(&first, &second, self.signed);
             let map = heatmap(&first, &second, Scale { most: self.max.unwrap_or(automatic.most), ..automatic })?;

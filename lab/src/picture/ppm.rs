@@ -28,20 +28,23 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Picture, String> {
         let after_comment = [1, 2].map(|at| comment.get(at..).filter(|_| has_comment && ends_in_blank(at)));
         let after_number = rest.split_first().filter(|(end, _)| end.is_ascii_whitespace()).map(|(_, data)| data);
         let starts: Vec<&[u8]> = [after_number].into_iter().chain(after_comment).flatten().collect();
-        let exact = starts.iter().find(|data| data.len() == 3 * count);
-        let Some(&data) = exact.or(starts.first()) else {
+        // Some programs end the file in a line end.
+        let fits = |data: &&&[u8]| {
+            let tail = data.split_at_checked(3 * count).map(|(_, tail)| tail);
+            tail.is_some_and(|tail| [&b""[..], b"\n", b"\r\n"].contains(&tail))
+        };
+        let fitting = starts.iter().find(fits);
+        let Some(&data) = fitting.or(starts.first()) else {
             return Err("a PPM whose header does not end in white space".to_owned());
         };
         if rest.starts_with(b"\r\n") && data.len() > 3 * count {
             return Err(CR_LF.to_owned());
         }
-        // Some programs end the file in a line end.
-        let pixel_bytes = data.split_at_checked(3 * count).filter(|(_, tail)| tail.trim_ascii().is_empty());
-        let Some((data, _)) = pixel_bytes else {
+        if fitting.is_none() {
             return Err(format!("{} bytes of pixels where {width} x {height} are announced", data.len()));
-        };
+        }
         pixels = with_room(count)?;
-        pixels.extend_from_slice(data.as_chunks().0);
+        pixels.extend_from_slice(data[..3 * count].as_chunks().0);
     } else {
         // Each pixel needs at least six bytes, so no more memory is allocated than the file can fill.
         pixels = with_room(count.min(rest.len() / 6 + 1))?;

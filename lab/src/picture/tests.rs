@@ -35,7 +35,7 @@ fn ppm_is_written_as_the_renderer_writes_it() {
 
 #[test]
 fn damaged_pictures_are_refused() {
-    let texts: [&[u8]; 12] = [
+    let texts: [&[u8]; 13] = [
         b"",
         b"P3\n",
         b"P3 2 2 255 0 0 0",
@@ -44,6 +44,7 @@ fn damaged_pictures_are_refused() {
         b"P3 0 0 255",
         b"P3 1 1 65535 0 0 0",
         b"P6 1 1 255\n\0\0",
+        b"P6 1 1 255\n\x01\x02\x03\n\n\n",
         b"P6 1 1 255x\0\0\0",
         b"P6 1 1 255\r\n\x01\x02\n",
         b"P6 1 1 255",
