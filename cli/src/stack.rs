@@ -30,7 +30,7 @@ pub(crate) fn reserve() -> Result<(), Error> {
     Ok(())
 }
 
-/// Uses as much of the stack as rendering needs.
+/// Writes zeros to [`BYTES`] of the stack, so that the system must give it this memory now.
 #[inline(never)]
 fn touch() {
     std::hint::black_box(&mut [0_u8; BYTES]);

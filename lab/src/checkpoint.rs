@@ -155,7 +155,8 @@ impl Checkpoint {
             bytes.extend([red, green, blue]);
         }
         bytes.extend(Sha256::digest(&bytes));
-        Ok(Output::open(path, options)?.fill(|file| file.write_all(&bytes))?)
+        let output = Output::open(path, options)?;
+        Ok(output.fill(|file| file.write_all(&bytes))?)
     }
 }
 

@@ -91,7 +91,7 @@ pub fn refuse_inputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
 /// Refuses two outputs that are one file, even if their paths differ.
 ///
 /// # Errors
-/// A message with the names of both.
+/// A message that names both outputs.
 pub fn refuse_outputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
     let target = |path: &Path| output::target(&output(path));
     for (index, path) in paths.iter().enumerate() {

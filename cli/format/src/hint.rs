@@ -188,8 +188,8 @@ impl Writer<'_> {
         find(known).map_or(mean.clone(), |unseen| self.say(there, &[&mean, unseen.what[self.language as usize]]))
     }
 
-    /// Returns the question whether `known` was meant by `word`, with `end` after it. Words that look alike, such as of
-    /// Latin and of Cyrillic letters, are shown with the codes of their letters too.
+    /// Returns the question "did you mean", with the word `known` and `end`, for the word of the file. If the two words
+    /// differ in letters beyond ASCII, such as a Cyrillic one that looks like a Latin one, the codes follow.
     fn mean(&self, word: &[u8], known: &[u8], end: &str) -> String {
         let [word, known] = [word, known].map(shown);
         let mean = self.say(["did you mean [{}{}]?", "¿quería decir [{}{}]?"], &[&known, end]);

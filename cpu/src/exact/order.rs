@@ -84,8 +84,8 @@ struct Cap {
 }
 
 impl Cap {
-    /// Returns a normal of the cap's plane. It is the same for axes along one coordinate axis, and for axes that are
-    /// equal or opposite.
+    /// Returns a vector that is perpendicular to the cap. Two caps have the same one if their cylinders' axes lie along
+    /// the same coordinate axis, or if one axis is the other or its opposite.
     fn normal(&self) -> Vec3 {
         let mut components = self.axis.to_array().into_iter().filter(|&component| component != 0.0);
         match (components.next(), components.next()) {

@@ -59,7 +59,7 @@ fn without_line_end(line: &[u8]) -> &[u8] {
     line.strip_suffix(b"\r").unwrap_or(line)
 }
 
-/// Whether the byte separates tokens.
+/// Whether the byte is a space or a tab, which separate the words of a line.
 const fn is_blank(byte: u8) -> bool {
     byte == b' ' || byte == b'\t'
 }

@@ -79,8 +79,8 @@ fn order(of_lambda: f64) -> Row {
 
 /// Returns the row of the order of two caps, for the errors of the operations on
 /// [`DoubleDouble`](cpu::internals::math::double_double). A distance has those of a difference, a product and two sums,
-/// and a slope those of a product and two sums. A product and a difference follow. Twice the sum covers all errors of
-/// second order.
+/// and a slope those of a product and two sums. A product and a difference follow. The need is twice the sum of these
+/// errors, because products of two errors are left out of the sum.
 fn caps() -> Row {
     let [sum, product] = [3.0, 4.0];
     let (distance, slope) = (sum + product + 2.0 * sum, product + 2.0 * sum);
