@@ -77,7 +77,7 @@ pub fn page(
     document(language, title, &(measured + &contents(language, &body) + &body))
 }
 
-/// Returns a heading of the page. It has an `id` made from its words, so that [`contents`] can link to it.
+/// Returns a heading of the page. It has an `id` made from its words, so that `contents` can link to it.
 pub fn heading(words: &str) -> String {
     let anchor = words.replace(|letter: char| !letter.is_ascii_alphanumeric(), "-").to_ascii_lowercase();
     format!("<h2 id=\"{anchor}\">{}</h2>\n", escape(words))
