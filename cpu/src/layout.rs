@@ -142,62 +142,26 @@ mod tests {
     use crate::image::Rgb;
     use crate::input::config::Config;
     use crate::input::size::Size;
-    use crate::render::Renderable;
+    use crate::reference;
+    use crate::render::render;
     use crate::sampling::scatter_vectors::Scatter;
 
-    const SCENE: &str =
-        "matte: a 1 1 1\nmatte: b 0 0 0\nsphere: 1 2 3 4 a\ncylinder: 5 6 7 8 0 2 0 b\nsphere: 0 0 0 1 b\n";
+    const SCENE: &str = "matte: a 1 1 1\nmatte: b 0 0 0\nsphere: 1 2 3 4 a\ncylinder: 5 6 7 8 0 2 0 b\n\
+        sphere: 0 0 0 1 b\ncylinder: 0 0 0 1 3 0 0 a\nsphere: 9 9 9 2 a\n";
 
-    fn stores_objects<L: Layout>() {
-        let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
-        let objects = L::Objects::build(&scene).expect("three objects fit");
-        assert_eq!((objects.sphere_count(), objects.cylinder_count()), (2, 1));
-        let record = SphereRecord::new([1.0, 2.0, 3.0].into(), 4.0);
-        assert_eq!(objects.sphere(0), Placed { record, order: 0, material: 0 });
-        assert_eq!((objects.sphere(1).order, objects.sphere(1).material), (2, 1));
-        let record = CylinderRecord::new([5.0, 6.0, 7.0].into(), 8.0, [0.0, 2.0, 0.0].into());
-        assert_eq!(objects.cylinder(0), Placed { record, order: 1, material: 1 });
-        assert_eq!(objects.axis(0), Vec3::new(0.0, 2.0, 0.0));
-        let mut objects = objects;
-        objects.reorder(&mut [1, 0], &mut [0]);
-        assert_eq!([0, 1].map(|index| objects.sphere(index).order), [2, 0]);
-        assert_eq!((objects.cylinder(0).order, objects.axis(0)), (1, Vec3::new(0.0, 2.0, 0.0)));
-        let empty = empty::<L>();
-        assert_eq!((empty.sphere_count(), empty.cylinder_count()), (0, 0));
-        empty.prefetch_sphere(0);
-    }
-
-    fn empty<L: Layout>() -> L::Objects {
-        L::Objects::build(&Scene::default()).expect("nothing fits")
+    fn objects<L: Layout>(scene: &str) -> L::Objects {
+        let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
+        L::Objects::build(&scene).expect("five objects fit")
     }
 
     fn black<L: Layout>() -> L::Image {
         L::Image::black(Size::new(3, 2).expect("six pixels are few")).expect("six pixels fit")
     }
 
-    fn stores_pixels<L: Layout>() {
-        let mut image = black::<L>();
-        let color = Rgb { red: 1, green: 2, blue: 3 };
-        image.set_pixel(4, color);
-        assert_eq!((image.size().width(), image.size().height()), (3, 2));
-        assert_eq!((image.pixel(4), image.pixel(3), image.pixel(5)), (color, Rgb::default(), Rgb::default()));
-    }
-
-    fn renders<L: Renderable>() {
-        let config = Config::parse(&b"image_width: 16\nsamples_per_pixel: 4\n"[..]).expect("it is valid");
-        let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
-        let picture = crate::render::render::<L>(&config, &scene, Scatter::Statement).expect("it is small");
-        let expected: L::Image =
-            crate::reference::render(&config, &scene, Scatter::Statement).expect("the picture is small");
-        for index in 0..picture.size().pixels() {
-            assert_eq!(picture.pixel(index), expected.pixel(index), "pixel {index}");
-        }
-    }
-
     #[test]
     fn room_is_made_for_as_many_as_there_are() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
-        assert!(matches!(count_kinds(&scene), Ok((2, 1))));
+        assert!(matches!(count_kinds(&scene), Ok((3, 2))));
         assert!(with_room::<u64>(5, OBJECTS).is_ok_and(|list| list.is_empty() && list.capacity() >= 5));
         assert!(matches!(with_room::<u64>(usize::MAX / 8, "a name"), Err(Error::OutOfMemory { what: "a name" })));
     }
@@ -213,41 +177,122 @@ mod tests {
         }
     }
 
-    /// Runs every test of a layout for `$layout`, in a module with its name. `tests/utest.sh` finds them by that name.
+    /// Defines the tests of the layout `$layout` in a module with its name. `tests/utest.sh` finds them by that name.
     macro_rules! tests_of {
         ($name:ident, $layout:ty) => {
             mod $name {
+                use super::*;
+
+                type L = $layout;
+
                 #[test]
-                fn objects_are_stored_and_reordered() {
-                    super::stores_objects::<$layout>();
+                fn objects_of_each_kind_are_counted() {
+                    let counts = |scene| {
+                        let objects = objects::<L>(scene);
+                        (objects.sphere_count(), objects.cylinder_count())
+                    };
+                    assert_eq!((counts(SCENE), counts("")), ((3, 2), (0, 0)));
+                }
+
+                #[test]
+                fn a_sphere_has_its_record_place_and_material() {
+                    let record = SphereRecord::new([1.0, 2.0, 3.0].into(), 4.0);
+                    let objects = objects::<L>(SCENE);
+                    assert_eq!(objects.sphere(0), Placed { record, order: 0, material: 0 });
+                    assert_eq!((objects.sphere(1).order, objects.sphere(1).material), (2, 1));
+                }
+
+                #[test]
+                fn a_cylinder_has_its_record_place_and_material() {
+                    let record = CylinderRecord::new([5.0, 6.0, 7.0].into(), 8.0, [0.0, 2.0, 0.0].into());
+                    let objects = objects::<L>(SCENE);
+                    assert_eq!(objects.cylinder(0), Placed { record, order: 1, material: 1 });
+                    assert_eq!((objects.cylinder(1).order, objects.cylinder(1).material), (3, 0));
+                }
+
+                #[test]
+                fn an_axis_is_that_of_the_file() {
+                    let objects = objects::<L>(SCENE);
+                    assert_eq!([0, 1].map(|at| objects.axis(at)), [Vec3::new(0.0, 2.0, 0.0), Vec3::new(3.0, 0.0, 0.0)]);
+                }
+
+                #[test]
+                fn objects_are_moved_with_all_that_belongs_to_them() {
+                    let (before, mut after) = (objects::<L>(SCENE), objects::<L>(SCENE));
+                    after.reorder(&mut [2, 0, 1], &mut [1, 0]);
+                    assert_eq!([0, 1, 2].map(|at| after.sphere(at)), [2, 0, 1].map(|at| before.sphere(at)));
+                    assert_eq!([0, 1].map(|at| after.cylinder(at)), [1, 0].map(|at| before.cylinder(at)));
+                    assert_eq!([0, 1].map(|at| after.axis(at)), [1, 0].map(|at| before.axis(at)));
+                }
+
+                #[test]
+                fn a_sphere_is_prefetched_if_it_exists() {
+                    for at in [0, 2, 3, usize::MAX] {
+                        objects::<L>(SCENE).prefetch_sphere(at);
+                    }
                 }
 
                 #[test]
                 #[should_panic(expected = "out of bounds")]
-                fn there_is_no_sphere_in_an_empty_scene() {
-                    super::Objects::sphere(&super::empty::<$layout>(), 0);
+                fn there_is_no_sphere_beyond_the_last() {
+                    objects::<L>(SCENE).sphere(3);
                 }
 
                 #[test]
                 #[should_panic(expected = "out of bounds")]
-                fn there_is_no_cylinder_in_an_empty_scene() {
-                    super::Objects::cylinder(&super::empty::<$layout>(), 0);
-                }
-
-                #[test]
-                fn pixels_are_stored() {
-                    super::stores_pixels::<$layout>();
+                fn there_is_no_cylinder_beyond_the_last() {
+                    objects::<L>(SCENE).cylinder(2);
                 }
 
                 #[test]
                 #[should_panic(expected = "out of bounds")]
-                fn there_is_no_pixel_beyond_the_last() {
-                    super::Image::pixel(&super::black::<$layout>(), 6);
+                fn there_is_no_axis_beyond_the_last() {
+                    let _ = objects::<L>(SCENE).axis(2);
+                }
+
+                #[test]
+                #[should_panic(expected = "out of bounds")]
+                fn there_is_no_object_in_an_empty_scene() {
+                    objects::<L>("").sphere(0);
+                }
+
+                #[test]
+                fn a_new_image_is_black_and_has_its_size() {
+                    let image = black::<L>();
+                    assert_eq!((image.size().width(), image.size().height()), (3, 2));
+                    assert_eq!([0, 1, 2, 3, 4, 5].map(|at| image.pixel(at)), [Rgb::default(); 6]);
+                }
+
+                #[test]
+                fn a_pixel_is_stored_and_its_neighbours_stay() {
+                    let (mut image, color) = (black::<L>(), Rgb { red: 1, green: 2, blue: 3 });
+                    image.set_pixel(4, color);
+                    assert_eq!([3, 4, 5].map(|at| image.pixel(at)), [Rgb::default(), color, Rgb::default()]);
+                }
+
+                #[test]
+                #[should_panic(expected = "out of bounds")]
+                fn no_pixel_is_read_beyond_the_last() {
+                    black::<L>().pixel(6);
+                }
+
+                #[test]
+                #[should_panic(expected = "out of bounds")]
+                fn no_pixel_is_written_beyond_the_last() {
+                    black::<L>().set_pixel(6, Rgb::default());
                 }
 
                 #[test]
                 fn a_picture_is_that_of_the_reference() {
-                    super::renders::<$layout>();
+                    let config = b"image_width: 16\nsamples_per_pixel: 4\n";
+                    let config = Config::parse(&config[..]).expect("it is valid");
+                    let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
+                    let picture = render::<L>(&config, &scene, Scatter::Statement).expect("it is small");
+                    let expected = reference::render(&config, &scene, Scatter::Statement);
+                    let expected: <L as Layout>::Image = expected.expect("it is small");
+                    for at in 0..picture.size().pixels() {
+                        assert_eq!(picture.pixel(at), expected.pixel(at), "pixel {at}");
+                    }
                 }
             }
         };

@@ -18,6 +18,7 @@ use stability::regimes::{EXTREMES, Regime, SPHERES};
 use super::{Kernel, Work, plain};
 
 pub const KERNELS: &[Kernel] = &[
+    Kernel { name: "clock", new: clock },
     Kernel { name: "background", new: background },
     Kernel { name: "draws", new: draws },
     Kernel { name: "skipped-draws", new: skipped_draws },
@@ -39,6 +40,17 @@ fn dearest(regimes: &[Regime], name: &str, number: usize) -> Box<dyn Work> {
     let (record, ray) = regime.cases(1, number + 1)[number].of();
     plain(1, move || {
         black_box(black_box(&record).exact(black_box(&ray)));
+    })
+}
+
+/// Returns a chain of multiplications of whole numbers. Each takes three cycles on x86-64, so the time shows the clock.
+fn clock() -> Box<dyn Work> {
+    let mut number = 3_u64;
+    plain(COUNT, move || {
+        for _ in 0..COUNT {
+            number = number.wrapping_mul(number);
+        }
+        black_box(&mut number);
     })
 }
 
