@@ -2,12 +2,18 @@
 # Runs all functional tests: the built programs, whole pictures, properties, hard rays, and the shaders against the CPU.
 # The last command checks the digests of the programs in the release profile.
 #
-#   tests/ftest.sh [OPTION OF cargo test]...
+#   tests/ftest.sh [programs | OPTION OF cargo test]...
 #
+#   tests/ftest.sh programs     # only those of render-aos and render-soa, with right and wrong inputs
 #   tests/ftest.sh cylinder     # only the tests with this word in their names
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ "${1:-}" != --help ] || { sed -n '2,7s/^# \{0,1\}//p' tests/ftest.sh; exit; }
-cargo test --workspace --test '*' "$@"
+[ "${1:-}" != --help ] || { sed -n '2,8s/^# \{0,1\}//p' tests/ftest.sh; exit; }
+if [ "${1:-}" = programs ]; then
+    shift
+    cargo test -p cli --test '*' "$@"
+else
+    cargo test --workspace --test '*' "$@"
+fi
 cargo test -p cli --release --test digests "$@"

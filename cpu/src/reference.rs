@@ -180,6 +180,7 @@ impl Path<'_> {
         nearest.map(|(hit, material)| (hit, self.scene.materials[material as usize]))
     }
 
+    /// Returns the colour of the background in a direction.
     fn background(&self, direction: Vec3) -> Vec3 {
         let m = (direction.unit().y + 1.0) / 2.0;
         self.config.background_light_color * (1.0 - m) + self.config.background_dark_color * m

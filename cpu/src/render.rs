@@ -204,6 +204,7 @@ impl<L: Layout> Kernel for Picture<'_, L> {
 }
 
 impl<L: Layout> Picture<'_, L> {
+    /// Renders a span of a row.
     fn span<S: Simd>(&mut self, simd: S, span: &Span) {
         let Self { state, target, .. } = self;
         let (prepared, candidates) = (state.prepared, &mut state.candidates);

@@ -106,6 +106,7 @@ impl Bounds {
         }
     }
 
+    /// Returns a box around `center` with a little more than `half_size` to each side.
     fn around(center: Vec3, half_size: Vec3) -> Self {
         let half_size = (half_size * (1.0 + ENLARGEMENT)).to_array();
         let center = center.to_array();

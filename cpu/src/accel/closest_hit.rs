@@ -48,6 +48,7 @@ impl ClosestHit {
         self.object != NO_OBJECT
     }
 
+    /// Returns the surface that is hit, as the exact comparison of two hits needs it.
     fn surface<O: Objects>(&self, objects: &O) -> Surface {
         match ObjectRef::of(objects, self.object) {
             ObjectRef::Sphere(index) => Surface::Sphere(objects.sphere(index).record),
@@ -102,6 +103,7 @@ impl ClosestHit {
         self.update_by_lambda(objects, index, ray, lambda);
     }
 
+    /// Takes the hit of the sphere `index` at `lambda`, if there is one and it is closer.
     #[inline(always)]
     fn update_by_lambda<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, lambda: Option<f64>) {
         if let Some(lambda) = lambda {

@@ -61,6 +61,7 @@ pub(crate) fn is_tiny(objects: &impl Objects, id: ObjectId) -> bool {
     smallest < Extent::SMALLEST
 }
 
+/// Returns the largest magnitude of a coordinate.
 fn magnitude(vector: Vec3) -> f64 {
     vector.x.abs().max(vector.y.abs()).max(vector.z.abs())
 }

@@ -147,6 +147,7 @@ fn size<T: Rounding>(record: &CylinderRecord<T>, view: &CylinderView<T>, a: T, l
 }
 
 impl<T: Rounding> Side<T> {
+    /// Returns what the rays of a view with this direction need to find the side, with the bound of its error.
     #[inline(always)]
     pub(super) fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>, is_long: bool) -> Self {
         let length_squared = direction.dot(direction);

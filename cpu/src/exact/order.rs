@@ -163,6 +163,7 @@ impl Surface {
         Some([lambda - error, lambda + error])
     }
 
+    /// Returns the exact lambda of the surface.
     fn exact_lambda(&self, ray: &Ray) -> Exactly<ExactLambda> {
         match self {
             Self::Sphere(record) => sphere_exact::lambda(record, ray),

@@ -18,24 +18,29 @@ pub(crate) type Exactly<R> = Result<Option<R>, NotFinite>;
 pub struct Exact3([Dyadic; 3]);
 
 impl Exact3 {
+    /// Returns the vector without rounding.
     pub(crate) fn new(vector: Vec3) -> Result<Self, NotFinite> {
         let [x, y, z] = vector.to_array().map(exact);
         Ok(Self([x?, y?, z?]))
     }
 
+    /// Returns the dot product.
     pub(crate) fn dot(&self, other: &Self) -> Dyadic {
         let [x, y, z] = [0, 1, 2].map(|index| &self.0[index] * &other.0[index]);
         &(&x + &y) + &z
     }
 
+    /// Returns the difference.
     pub(crate) fn minus(&self, other: &Self) -> Self {
         Self([0, 1, 2].map(|index| &self.0[index] - &other.0[index]))
     }
 
+    /// Returns the sum.
     pub(crate) fn plus(&self, other: &Self) -> Self {
         Self([0, 1, 2].map(|index| &self.0[index] + &other.0[index]))
     }
 
+    /// Returns the product with a number.
     pub(crate) fn times(&self, factor: &Dyadic) -> Self {
         Self([0, 1, 2].map(|index| &self.0[index] * factor))
     }

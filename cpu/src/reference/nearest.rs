@@ -40,6 +40,7 @@ pub(super) fn cylinder(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Opti
     nearest
 }
 
+/// Returns the least lambda above the limit at which the ray hits the side of the cylinder.
 fn side(center: Vec3, radius: f64, (axis, height): (Vec3, f64), &Ray { origin, direction }: &Ray) -> Option<f64> {
     let perpendicular = |vector: Vec3| vector - axis * vector.dot(axis);
     let r_c = perpendicular(origin - center);

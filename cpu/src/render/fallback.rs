@@ -63,6 +63,7 @@ pub(crate) fn closer_of_near<V: SimdF64>(
     (closest.load(0), closer)
 }
 
+/// Compares the hit of each near lane alone with the closest one, and returns the lanes whose hits are closer.
 #[cold]
 #[inline(never)]
 fn closer_lane_by_lane(

@@ -56,6 +56,7 @@ struct Outline {
 }
 
 impl Outline {
+    /// Returns the outline of an object as the camera sees it.
     fn new<L: Layout>(prepared: &Prepared<L>, id: ObjectId) -> Self {
         let objects = &prepared.objects;
         let (center, axis, half_height, radius) = match ObjectRef::of(objects, id) {

@@ -26,6 +26,7 @@ struct Bin {
 impl Bin {
     const EMPTY: Self = Self { bounds: PackedBounds::EMPTY, middles: PackedBounds::EMPTY, count: 0 };
 
+    /// Returns the bin that holds the items of both.
     fn union(&self, other: &Self) -> Self {
         let (bounds, middles) = (self.bounds.union(other.bounds), self.middles.union(other.middles));
         Self { bounds, middles, count: self.count + other.count }
