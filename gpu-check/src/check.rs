@@ -6,7 +6,7 @@ use std::time::Duration;
 use shaders::Library;
 
 use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::{Error, Float, Formulas, Gpu, Kernel, Pipeline};
+use crate::{Error, Float, Gpu, Pipeline};
 
 /// Largest number of cases in one run. The device's limit on a binding may be lower.
 const BATCH: u64 = 1 << 18;
@@ -33,101 +33,84 @@ pub struct Tally {
     pub shown: Vec<String>,
 }
 
-/// Compiles `kernel` from `library`, in the precision of `T`.
-///
-/// # Errors
-/// The errors of [`Pipeline::new`].
-pub fn compile<T: Float>(gpu: &Gpu, library: &Library, kernel: &Kernel) -> Result<Pipeline, Error> {
-    Pipeline::new(gpu, &library.compose(kernel.module, T::PRECISION)?, &[])
+/// A kernel that turns each case, a row of inputs, into a row of outputs, and its formula in Rust. Both calculate in `T`.
+#[derive(Clone, Copy, Debug)]
+pub struct RowKernel<T> {
+    /// The name of the kernel's module in `shaders`.
+    pub module: &'static str,
+    /// Number of numbers in a case, which are the inputs of the formula.
+    pub inputs: usize,
+    /// Names of the numbers in a result, which are the outputs of the formula.
+    pub outputs: &'static [&'static str],
+    /// Computes the formula. Reads a case, and writes its result.
+    pub formula: fn(&[T], &mut [T]),
 }
 
-/// Returns the kernel's results for `cases`, row after row. The cases are run in batches whose buffers the device can
-/// bind.
-///
-/// # Errors
-/// The errors of [`Pipeline::run`].
-pub fn results<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Vec<T>, Error> {
-    Ok(timed_results(gpu, pipeline, kernel, cases)?.0)
-}
-
-/// Returns the results of [`results`], and the time of the device without the transfers.
-///
-/// # Errors
-/// The errors of [`Pipeline::run`].
-pub fn timed_results<T: Float>(
-    gpu: &Gpu,
-    pipeline: &Pipeline,
-    kernel: &Kernel,
-    cases: &[T],
-) -> Result<(Vec<T>, Duration), Error> {
-    rows_of_results(gpu, pipeline, [kernel.inputs, kernel.outputs.len()], cases)
-}
-
-/// Returns the results of any pipeline that reads rows of `inputs` numbers and writes rows of `outputs` numbers, and
-/// the time of the device.
-pub(crate) fn rows_of_results<T: Float>(
-    gpu: &Gpu,
-    pipeline: &Pipeline,
-    [inputs, outputs]: [usize; 2],
-    cases: &[T],
-) -> Result<(Vec<T>, Duration), Error> {
-    let width = inputs.max(outputs) * size_of::<T>();
-    let batch = BATCH.min(gpu.binding_limit() / width as u64).min(MAX_INVOCATIONS) as usize;
-    let mut results = Vec::with_capacity(cases.len() / inputs * outputs);
-    let mut time = Duration::ZERO;
-    for cases in cases.chunks(batch * inputs) {
-        let rows = cases.len() / inputs;
-        let output = (rows * outputs * size_of::<T>()) as u64;
-        let contents = [Content::Input(bytemuck::cast_slice(cases)), Content::Output(output)];
-        let run = pipeline.run(gpu, &contents, rows as u64)?;
-        time += run.time;
-        for bytes in run.outputs {
-            results.extend(bytemuck::pod_collect_to_vec::<u8, T>(&bytes));
-        }
+impl<T: Float> RowKernel<T> {
+    /// Compiles the kernel from `library`.
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::new`].
+    pub fn compile(&self, gpu: &Gpu, library: &Library) -> Result<Pipeline, Error> {
+        Pipeline::new(gpu, &library.compose(self.module, T::PRECISION)?, &[])
     }
-    Ok((results, time))
-}
 
-/// Compares `results`, the kernel's results for `cases`, with the results of the formula in Rust.
-#[must_use]
-pub fn compare<T: Formulas>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
-    compare_rows(kernel.module, kernel.inputs, kernel.outputs, T::formula(kernel), cases, results)
-}
-
-/// Compares rows of results with those of any `formula` in Rust. `kernel` is the name of the kernel's module, and
-/// `names` has the name of each number of a result.
-pub(crate) fn compare_rows<T: Float>(
-    kernel: &'static str,
-    inputs: usize,
-    names: &[&str],
-    formula: fn(&[T], &mut [T]),
-    cases: &[T],
-    results: &[T],
-) -> Tally {
-    let mut expected = vec![T::of(0.0); names.len()];
-    let mut tally = Tally { kernel, cases: 0, numbers: 0, nonzero: 0, differing: 0, first: None, shown: Vec::new() };
-    for (case, actual) in cases.chunks(inputs).zip(results.chunks(names.len())) {
-        formula(case, &mut expected);
-        tally.cases += 1;
-        tally.numbers += actual.len();
-        tally.nonzero += usize::from(expected[0].wide() != 0.0);
-        if expected.iter().zip(actual).any(|(expected, actual)| !expected.same(*actual)) {
-            tally.differing += 1;
-            tally.first.get_or_insert(tally.cases - 1);
-            if tally.shown.len() < SHOWN {
-                tally.shown.push(show(names, case, &expected, actual));
+    /// Returns the kernel's results for `cases`, row after row, and the time of the device without the transfers. The
+    /// cases are run in batches whose buffers the device can bind.
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::run`].
+    pub fn results(&self, gpu: &Gpu, pipeline: &Pipeline, cases: &[T]) -> Result<(Vec<T>, Duration), Error> {
+        let outputs = self.outputs.len();
+        let width = self.inputs.max(outputs) * size_of::<T>();
+        let batch = BATCH.min(gpu.binding_limit() / width as u64).min(MAX_INVOCATIONS) as usize;
+        let mut results = Vec::with_capacity(cases.len() / self.inputs * outputs);
+        let mut time = Duration::ZERO;
+        for cases in cases.chunks(batch * self.inputs) {
+            let rows = cases.len() / self.inputs;
+            let output = (rows * outputs * size_of::<T>()) as u64;
+            let contents = [Content::Input(bytemuck::cast_slice(cases)), Content::Output(output)];
+            let run = pipeline.run(gpu, &contents, rows as u64)?;
+            time += run.time;
+            for bytes in run.outputs {
+                results.extend(bytemuck::pod_collect_to_vec::<u8, T>(&bytes));
             }
         }
+        Ok((results, time))
     }
-    tally
-}
 
-/// Runs the kernel for `cases`, and compares its results with those of the formula in Rust.
-///
-/// # Errors
-/// The errors of [`Pipeline::run`].
-pub fn check<T: Formulas>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Tally, Error> {
-    Ok(compare(kernel, cases, &results(gpu, pipeline, kernel, cases)?))
+    /// Returns the result of one case by the formula in Rust.
+    #[must_use]
+    pub fn expected(&self, case: &[T]) -> Vec<T> {
+        let mut result = vec![T::of(0.0); self.outputs.len()];
+        (self.formula)(case, &mut result);
+        result
+    }
+
+    /// Runs the kernel for `cases`, and compares its results with those of the formula in Rust.
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::run`].
+    pub fn check(&self, gpu: &Gpu, pipeline: &Pipeline, cases: &[T]) -> Result<Tally, Error> {
+        let (results, _) = self.results(gpu, pipeline, cases)?;
+        let (kernel, names) = (self.module, self.outputs);
+        let mut tally =
+            Tally { kernel, cases: 0, numbers: 0, nonzero: 0, differing: 0, first: None, shown: Vec::new() };
+        for (case, actual) in cases.chunks(self.inputs).zip(results.chunks(names.len())) {
+            let expected = self.expected(case);
+            tally.cases += 1;
+            tally.numbers += actual.len();
+            tally.nonzero += usize::from(expected[0].wide() != 0.0);
+            if expected.iter().zip(actual).any(|(expected, actual)| !expected.same(*actual)) {
+                tally.differing += 1;
+                tally.first.get_or_insert(tally.cases - 1);
+                if tally.shown.len() < SHOWN {
+                    tally.shown.push(show(names, case, &expected, actual));
+                }
+            }
+        }
+        Ok(tally)
+    }
 }
 
 /// Returns a text with the inputs of the case and the results that differ.

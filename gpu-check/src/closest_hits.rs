@@ -1,7 +1,5 @@
 //! Finds the closest hits of given rays on a device, to compare the hierarchy with the loop over all objects.
 
-pub mod random;
-
 use cpu::Ray;
 use shaders::{Features, Library};
 

@@ -14,6 +14,8 @@ pub struct Difference {
     /// Number of pixels in which a channel has different bits. If the precisions differ, values are compared instead of
     /// bits.
     pub differing: usize,
+    /// The index of the first of these pixels.
+    pub first: Option<usize>,
     /// Root of the mean square of the differences of all channels.
     pub rmse: f64,
     /// The largest difference of any channel.
@@ -29,16 +31,6 @@ fn distance(one: f64, other: f64) -> f64 {
     }
 }
 
-/// Returns the index of the first pixel in which a channel has different bits.
-#[must_use]
-pub fn first_differing<T: Float>(pixels: &[Vec3<T>], others: &[Vec3<T>]) -> Option<usize> {
-    let channels = |pixel: &Vec3<T>| pixel.to_array();
-    let differ = |(one, other): (&Vec3<T>, &Vec3<T>)| {
-        channels(one).into_iter().zip(channels(other)).any(|(one, other)| !one.same(other))
-    };
-    pixels.iter().zip(others).position(differ)
-}
-
 /// Returns the differences between two pictures of equal size.
 ///
 /// # Panics
@@ -48,7 +40,7 @@ pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Dif
     assert_eq!(one.len(), other.len(), "pictures of one size are compared");
     let mut result = Difference { pixels: one.len(), ..Difference::default() };
     let mut squares = 0.0;
-    for (a, b) in one.iter().zip(other) {
+    for (index, (a, b)) in one.iter().zip(other).enumerate() {
         let mut differs = false;
         for (a, b) in a.to_array().into_iter().zip(b.to_array()) {
             let apart = distance(a.wide(), b.wide());
@@ -56,7 +48,10 @@ pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Dif
             squares += apart * apart;
             result.largest = result.largest.max(apart);
         }
-        result.differing += usize::from(differs);
+        if differs {
+            result.differing += 1;
+            result.first.get_or_insert(index);
+        }
     }
     result.rmse = (squares / (3 * one.len()).max(1) as f64).sqrt();
     result
@@ -64,7 +59,7 @@ pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Dif
 
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { pixels, differing, rmse, largest } = self;
+        let Self { pixels, differing, rmse, largest, .. } = self;
         write!(f, "{differing} of {pixels} pixels differ, RMSE {rmse:.1e}, at most {largest:.1e}")
     }
 }
@@ -79,7 +74,7 @@ mod tests {
         assert_eq!(difference(&one, &one), Difference { pixels: 2, ..Difference::default() });
         let other = [Vec3::new(0.5, 0.5, 0.8), Vec3::new(f64::NAN, -0.0, 0.0)];
         let found = difference(&one, &other);
-        assert_eq!((found.pixels, found.differing), (2, 2), "a zero's sign counts");
+        assert_eq!((found.pixels, found.differing, found.first), (2, 2, Some(0)), "a zero's sign counts");
         assert!((found.largest - 0.3).abs() < 1e-15 && (found.rmse - (0.09_f64 / 6.0).sqrt()).abs() < 1e-15);
         let not_a_number = [one[0], Vec3::ONE];
         assert_eq!(difference(&one, &not_a_number).largest, f64::INFINITY);

@@ -14,8 +14,9 @@ use std::collections::BTreeSet;
 
 use shaders::{CallTrace, Features, Library};
 
+use crate::check::RowKernel;
 use crate::kernel::Reader;
-use crate::{Error, Float, Formulas, Gpu, Kernel, Picture};
+use crate::{Error, Float, Gpu, Picture};
 use arguments::Arguments;
 use calls::{Call, Tracer};
 
@@ -59,18 +60,16 @@ pub struct Unequal<T> {
 ///
 /// # Errors
 /// The errors of [`crate::Pipeline::run`].
-pub fn of_case<T: Formulas>(
+pub fn of_case<T: Float>(
     gpu: &Gpu,
     library: &Library,
-    kernel: &Kernel,
+    kernel: &RowKernel<T>,
     case: &[T],
 ) -> Result<Option<Located<T>>, Error> {
     let tracer = Tracer::new(gpu, library, kernel.module, &[])?;
     let (calls, result) = tracer.case(kernel, case)?;
     let found = first_wrong_call(None, &tracer, &calls);
-    let mut expected = vec![T::of(0.0); kernel.outputs.len()];
-    T::formula(kernel)(case, &mut expected);
-    let is_same = expected.iter().zip(&result).all(|(one, other)| one.same(*other));
+    let is_same = kernel.expected(case).iter().zip(&result).all(|(one, other)| one.same(*other));
     let found = found.or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
     Ok(found.map(|found| (tracer.into_trace(), found)))
 }

@@ -8,6 +8,7 @@ use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
 
 use crate::Float;
+use crate::check::RowKernel;
 use crate::running::Running;
 use crate::special::Row;
 
@@ -37,9 +38,10 @@ pub struct Kernel {
     pub inputs: usize,
     /// Names of the numbers in a result, which are the outputs of the formula.
     pub outputs: &'static [&'static str],
-    pub(crate) wide: fn(&[f64], &mut [f64]),
-    pub(crate) single: fn(&[f32], &mut [f32]),
-    pub(crate) running: fn(&[Running], &mut [Running]),
+    wide: fn(&[f64], &mut [f64]),
+    single: fn(&[f32], &mut [f32]),
+    /// Computes the formula with a bound of the error that `f32` has.
+    pub running: fn(&[Running], &mut [Running]),
     edges: fn(&mut Row),
     random: fn(&mut Uniform, &mut Row),
 }
@@ -58,6 +60,13 @@ impl Kernel {
             edges: F::edges,
             random: F::random,
         }
+    }
+
+    /// Returns the kernel in the precision of `T`.
+    #[must_use]
+    pub fn rows<T: Formulas>(&self) -> RowKernel<T> {
+        let Self { module, inputs, outputs, .. } = *self;
+        RowKernel { module, inputs, outputs, formula: T::formula(self) }
     }
 
     /// Returns the inputs of all edge cases: a row of [`Self::inputs`] numbers for each case.

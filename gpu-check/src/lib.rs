@@ -7,8 +7,6 @@
 //!
 //! - [`adapter`] and [`gpu`] open a device, and [`form`] says in which form it gets shaders;
 //! - [`kernel`] and [`kernels`] list the formulas that are compared, and [`check`] compares them;
-//! - [`lowered`] compares operations on f64 that integers calculate;
-//! - [`exact`] compares the exact intersections, whose decisions rounding cannot change;
 //! - [`methods`] lets `stability` compare the intersections in WGSL with exact arithmetic;
 //! - [`running`] computes a bound on the error of f32;
 //! - [`renderer`] and the package [`mod@twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
@@ -16,8 +14,9 @@
 //! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
 //! - [`steps`] traces single pixels step by step on both, and [`first_difference`] finds the function that differs;
 //! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take;
-//! - [`conformance`] holds drivers to IEEE 754 and WGSL;
-//! - [`mutants`] are deliberate errors that these checks must notice.
+//! - [`conformance`] holds drivers to IEEE 754 and WGSL.
+//!
+//! The tests compare f64 by integers and the exact intersections too, and deliberate errors that they must notice.
 //!
 //! ```no_run
 //! use gpu_check::{Gpu, Picture, Renderer, features_of};
@@ -35,22 +34,18 @@
 //! ```
 
 pub mod adapter;
-pub mod bound;
 pub mod check;
 pub mod closest_hits;
 pub mod conformance;
 pub mod difference;
 pub mod error;
-pub mod exact;
 pub mod first_difference;
 pub mod form;
 pub mod gpu;
 pub mod guard;
 pub mod kernel;
 pub mod kernels;
-pub mod lowered;
 pub mod methods;
-pub mod mutants;
 pub mod pipeline;
 mod ray_loop;
 pub mod renderer;

@@ -1,6 +1,5 @@
 //! Makes the intersections in WGSL available as methods of `stability`, which compares them with exact arithmetic.
 
-use std::marker::PhantomData;
 use std::rc::Rc;
 
 use cpu::Vec3;
@@ -10,9 +9,10 @@ use shaders::Library;
 use stability::case::Case;
 use stability::methods::{Answer, Failure, Method, Stopwatch};
 
+use crate::check::RowKernel;
 use crate::kernel::Reader;
 use crate::kernels::{CYLINDER, PROJECTED_CYLINDER, PROJECTED_SPHERE, SPHERE};
-use crate::{Error, Float, Gpu, Kernel, Pipeline, check};
+use crate::{Error, Float, Formulas, Gpu, Kernel, Pipeline};
 
 /// Name of the method with the plain formulas in f64.
 pub const PLAIN: &str = "WGSL plain f64";
@@ -38,25 +38,25 @@ pub fn all(gpu: Gpu) -> Result<Vec<Box<dyn Method>>, Error> {
 struct Wgsl<T> {
     name: &'static str,
     gpu: Rc<Gpu>,
-    kernels: [(Kernel, Pipeline); 2],
-    precision: PhantomData<T>,
+    kernels: [(RowKernel<T>, Pipeline); 2],
 }
 
-impl<T: Float> Wgsl<T> {
-    fn new(name: &'static str, gpu: &Rc<Gpu>, [spheres, cylinders]: [Kernel; 2]) -> Result<Self, Error> {
-        let pipeline = |kernel: &Kernel| check::compile::<T>(gpu, &Library::standard(), kernel);
-        let kernels = [(spheres, pipeline(&spheres)?), (cylinders, pipeline(&cylinders)?)];
-        Ok(Self { name, gpu: Rc::clone(gpu), kernels, precision: PhantomData })
+impl<T: Formulas> Wgsl<T> {
+    fn new(name: &'static str, gpu: &Rc<Gpu>, kernels: [Kernel; 2]) -> Result<Self, Error> {
+        let [spheres, cylinders] = kernels.map(|kernel| kernel.rows::<T>());
+        let compiled = |kernel: RowKernel<T>| Ok::<_, Error>((kernel, kernel.compile(gpu, &Library::standard())?));
+        let kernels = [compiled(spheres)?, compiled(cylinders)?];
+        Ok(Self { name, gpu: Rc::clone(gpu), kernels })
     }
 
     /// Returns the kernel for `cases`, which must be all spheres or all cylinders.
-    fn kernel(&self, cases: &[Case]) -> &(Kernel, Pipeline) {
+    fn kernel(&self, cases: &[Case]) -> &(RowKernel<T>, Pipeline) {
         let cylinders = matches!(cases.first(), Some(Case { shape: Shape::Cylinder(_), .. }));
         &self.kernels[usize::from(cylinders)]
     }
 }
 
-impl<T: Float> Method for Wgsl<T> {
+impl<T: Formulas> Method for Wgsl<T> {
     fn name(&self) -> &'static str {
         self.name
     }
@@ -70,7 +70,7 @@ impl<T: Float> Method for Wgsl<T> {
 
     fn answer(&self, cases: &[Case]) -> Result<Vec<Option<Answer>>, Failure> {
         let (kernel, pipeline) = self.kernel(cases);
-        let reports = check::results(&self.gpu, pipeline, kernel, &rows::<T>(cases))?;
+        let (reports, _) = kernel.results(&self.gpu, pipeline, &rows::<T>(cases))?;
         Ok(reports.chunks(kernel.outputs.len()).map(answer).collect())
     }
 
@@ -78,12 +78,13 @@ impl<T: Float> Method for Wgsl<T> {
     /// records of the objects, and all cores of the processor work.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure> {
         let ((kernel, pipeline), rows) = (self.kernel(cases), rows::<T>(cases));
-        Ok(Box::new(move || Ok(check::timed_results(&self.gpu, pipeline, kernel, &rows)?.1)))
+        Ok(Box::new(move || Ok(kernel.results(&self.gpu, pipeline, &rows)?.1)))
     }
 }
 
 /// Returns the cases as rows of inputs for the kernels.
-pub(crate) fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
+#[must_use]
+pub fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
     let mut rows = Vec::new();
     for Case { shape, ray } in cases {
         let mut vector = |vector: Vec3| rows.extend(vector.to_array().map(T::of));

@@ -7,10 +7,8 @@
 //! other one where its predecessor has ended on the device. So a wrong recording cannot go unnoticed.
 //!
 //! Data go one way: [`Recording`], [`streams`] (the words of one run), [`renderer`] (two kernels for each run). In f32
-//! paths take other words, and [`twin`] is the picture that a device should give. [`crafted`] has pictures whose words
-//! are chosen by hand.
+//! paths take other words, and [`twin`] is the picture that a device should give.
 
-pub mod crafted;
 pub mod recording;
 pub mod renderer;
 pub mod streams;

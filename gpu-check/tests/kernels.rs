@@ -1,25 +1,28 @@
 //! Compares every formula in WGSL with its twin in `cpu`, bit by bit, for a million random cases and for the edge
 //! cases.
 
+#[path = "kernels/bound.rs"]
+mod bound;
 mod common;
 
-use gpu_check::bound::spread;
-use gpu_check::check::{check, compile, results};
 use gpu_check::kernels::KERNELS;
 use gpu_check::running::Accuracy;
 use gpu_check::{Error, Formulas, Gpu, Kernel};
 use shaders::Library;
+
+use bound::spread;
 
 const RANDOM_CASES: usize = 1 << 20;
 const FEWEST_EDGES: usize = 400;
 
 /// Compares the results of edge cases and random cases. Returns the number of compared results.
 fn gives_the_bits_of_cpu<T: Formulas>(gpu: &Gpu, kernel: &Kernel) -> Result<usize, Error> {
-    let pipeline = compile::<T>(gpu, &Library::standard(), kernel)?;
+    let rows = kernel.rows::<T>();
+    let pipeline = rows.compile(gpu, &Library::standard())?;
     let (edges, random) = (kernel.edge_cases::<T>(), kernel.random_cases::<T>(RANDOM_CASES, 42));
     let mut compared = 0;
     for (cases, fewest) in [(edges, FEWEST_EDGES), (random, RANDOM_CASES)] {
-        let tally = check(gpu, &pipeline, kernel, &cases)?;
+        let tally = rows.check(gpu, &pipeline, &cases)?;
         println!("{} {tally}", T::PRECISION);
         assert_eq!(tally.differing, 0, "{tally}");
         assert!(tally.cases >= fewest, "too few cases: {tally}");
@@ -59,8 +62,10 @@ fn f32_is_within_its_bound_of_f64() {
     let accuracy = common::accuracy(&gpu);
     for kernel in &KERNELS {
         let cases = kernel.random_cases::<f32>(RANDOM_CASES, 43);
-        let results = compile::<f32>(&gpu, &Library::standard(), kernel)
-            .and_then(|pipeline| results(&gpu, &pipeline, kernel, &cases))
+        let rows = kernel.rows::<f32>();
+        let (results, _) = rows
+            .compile(&gpu, &Library::standard())
+            .and_then(|pipeline| rows.results(&gpu, &pipeline, &cases))
             .unwrap_or_else(|error| panic!("{error}"));
         let found = spread(accuracy, kernel, &cases, &results);
         println!("{} {found}", kernel.module);

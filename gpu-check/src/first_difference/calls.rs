@@ -5,10 +5,11 @@ use std::marker::PhantomData;
 use shaders::{CallTrace, Library};
 
 use super::twins::{Twin, twin};
+use crate::check::RowKernel;
 use crate::head::{Part, head};
 use crate::pipeline::Content;
 use crate::ray_loop::{MAX_ITERATIONS, RayLoop};
-use crate::{Error, Float, Gpu, Kernel, Picture, Pipeline};
+use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Largest number of numbers of a trace. In f32 every whole number up to this one is exact, so the trace can hold its
 /// own length.
@@ -82,7 +83,7 @@ impl<'a, T: Float> Tracer<'a, T> {
     ///
     /// # Errors
     /// The errors of [`Pipeline::run`].
-    pub fn case(&self, kernel: &Kernel, case: &[T]) -> Result<(Vec<Call<T>>, Vec<T>), Error> {
+    pub fn case(&self, kernel: &RowKernel<T>, case: &[T]) -> Result<(Vec<Call<T>>, Vec<T>), Error> {
         let output = (kernel.outputs.len() * size_of::<T>()) as u64;
         self.run(&[Content::Input(bytemuck::cast_slice(case)), Content::Output(output)])
     }

@@ -81,25 +81,15 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
     /// # Errors
     /// The errors of [`Pipeline::run`], and [`Error::TooManyIterations`].
     pub fn render(&self, picture: &Picture<T>, recording: &Recording) -> Result<SampledRendering<T>, Error> {
-        self.render_telling(picture, recording, |_, _| ())
+        self.render_from(picture, recording, Streams::new(recording), |_, _| ())
     }
 
-    /// Renders as [`Self::render`] does. After each run it calls `tell` with the number of finished samples and the
-    /// number of all samples.
+    /// Renders as [`Self::render`] does, with the words of `streams`. After each run it calls `tell` with the number of
+    /// finished samples and the number of all samples.
     ///
     /// # Errors
     /// The errors of [`Self::render`].
-    pub fn render_telling(
-        &self,
-        picture: &Picture<T>,
-        recording: &Recording,
-        tell: impl FnMut(u64, u64),
-    ) -> Result<SampledRendering<T>, Error> {
-        self.render_from(picture, recording, Streams::new(recording), tell)
-    }
-
-    /// Renders as [`Self::render_telling`] does, with other streams than those of the recording's seeds.
-    pub(crate) fn render_from(
+    pub fn render_from(
         &self,
         picture: &Picture<T>,
         recording: &Recording,

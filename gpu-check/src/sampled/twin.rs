@@ -10,15 +10,10 @@ use crate::{Float, Picture};
 /// The largest number of vectors that a scatter vector is chosen from, as in `scatter_vectors.wgsl`.
 pub const MAX_TRIES: u64 = 100;
 
-/// Returns the mean colours of `picture`. Every path starts at its recorded place in the stream of scatter vectors,
-/// also if the path before it takes another number of words in this precision. Calls `tell` after each pixel with the
-/// number of finished pixels.
-pub fn means<T: Float>(picture: &Picture<T>, recording: &Recording, mut tell: impl FnMut(usize)) -> Vec<Vec3<T>> {
-    means_from(picture, recording, Streams::new(recording), &mut tell)
-}
-
-/// Returns the mean colours as [`means`] does, with other streams than those of the recording's seeds.
-pub(crate) fn means_from<T: Float>(
+/// Returns the mean colours of `picture`, with the words of `streams`. Every path starts at its recorded place in the
+/// stream of scatter vectors, also if the path before it takes another number of words in this precision. Calls `tell`
+/// after each pixel with the number of finished pixels.
+pub fn means<T: Float>(
     picture: &Picture<T>,
     recording: &Recording,
     streams: Streams,

@@ -7,6 +7,7 @@ use shaders::{Features, Library, Precision};
 use super::files::{self, UserModule};
 use super::truth::Truth;
 use super::{args, guard};
+use crate::sampled::streams::Streams;
 use crate::sampled::{SampleRenderer, SampledRendering};
 use crate::terminal::bar;
 use crate::{Error, Float, Gpu, Picture, Renderer, Rendering};
@@ -77,7 +78,8 @@ pub(super) fn render<T: Float>(
     };
     let renderer = SampleRenderer::<T>::new(gpu, library, features, own)?;
     let compiled = start.elapsed();
-    let SampledRendering { size, pixels, disagreeing, time, .. } = renderer.render_telling(picture, recording, tell)?;
+    let SampledRendering { size, pixels, disagreeing, time, .. } =
+        renderer.render_from(picture, recording, Streams::new(recording), tell)?;
     let text = format!(
         "{} samples for each pixel, scatter convention [{}]; {disagreeing} of {} paths take another number of words\n",
         recording.samples_per_pixel,

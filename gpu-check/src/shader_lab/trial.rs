@@ -12,7 +12,7 @@ use super::png::Places;
 use super::rendered::{self, Rendered};
 use super::truth::{Truth, check_size};
 use super::{guard, pixel, png};
-use crate::difference::{difference, first_differing};
+use crate::difference::difference;
 use crate::first_difference;
 use crate::picture::depth;
 use crate::sampled::Convention;
@@ -142,7 +142,7 @@ impl Trial<'_> {
             report.push_str(&pixel::colors(held[index].to_array(), rendering.pixels[index].to_array()));
         }
         if options.first_difference {
-            let text = match first_differing(&rendering.pixels, held) {
+            let text = match apart.first {
                 Some(index) => self.first_difference(index, &library, (&features, &own), &picture)?,
                 None => "no pixel differs, so there is no first difference\n".to_owned(),
             };

@@ -7,6 +7,7 @@ use cpu::{Config, Scatter, Scene, Vec3, reference};
 
 use crate::hierarchy::WORTHWHILE;
 use crate::picture::depth;
+use crate::sampled::streams::Streams;
 use crate::sampled::twin::means;
 use crate::sampled::{Convention, Recording};
 use crate::terminal::bar;
@@ -103,7 +104,8 @@ impl Truth {
         colors.get_or_init(|| {
             let progress = bar(WORDS, picture.size.pixels());
             if let Some(recording) = &self.recording {
-                return means(picture, recording, |pixels| progress.set_position(pixels as u64));
+                let streams = Streams::new(recording);
+                return means(picture, recording, streams, |pixels| progress.set_position(pixels as u64));
             }
             progress.wrap_iter(0..picture.size.pixels()).map(|index| picture.color(index)).collect()
         })

@@ -3,11 +3,16 @@
 //!
 //! `RENDER_EXACT_CASES` sets the number of cases of each kind.
 
+mod formulas;
+pub mod kernels;
+mod rays;
+
 use gpu_check::Gpu;
-use gpu_check::exact::{CYLINDER, ExactKernel, MUL_ADD, ORDER, SPHERE, compensated_cylinders};
+use gpu_check::check::RowKernel;
 use shaders::Library;
 
 use crate::common;
+use kernels::{CYLINDER, ExactKernel, MUL_ADD, ORDER, SPHERE, compensated_cylinders};
 
 /// Number of cases of each kind, unless the variable sets another one.
 const CASES: usize = 20_000;
@@ -21,8 +26,8 @@ fn count() -> usize {
 }
 
 /// Compares the kernel's results, and returns the cases.
-fn compare(gpu: &Gpu, kernel: &ExactKernel) -> Vec<f64> {
-    let cases = kernel.cases(count(), SEED);
+fn compare(gpu: &Gpu, (kernel, cases): &ExactKernel) -> Vec<f64> {
+    let cases = cases(count(), SEED);
     let pipeline = kernel.compile(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
     let tally = kernel.check(gpu, &pipeline, &cases).unwrap_or_else(|error| panic!("{error}"));
     println!("{tally}");
@@ -33,7 +38,7 @@ fn compare(gpu: &Gpu, kernel: &ExactKernel) -> Vec<f64> {
 
 /// Counts the cases that each step decides: dyadic arithmetic, which only the CPU has, the plain formula, and the
 /// compensated one.
-fn decided(kernel: &ExactKernel, cases: &[f64]) -> [usize; 3] {
+fn decided(kernel: &RowKernel<f64>, cases: &[f64]) -> [usize; 3] {
     let mut decided = [0; 3];
     for case in cases.chunks(kernel.inputs) {
         decided[kernel.expected(case)[0] as usize] += 1;
@@ -45,7 +50,7 @@ fn decided(kernel: &ExactKernel, cases: &[f64]) -> [usize; 3] {
 
 /// Compares the kernel, and checks that each step decides some rays, and that some rays are left for dyadic arithmetic.
 fn compare_steps(kernel: &ExactKernel) {
-    let decided = decided(kernel, &compare(&common::gpu(), kernel));
+    let decided = decided(&kernel.0, &compare(&common::gpu(), kernel));
     assert!(decided.iter().all(|&count| count > 1000), "{decided:?}");
 }
 
@@ -63,8 +68,8 @@ fn every_step_for_spheres_has_the_bits_of_cpu() {
 fn every_step_for_two_spheres_has_the_order_of_cpu() {
     let cases = compare(&common::gpu(), &ORDER);
     let mut orders = [0; 4];
-    for case in cases.chunks(ORDER.inputs) {
-        orders[ORDER.expected(case)[0] as usize] += 1;
+    for case in cases.chunks(ORDER.0.inputs) {
+        orders[ORDER.0.expected(case)[0] as usize] += 1;
     }
     println!("uncertain, first, second, not two hits: {orders:?}");
     assert!(orders[..3].iter().all(|&count| count > 1000), "{orders:?}");
@@ -75,7 +80,7 @@ fn every_step_for_cylinders_has_the_bits_of_cpu() {
     compare_steps(&CYLINDER);
     for (name, cases) in compensated_cylinders(count(), SEED) {
         println!("{name}:");
-        let [.., compensated] = decided(&CYLINDER, &cases);
+        let [.., compensated] = decided(&CYLINDER.0, &cases);
         assert!(compensated > count() / 10, "{name}: {compensated}");
     }
 }

@@ -5,11 +5,12 @@ use std::time::Duration;
 
 use gpu_check::first_difference::report::{Places, report};
 use gpu_check::first_difference::{FirstDifference, of_pixel};
-use gpu_check::mutants::{self, Examiner, Mutant};
 use gpu_check::{Picture, features_of, scenes};
 use shaders::Library;
 
 use crate::common;
+use crate::mutants::examiner::Examiner;
+use crate::mutants::mutant::{Mutant, of_modules};
 
 /// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a case or a
 /// pixel that differs takes seconds.
@@ -22,8 +23,8 @@ const AIM: Duration = Duration::from_secs(5);
 /// `trace_path`, the search must say that no such function is wrong.
 fn is_named(mutant: &Mutant, places: &Places, found: &FirstDifference<f64>) -> bool {
     let source = Library::standard();
-    let source = source.source(mutant.module).expect("the mutant's module exists");
-    let place = source.find(mutant.from).expect("the mutant's text is there");
+    let source = source.source(&mutant.module).expect("the mutant's module exists");
+    let place = source.find(&mutant.from).expect("the mutant's text is there");
     let line = source[..place].matches('\n').count() + 1;
     let file = format!("{} (mutant)", mutant.module);
     let is_inside = |(_, [(path, first), (_, last)]): &(String, [(String, usize); 2])| {
@@ -49,9 +50,9 @@ fn the_function_of_nearly_every_mutant_is_named() {
     let all = std::env::var_os("FIRST_DIFFERENCES").is_some_and(|value| value == "all");
     let step = if all { 1 } else { STEP };
     let (mut missed, mut times) = (Vec::new(), Vec::new());
-    for mutant in mutants::all().step_by(step) {
+    for mutant in of_modules().iter().step_by(step) {
         let library = mutant.library().expect("its module exists");
-        let located = examiner.first_difference(&library, mutant.module);
+        let located = examiner.first_difference(&library, &mutant.module);
         let Some(((trace, difference), time)) = located.unwrap_or_else(|error| panic!("{mutant:?}: {error}")) else {
             // Only pictures with random numbers show this mutant.
             continue;

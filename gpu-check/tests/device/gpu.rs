@@ -5,14 +5,15 @@ use std::process::Command;
 use gpu_check::conformance::verdict::Verdict;
 use gpu_check::conformance::{native, probes};
 use gpu_check::pipeline::{Content, Pipeline};
-use gpu_check::{Error, Form, Formulas, Gpu, Kernel, Picture, Renderer, check, kernels};
+use gpu_check::{Error, Form, Formulas, Gpu, Kernel, Picture, Renderer, kernels};
 use shaders::{Composition, Features, Library, Precision};
 
 use crate::common;
 
 fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
     let kernel = &kernels::KERNELS[0];
-    (kernel, check::compile::<f64>(gpu, &Library::standard(), kernel).unwrap_or_else(|error| panic!("{error}")))
+    let pipeline = kernel.rows::<f64>().compile(gpu, &Library::standard());
+    (kernel, pipeline.unwrap_or_else(|error| panic!("{error}")))
 }
 
 /// Runs the test `name` of this file in a new process, with these environment variables. Returns whether it passes, and
@@ -50,7 +51,7 @@ fn a_lost_device_is_an_error() {
     let gpu = common::gpu();
     let (kernel, pipeline) = sphere_pipeline(&gpu);
     gpu.close();
-    let error = check::results::<f64>(&gpu, &pipeline, kernel, &kernel.edge_cases()).expect_err("it is closed");
+    let error = kernel.rows::<f64>().results(&gpu, &pipeline, &kernel.edge_cases()).expect_err("it is closed");
     assert!(matches!(error, Error::DeviceLost { .. }), "{error}");
 }
 
@@ -84,8 +85,10 @@ fn numbers_that_a_kernel_does_not_write_are_noticed() {
 /// Returns the number of sums whose rounding error differs from Rust's.
 fn wrong_errors<T: Formulas>(gpu: &Gpu) -> usize {
     let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/two_sum").expect("it is listed");
-    let tally = check::compile::<T>(gpu, &Library::standard(), kernel)
-        .and_then(|pipeline| check::check::<T>(gpu, &pipeline, kernel, &kernel.random_cases(4096, 7)));
+    let rows = kernel.rows::<T>();
+    let tally = rows
+        .compile(gpu, &Library::standard())
+        .and_then(|pipeline| rows.check(gpu, &pipeline, &kernel.random_cases(4096, 7)));
     let tally = tally.unwrap_or_else(|error| panic!("{error}"));
     println!("{} {}: {tally}", T::PRECISION, gpu.form(T::PRECISION));
     tally.differing

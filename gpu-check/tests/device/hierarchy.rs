@@ -4,10 +4,11 @@
 //! tests/extensive does. `RENDER_HIERARCHY_RAYS` sets the number of random rays.
 
 mod large;
+pub mod random;
 
 use cpu::Config;
 use cpu::internals::sampling::uniform::Uniform;
-use gpu_check::closest_hits::{closest_hits, random};
+use gpu_check::closest_hits::closest_hits;
 use gpu_check::difference::difference;
 use gpu_check::running::Accuracy;
 use gpu_check::scenes;

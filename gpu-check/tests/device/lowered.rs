@@ -2,11 +2,13 @@
 //!
 //! The variable `LOWERED_CASES` sets the number of cases of each operation.
 
+pub mod comparison;
+pub mod operands;
+pub mod operations;
+
 use std::time::Duration;
 
-use gpu_check::check::{check as check_kernel, compile};
 use gpu_check::kernels::KERNELS;
-use gpu_check::lowered::{check, operations};
 use gpu_check::pipeline::Content;
 use gpu_check::running::Accuracy;
 use gpu_check::scenes;
@@ -16,6 +18,7 @@ use shaders::{Composition, Features, Library, Precision};
 
 use crate::common;
 use crate::pictures::Compared;
+use comparison::check;
 
 /// Number of cases of each operation, unless `LOWERED_CASES` sets another.
 const CASES: usize = 1_000_000;
@@ -64,9 +67,10 @@ fn every_formula_gives_the_bits_of_cpu() {
     let gpu = common::gpu();
     let mut compared = 0;
     for kernel in &KERNELS {
-        let pipeline = compile::<f64>(&gpu, &library(), kernel).unwrap_or_else(|error| panic!("{error}"));
+        let rows = kernel.rows::<f64>();
+        let pipeline = rows.compile(&gpu, &library()).unwrap_or_else(|error| panic!("{error}"));
         for cases in [kernel.edge_cases::<f64>(), kernel.random_cases::<f64>(FORMULA_CASES, 42)] {
-            let tally = check_kernel(&gpu, &pipeline, kernel, &cases).unwrap_or_else(|error| panic!("{error}"));
+            let tally = rows.check(&gpu, &pipeline, &cases).unwrap_or_else(|error| panic!("{error}"));
             println!("{tally}");
             assert_eq!(tally.differing, 0, "{tally}");
             compared += tally.numbers;
@@ -110,7 +114,7 @@ fn every_construct_gives_the_bits_of_the_devices_f64() {
     let gpu = common::gpu();
     // An item has 320 bytes. Numbers of moderate size stand at every place where one can be.
     let (size, count) = (320, 64 * 64);
-    let draws = (0..size / 8 * count).map(|index| gpu_check::lowered::operands::draw(33, index as u64).a);
+    let draws = (0..size / 8 * count).map(|index| operands::draw(33, index as u64).a);
     let moderate =
         |number: f64| if number.is_nan() || number.abs() > 1e6 { number.to_bits() as f64 / 1e16 } else { number };
     let numbers: Vec<_> = draws.map(moderate).collect();

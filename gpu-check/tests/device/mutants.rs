@@ -1,24 +1,24 @@
 //! Tests the checks themselves: they must notice every deliberate error in the WGSL and in the arithmetic of f64 by
 //! integers, and report nothing if there is none.
 
+mod arithmetic;
+mod crafted;
+pub mod examiner;
+pub mod mutant;
+
 use gpu_check::Error;
-use gpu_check::lowered::mutants as lowered;
-use gpu_check::mutants::{self, Examiner, Mutant};
 use shaders::Library;
 use shaders::lower::Arithmetic;
 use shaders::module::MODULES;
 
 use crate::common;
+use examiner::Examiner;
+use mutant::{Mutant, of_arithmetic, of_modules};
 
 /// Fails if `notice` does not notice one of the mutants, or if there are fewer than `fewest`.
-fn all_are_noticed<'a>(
-    mutants: impl Iterator<Item = &'a Mutant>,
-    fewest: usize,
-    notice: impl Fn(&Mutant) -> Result<Option<String>, Error>,
-) {
-    let (mut count, mut survivors) = (0, Vec::new());
+fn all_are_noticed(mutants: &[Mutant], fewest: usize, notice: impl Fn(&Mutant) -> Result<Option<String>, Error>) {
+    let (count, mut survivors) = (mutants.len(), Vec::new());
     for mutant in mutants {
-        count += 1;
         match notice(mutant).unwrap_or_else(|error| panic!("{mutant:?}: {error}")) {
             Some(by) => println!("{}: [{}] => [{}] noticed by {by}", mutant.module, mutant.from, mutant.to),
             None => survivors.push(format!("{mutant:?}")),
@@ -39,17 +39,27 @@ fn every_mutant_is_noticed_and_nothing_without_a_fault() {
         let noticed = examiner.examine(&Library::standard(), module.name).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(noticed, None, "{}", module.name);
     }
-    all_are_noticed(mutants::all(), 260, |mutant| examiner.notice(mutant));
+    all_are_noticed(&of_modules(), 260, |mutant| examiner.notice(mutant));
 }
 
 #[test]
 fn every_mutant_of_the_arithmetic_is_noticed_and_nothing_without_a_fault() {
-    let (gpu, cases) = (common::gpu(), lowered::cases());
-    let noticed = lowered::notice(&gpu, &Arithmetic::standard(), &cases).unwrap_or_else(|error| panic!("{error}"));
+    let (gpu, cases) = (common::gpu(), arithmetic::cases());
+    let noticed = arithmetic::notice(&gpu, &Arithmetic::standard(), &cases).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(noticed, None);
-    let mutants = lowered::MUTANTS;
-    all_are_noticed(mutants.iter(), 30, |mutant| lowered::notice(&gpu, &lowered::arithmetic(mutant), &cases));
+    let mutants = of_arithmetic();
+    all_are_noticed(&mutants, 30, |mutant| arithmetic::notice(&gpu, &arithmetic::of(mutant), &cases));
     for file in Arithmetic::standard().names() {
         assert!(mutants.iter().any(|mutant| mutant.module == file), "{file} has no mutant");
+    }
+}
+
+#[test]
+fn every_module_with_a_formula_has_a_mutant() {
+    // Kernels only pass numbers to a formula and back, and features.wgsl has only declarations.
+    let formulas = MODULES.iter().filter(|module| !module.name.starts_with("kernels/") && module.name != "features");
+    let mutants = of_modules();
+    for module in formulas {
+        assert!(mutants.iter().any(|mutant| mutant.module == module.name), "{} has none", module.name);
     }
 }

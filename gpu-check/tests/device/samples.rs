@@ -8,6 +8,8 @@ mod draws;
 
 use gpu_check::difference::{Difference, difference};
 use gpu_check::running::Accuracy;
+use gpu_check::sampled::streams::Streams;
+use gpu_check::sampled::twin::means;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use gpu_check::scenes::{self, Case};
 use gpu_check::{Gpu, Picture, features_of};
@@ -161,7 +163,7 @@ fn f32_pictures_are_near_the_reference_and_with_the_arithmetic_of_ieee_their_twi
             let features = Features::all(case.config.max_depth as u32);
             let rendering: SampledRendering<f32> = pipelines.render(case, &features, &recording);
             let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
-            let twin = gpu_check::sampled::twin::means(&picture, &recording, |_| ());
+            let twin = means(&picture, &recording, Streams::new(&recording), |_| ());
             let found = difference(&rendering.pixels, &twin);
             let is_equal = found.differing == 0 || accuracy == Accuracy::Wgsl;
             assert!(is_equal, "{}, {convention:?}: {found} from f32 in Rust", case.name);

@@ -13,7 +13,6 @@ pub enum Outcome {
 
 impl Outcome {
     /// Returns the number of bytes of a result.
-    #[must_use]
     pub const fn size(self) -> usize {
         match self {
             Self::Number => 8,

@@ -15,7 +15,6 @@ pub struct Operands {
 
 impl Operands {
     /// Returns the bytes that the kernels read, as words of 64 bits.
-    #[must_use]
     pub fn packed(&self) -> [u64; 4] {
         [self.a.to_bits(), self.b.to_bits(), self.c.to_bits(), self.word.into()]
     }
@@ -101,7 +100,6 @@ impl Draws {
 }
 
 /// Returns the case number `index` of the sequence `seed`.
-#[must_use]
 pub fn draw(seed: u64, index: u64) -> Operands {
     let mut draws = Draws(seed.wrapping_mul(0x6a09_e667_f3bc_c909) ^ index.wrapping_mul(0xd134_2543_de82_ef95));
     let word = match draws.below(4) {

@@ -1,10 +1,10 @@
 //! Compares a kernel's f32 results with the formula in f64. The difference must stay within the bound that
-//! [`crate::running`] computes for each case.
+//! [`gpu_check::running`] computes for each case.
 
 use std::fmt;
 
-use crate::Kernel;
-use crate::running::{self, Accuracy, Running};
+use gpu_check::Kernel;
+use gpu_check::running::{self, Accuracy, Running};
 
 /// The distances between f32 and f64 results, compared with their bounds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,7 +22,6 @@ pub struct Spread {
 }
 
 /// Compares the f32 `results` for `cases`, from a device of this `accuracy`, with the results of the formula in f64.
-#[must_use]
 pub fn spread(accuracy: Accuracy, kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
     running::within(accuracy, || spread_within(kernel, cases, results))
 }

@@ -4,20 +4,16 @@
 //! - [`operands`] draws operands that are hard for an implementation;
 //! - [`mutants`] are deliberate errors of the arithmetic, which the comparison must notice.
 
-pub mod mutants;
-pub mod operands;
-pub mod operations;
-
 use std::fmt;
 use std::time::Duration;
 
+use gpu_check::pipeline::Content;
+use gpu_check::{Error, Gpu, Pipeline};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Precision};
 
-use crate::pipeline::Content;
-use crate::{Error, Gpu, Pipeline};
-use operands::{Operands, draw};
-use operations::{Operation, Outcome};
+use super::operands::{Operands, draw};
+use super::operations::{Operation, Outcome};
 
 /// Largest number of cases in one run: one workgroup less than a run may have, in a buffer of 96 MiB.
 const BATCH: usize = 3 << 20;
@@ -40,7 +36,6 @@ pub struct Tally {
 }
 
 /// Returns the text of a kernel that calculates `operation` for every case, in f64.
-#[must_use]
 pub fn kernel(operation: &Operation) -> String {
     let result = match operation.outcome {
         Outcome::Number => "f64",
@@ -113,7 +108,6 @@ pub fn check(gpu: &Gpu, operation: &Operation, count: usize, seed: u64) -> Resul
 
 impl Tally {
     /// Returns the comparison of `operation` without any case.
-    #[must_use]
     pub fn new(operation: &Operation) -> Self {
         let (shown, time) = (Vec::new(), Duration::ZERO);
         Self { operation: operation.wgsl, cases: 0, differing: 0, ordinary: 0, shown, time }

@@ -6,10 +6,10 @@ use std::time::Duration;
 
 use cpu::{Config, Scene, Vec3};
 
-use super::streams::{Streams, Words};
-use super::twin::{MAX_TRIES, means_from};
-use super::{Convention, Recording};
-use crate::{Error, Picture};
+use gpu_check::sampled::streams::{Streams, Words};
+use gpu_check::sampled::twin::{MAX_TRIES, means};
+use gpu_check::sampled::{Convention, Recording};
+use gpu_check::{Error, Picture};
 
 /// The word of the number 1/2, which is 0 in an interval around 0.
 const MIDDLE: u64 = 1 << 63;
@@ -78,7 +78,7 @@ fn craft(name: &'static str, material: &str, convention: Convention, words: &[u6
         words: vec![words.len() as u32],
         time: Duration::ZERO,
     };
-    recording.means = means_from(&picture, &recording, streams.clone(), |_| ());
+    recording.means = means(&picture, &recording, streams.clone(), |_| ());
     Ok(Crafted { name, picture, recording, streams })
 }
 

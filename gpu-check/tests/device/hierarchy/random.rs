@@ -3,7 +3,7 @@
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Ray, Scene, Vec3};
 
-use crate::{Error, Float, Picture, special};
+use gpu_check::{Error, Float, Picture, special};
 
 /// Returns a scene of about 300 objects of very different sizes. Every third scene has a ground sphere.
 ///

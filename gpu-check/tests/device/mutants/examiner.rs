@@ -4,22 +4,22 @@ use std::time::{Duration, Instant};
 
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Ray, Scatter, Vec3, reference};
+use gpu_check::check::{RowKernel, Tally};
+use gpu_check::closest_hits::closest_hits;
+use gpu_check::conformance::accuracy;
+use gpu_check::difference::{Difference, difference};
+use gpu_check::first_difference::{self, Located};
+use gpu_check::kernels::KERNELS;
+use gpu_check::running::Accuracy;
+use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
+use gpu_check::scenes::{self, Case};
+use gpu_check::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
 use shaders::{Features, Library, Precision};
 
-use super::Mutant;
-use crate::check::Tally;
-use crate::closest_hits::{closest_hits, random};
-use crate::conformance::accuracy;
-use crate::difference::first_differing;
-use crate::difference::{Difference, difference};
-use crate::exact::{EXACT_KERNELS, ExactKernel};
-use crate::first_difference::{self, Located};
-use crate::kernels::KERNELS;
-use crate::running::Accuracy;
-use crate::sampled::crafted::{self, Crafted};
-use crate::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
-use crate::scenes::{self, Case};
-use crate::{Error, Float, Gpu, Kernel, Picture, Renderer, check, features_of};
+use super::crafted::{self, Crafted};
+use super::mutant::Mutant;
+use crate::exact::kernels::EXACT_KERNELS;
+use crate::hierarchy::random;
 
 /// Number of random cases of each kernel.
 const RANDOM_CASES: usize = 1 << 14;
@@ -50,8 +50,8 @@ const HIERARCHY: &str = "hierarchy";
 #[derive(Debug)]
 pub struct Examiner<'a> {
     gpu: &'a Gpu,
-    kernels: Vec<(&'static Kernel, Vec<f64>)>,
-    exact: Vec<(&'static ExactKernel, Vec<f64>)>,
+    kernels: Vec<(RowKernel<f64>, Vec<f64>)>,
+    exact: Vec<(RowKernel<f64>, Vec<f64>)>,
     pictures: Vec<(Case, Vec<Vec3>)>,
     sampled: Vec<(Case, Recording)>,
     crafted: Vec<Crafted>,
@@ -69,8 +69,8 @@ impl<'a> Examiner<'a> {
     /// [`Error::Scene`] if a scene cannot be rendered.
     pub fn new(gpu: &'a Gpu) -> Result<Self, Error> {
         let cases = |kernel: &Kernel| [kernel.edge_cases(), kernel.random_cases(RANDOM_CASES, 44)].concat();
-        let kernels = KERNELS.iter().map(|kernel| (kernel, cases(kernel))).collect();
-        let exact = EXACT_KERNELS.iter().map(|kernel| (kernel, kernel.cases(EXACT_CASES, 44))).collect();
+        let kernels = KERNELS.iter().map(|kernel| (kernel.rows(), cases(kernel))).collect();
+        let exact = EXACT_KERNELS.iter().map(|(kernel, cases)| (*kernel, cases(EXACT_CASES, 44))).collect();
         let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
         let pictures = scenes.map(|case| expected(case.within(TESTS))).collect::<Result<_, _>>()?;
         let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
@@ -94,7 +94,7 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// An error of the device or of the mutant's WGSL, so that no check could run.
     pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
-        match self.examine(&mutant.library()?, mutant.module) {
+        match self.examine(&mutant.library()?, &mutant.module) {
             // A ray that gives up leaves its pixel unwritten.
             Err(error @ Error::Unwritten { .. }) => Ok(Some(error.to_string())),
             examined => examined,
@@ -107,25 +107,13 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// An error of the device or of the library's WGSL.
     pub fn examine(&self, library: &Library, module: &str) -> Result<Option<String>, Error> {
-        let noticed = |tally: &Tally| format!("{}, {} of {} cases", tally.kernel, tally.differing, tally.cases);
-        for (kernel, cases) in &self.kernels {
-            if runs(kernel.module, module)? {
-                let pipeline = check::compile::<f64>(self.gpu, library, kernel)?;
-                let tally = check::check(self.gpu, &pipeline, kernel, cases)?;
-                if tally.differing > 0 {
-                    return Ok(Some(noticed(&tally)));
-                }
+        for kernels in [&self.kernels, &self.exact] {
+            if let Some((_, Tally { kernel, differing, cases, .. })) =
+                self.differing_kernel(kernels, library, module)?
+            {
+                return Ok(Some(format!("{kernel}, {differing} of {cases} cases")));
             }
         }
-        for (kernel, cases) in &self.exact {
-            if runs(kernel.module, module)? {
-                let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
-                if tally.differing > 0 {
-                    return Ok(Some(noticed(&tally)));
-                }
-            }
-        }
-        // The hierarchy is only in a library that finds the closest hit in it.
         let library = if module == HIERARCHY { &library.clone().in_hierarchy() } else { library };
         if runs("kernels/rays", module)?
             && let Some(noticed) = self.examine_rays(library)?
@@ -133,9 +121,9 @@ impl<'a> Examiner<'a> {
             return Ok(Some(noticed));
         }
         if runs("kernels/image", module)?
-            && let Some(noticed) = self.examine_pictures(library)?
+            && let Some((case, found)) = self.differing_picture(library)?
         {
-            return Ok(Some(noticed));
+            return Ok(Some(format!("picture of {}, {} of {} pixels", case.name, found.differing, found.pixels)));
         }
         if runs("kernels/samples", module)? || runs("kernels/means", module)? {
             return self.examine_samples(library);
@@ -152,28 +140,37 @@ impl<'a> Examiner<'a> {
         let timed = |located: Result<Option<Located<f64>>, Error>, start: Instant| {
             Ok(located?.map(|located| (located, start.elapsed())))
         };
-        for (kernel, cases) in &self.kernels {
-            if !runs(kernel.module, module)? {
-                continue;
-            }
-            let pipeline = check::compile::<f64>(self.gpu, library, kernel)?;
-            if let Some(index) = check::check(self.gpu, &pipeline, kernel, cases)?.first {
-                let case = &cases[index * kernel.inputs..][..kernel.inputs];
-                let start = Instant::now();
-                return timed(first_difference::of_case(self.gpu, library, kernel, case), start);
-            }
+        if let Some((at, Tally { first: Some(index), .. })) = self.differing_kernel(&self.kernels, library, module)? {
+            let (kernel, cases) = &self.kernels[at];
+            let case = &cases[index * kernel.inputs..][..kernel.inputs];
+            let start = Instant::now();
+            return timed(first_difference::of_case(self.gpu, library, kernel, case), start);
         }
-        if !runs("kernels/image", module)? {
-            return Ok(None);
-        }
-        for (case, expected) in &self.pictures {
+        if runs("kernels/image", module)?
+            && let Some((case, Difference { first: Some(index), .. })) = self.differing_picture(library)?
+        {
             let (features, picture) =
                 (features_of(&case.config, &case.scene)?, Picture::new(&case.config, &case.scene)?);
-            let rendering = Renderer::<f64>::new(self.gpu, library, &features, &[])?.in_steps_of(2).render(&picture)?;
-            if let Some(index) = first_differing(&rendering.pixels, expected) {
-                let start = Instant::now();
-                let constants = (&features, &[][..]);
-                return timed(first_difference::of_pixel(self.gpu, library, constants, &picture, index), start);
+            let start = Instant::now();
+            let constants = (&features, &[][..]);
+            return timed(first_difference::of_pixel(self.gpu, library, constants, &picture, index), start);
+        }
+        Ok(None)
+    }
+
+    /// Returns the index of the first of `kernels` that needs `module` and whose results differ, with its comparison.
+    fn differing_kernel(
+        &self,
+        kernels: &[(RowKernel<f64>, Vec<f64>)],
+        library: &Library,
+        module: &str,
+    ) -> Result<Option<(usize, Tally)>, Error> {
+        for (at, (kernel, cases)) in kernels.iter().enumerate() {
+            if runs(kernel.module, module)? {
+                let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
+                if tally.differing > 0 {
+                    return Ok(Some((at, tally)));
+                }
             }
         }
         Ok(None)
@@ -193,16 +190,15 @@ impl<'a> Examiner<'a> {
         Ok(None)
     }
 
-    /// Examines pictures in deterministic mode.
-    fn examine_pictures(&self, library: &Library) -> Result<Option<String>, Error> {
+    /// Returns the first case whose picture in deterministic mode differs from the reference's.
+    fn differing_picture(&self, library: &Library) -> Result<Option<(&Case, Difference)>, Error> {
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
-            // The picture is rendered in several runs, so that an error in continuing the paths is noticed.
             let renderer = Renderer::<f64>::new(self.gpu, library, &features, &[])?.in_steps_of(2);
             let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
             let found = difference(&rendering.pixels, expected);
             if found.differing > 0 {
-                return Ok(Some(format!("picture of {}, {} of {} pixels", case.name, found.differing, found.pixels)));
+                return Ok(Some((case, found)));
             }
         }
         Ok(None)
