@@ -17,7 +17,6 @@ use shaders::{CallTrace, Features, Library};
 use crate::check::RowKernel;
 use crate::kernel::Reader;
 use crate::{Error, Float, Gpu, Picture};
-use arguments::Arguments;
 use calls::{Call, Tracer};
 
 /// The first difference of a pixel or a case.
@@ -115,7 +114,7 @@ fn first_wrong_call<T: Float>(
 ) -> Option<FirstDifference<T>> {
     calls.iter().enumerate().find_map(|(at, call)| {
         let function = &tracer.trace().functions[call.function];
-        let expected = tracer.twin(call.function)?(picture, Arguments(Reader(&call.arguments)))?;
+        let expected = tracer.twin(call.function)?(picture, Reader(&call.arguments))?;
         let place = expected
             .iter()
             .zip(&call.results)

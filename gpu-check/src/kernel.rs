@@ -3,9 +3,9 @@
 //! A case is a row of numbers, and so is the result of a case. Flags are stored as numbers too, so that one function
 //! can compare all kernels.
 
-use cpu::Vec3;
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
+use cpu::{Ray, Vec3};
 
 use crate::Float;
 use crate::check::RowKernel;
@@ -22,7 +22,7 @@ pub trait Formula {
     const OUTPUTS: &'static [&'static str];
 
     /// Computes the formula with the code of `cpu`. Reads the inputs from `case` and writes the outputs to `result`.
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]);
+    fn evaluate<T: Real<Mask = bool>>(case: Reader<'_, T>, result: &mut [T]);
     /// Appends the edge cases to `rows`. At these a decision changes, or a number overflows or underflows.
     fn edges(rows: &mut Row);
     /// Appends random inputs of one case, from the generator `draws`, to `row`.
@@ -54,9 +54,9 @@ impl Kernel {
             module: F::MODULE,
             inputs: F::INPUTS,
             outputs: F::OUTPUTS,
-            wide: F::evaluate::<f64>,
-            single: F::evaluate::<f32>,
-            running: F::evaluate::<Running>,
+            wide: |case, result| F::evaluate(Reader(case), result),
+            single: |case, result| F::evaluate(Reader(case), result),
+            running: |case, result| F::evaluate(Reader(case), result),
             edges: F::edges,
             random: F::random,
         }
@@ -107,6 +107,11 @@ impl<T: Real> Reader<'_, T> {
     /// Removes the next three numbers from the row, and returns them as a vector.
     pub fn vector(&mut self) -> Vec3<T> {
         Vec3::new(self.number(), self.number(), self.number())
+    }
+
+    /// Removes the next six numbers from the row, and returns them as a ray.
+    pub fn ray(&mut self) -> Ray<T> {
+        Ray { origin: self.vector(), direction: self.vector() }
     }
 }
 

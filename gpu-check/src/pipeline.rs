@@ -2,13 +2,15 @@
 
 mod buffers;
 
+use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use shaders::{Composition, Precision};
+use wgpu::util::DownloadBuffer;
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, Buffer,
-    BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline,
-    ComputePipelineDescriptor, MapMode, PipelineCompilationOptions, PipelineLayoutDescriptor,
+    CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor,
+    PipelineCompilationOptions, PipelineLayoutDescriptor,
 };
 
 use crate::form::Formed;
@@ -132,7 +134,7 @@ impl Pipeline {
         let mut outputs = Vec::new();
         for (buffer, content) in buffers.iter().zip(contents) {
             if matches!(content, Content::Output(_) | Content::Record(_)) {
-                let bytes = self.read(gpu, buffer)?;
+                let bytes = Self::read(gpu, buffer)?;
                 if matches!(content, Content::Output(_)) {
                     self.check_written(&bytes)?;
                 }
@@ -198,24 +200,19 @@ impl Pipeline {
         })
     }
 
-    fn read(&self, gpu: &Gpu, buffer: &Buffer) -> Result<Vec<u8>, Error> {
-        let staging = gpu.scoped(|| {
-            let staging = gpu.device.create_buffer(&BufferDescriptor {
-                label: Some(self.name),
-                size: buffer.size(),
-                usage: BufferUsages::MAP_READ | BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some(self.name) });
-            encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
-            gpu.queue.submit([encoder.finish()]);
-            // If mapping fails, `get_mapped_range` below reports it.
-            staging.map_async(MapMode::Read, .., |_| ());
-            staging
+    fn read(gpu: &Gpu, buffer: &Buffer) -> Result<Vec<u8>, Error> {
+        let (sender, receiver) = mpsc::channel();
+        gpu.scoped(|| {
+            // The receiver is there until the device has answered or is lost.
+            let send = move |bytes| drop(sender.send(bytes));
+            DownloadBuffer::read_buffer(&gpu.device, &gpu.queue, &buffer.slice(..), send);
         })?;
         wait(gpu)?;
-        let range = staging.get_mapped_range(..).map_err(|error| Error::Refused { cause: error.to_string() })?;
-        Ok(range.to_vec())
+        match receiver.recv() {
+            Ok(Ok(bytes)) => Ok(bytes.to_vec()),
+            Ok(Err(error)) => Err(Error::Refused { cause: error.to_string() }),
+            Err(error) => Err(Error::Refused { cause: error.to_string() }),
+        }
     }
 
     /// Returns an error if a number of the output still has the bytes that it had before the run.

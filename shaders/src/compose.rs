@@ -14,8 +14,6 @@ use crate::{Error, Precision, Validated};
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     replaced: BTreeMap<&'static str, Replacement>,
-    /// What replaces f64 in compositions; `None` if they have f64.
-    arithmetic: Option<Arithmetic>,
     /// Modules that are composed in the place of others, by the names of the others.
     instead: BTreeMap<&'static str, &'static Module>,
 }
@@ -32,13 +30,6 @@ impl Library {
     #[must_use]
     pub fn standard() -> Self {
         Self::default()
-    }
-
-    /// Returns this library, changed so that its compositions for f64 are lowered: `arithmetic` calculates in the place
-    /// of f64 ([`Composition::lowered`]).
-    #[must_use]
-    pub fn lowered(self, arithmetic: Arithmetic) -> Self {
-        Self { arithmetic: Some(arithmetic), ..self }
     }
 
     /// Replaces the text of the module `name` by `source`. Error messages show `path` as its file.
@@ -82,8 +73,7 @@ impl Library {
     /// `precision`.
     ///
     /// # Errors
-    /// [`Error::UnknownModule`] if there is no module `root`. For a lowered library the errors of
-    /// [`Composition::lowered`].
+    /// [`Error::UnknownModule`] if there is no module `root`.
     pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
         let root = find(root)?;
         let modules = std::iter::once(find(precision.module())?).chain(module::needed(root, &self.instead));
@@ -98,18 +88,8 @@ impl Library {
             source.push_str(end);
             line += text.lines().count();
         }
-        let composition = Composition {
-            source,
-            precision,
-            root: root.name,
-            parts,
-            is_lowered: false,
-            allows_transcendental_f64: false,
-        };
-        match &self.arithmetic {
-            Some(arithmetic) if composition.needs_f64() => composition.lowered(arithmetic),
-            _ => Ok(composition),
-        }
+        let (root, is_lowered, allows_transcendental_f64) = (root.name, false, false);
+        Ok(Composition { source, precision, root, parts, is_lowered, allows_transcendental_f64 })
     }
 
     /// Returns the path and the text of `module`, replaced or not.

@@ -16,7 +16,7 @@ use cpu::reference::intersect::{Exact, Intersect};
 use cpu::{Aos, Config, Layout, Ray, Scatter, Scene, Vec3};
 use output::{Options as OutputOptions, Output};
 use stability::case::Case;
-use stability::oracle::{Big, big, big3, to_f64};
+use stability::oracle::{Big, big, big3, dot, minus, to_f64};
 use stability::random::Random;
 use stability::record::Record;
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, SPHERES};
@@ -125,12 +125,8 @@ fn beside_the_rim(random: &mut Random, is_sphere: bool) -> Case {
 
 /// Returns the condition number of the discriminant, with a numerator and a denominator that are computed exactly.
 fn condition(case: &Case) -> f64 {
-    let dot = |left: &[Big; 3], right: &[Big; 3]| -> Big {
-        let [x, y, z] = [0, 1, 2].map(|axis| &left[axis] * &right[axis]);
-        x + y + z
-    };
     let (origin, direction, center) = (big3(case.ray.origin), big3(case.ray.direction), big3(case.center()));
-    let to_center = [0, 1, 2].map(|axis| &center[axis] - &origin[axis]);
+    let to_center = minus(&center, &origin);
     let (a, h, q) = (dot(&direction, &direction), dot(&direction, &to_center), dot(&to_center, &to_center));
     let (radius, axis) = match case.shape {
         Shape::Sphere(Sphere { radius, .. }) => (radius, Vec3::ZERO),

@@ -78,13 +78,6 @@ pub fn all() -> Vec<Box<dyn Method>> {
     ]
 }
 
-/// Returns the exact intersections by dyadic arithmetic alone. Their answers are the exact ones, rounded, so only their
-/// time is of interest.
-#[must_use]
-pub fn resolved() -> Box<dyn Method> {
-    Box::new(Host::new(RESOLVED, DOUBLE, exact::sphere::precise, exact::cylinder::precise))
-}
-
 /// Unit roundoff of `f64`.
 const DOUBLE: f64 = f64::EPSILON / 2.0;
 /// Unit roundoff of `f32`.
@@ -98,5 +91,3 @@ pub const EXACT: &str = "exact f64";
 pub const PLAIN_SINGLE: &str = "plain f32";
 /// Name of the projected form in f32, which is made for shaders without double precision.
 pub const PROJECTED: &str = "projected f32";
-/// Name of [`resolved`].
-pub const RESOLVED: &str = "dyadic";

@@ -64,11 +64,15 @@ pub fn big3(vector: Vec3) -> Big3 {
     vector.to_array().map(big)
 }
 
-fn dot(a: &Big3, b: &Big3) -> Big {
+/// Returns the dot product.
+#[must_use]
+pub fn dot(a: &Big3, b: &Big3) -> Big {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-fn minus(a: &Big3, b: &Big3) -> Big3 {
+/// Returns the difference.
+#[must_use]
+pub fn minus(a: &Big3, b: &Big3) -> Big3 {
     [0, 1, 2].map(|index| &a[index] - &b[index])
 }
 

@@ -78,4 +78,13 @@ impl Random {
         }
         (0..steps.abs()).fold(value, |value, _| if steps < 0 { value.next_down() } else { value.next_up() })
     }
+    /// Returns the vector with each component [`Self::nudged`].
+    pub fn nudged_vector(&mut self, vector: Vec3, most: usize) -> Vec3 {
+        vector.to_array().map(|component| self.nudged(component, most)).into()
+    }
+
+    /// Returns a length from 0.1 to 4, in every second case one with one decimal.
+    pub fn length(&mut self) -> f64 {
+        if self.below(2) == 0 { (self.below(40) + 1) as f64 / 10.0 } else { self.uniform(0.1, 4.0) }
+    }
 }

@@ -1,39 +1,19 @@
-//! Reads the values of arguments from their numbers.
+//! Reads the arguments of a call from their numbers. Each method removes its numbers from the row, and panics if there
+//! are too few.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::{Ray, Vec3};
 
 use crate::Float;
 use crate::kernel::Reader;
 use crate::picture::{Kind, PackedMaterial};
 use crate::sampled::twin::canonical;
 
-/// The numbers of the arguments of a call. Each method removes the first value from them, and returns it. They panic if
-/// there are no more numbers.
-#[derive(Clone, Copy, Debug)]
-pub struct Arguments<'a, T>(pub Reader<'a, T>);
-
-impl<T: Float> Arguments<'_, T> {
-    /// Returns the next number.
-    pub fn number(&mut self) -> T {
-        self.0.number()
-    }
-
+impl<T: Float> Reader<'_, T> {
     /// Returns the next truth value, which is 1 or 0.
     pub fn flag(&mut self) -> bool {
         self.number() != T::of(0.0)
-    }
-
-    /// Returns the next vector.
-    pub fn vector(&mut self) -> Vec3<T> {
-        self.0.vector()
-    }
-
-    /// Returns the next `Ray`.
-    pub fn ray(&mut self) -> Ray<T> {
-        Ray { origin: self.vector(), direction: self.vector() }
     }
 
     /// Returns the next `Hit`.

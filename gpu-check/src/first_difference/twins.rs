@@ -14,7 +14,7 @@ use cpu::internals::render::background::Background;
 use cpu::{Ray, Vec3};
 use stability::methods::projected;
 
-use crate::first_difference::arguments::Arguments;
+use crate::kernel::Reader;
 use crate::kernels::two_sum;
 use crate::picture::{Kind, PackedMaterial};
 use crate::{Float, Picture};
@@ -25,23 +25,11 @@ pub type Numbers<T> = Vec<Option<T>>;
 
 /// A function in Rust that repeats a call. It takes the picture, if one is rendered, and the numbers of the arguments.
 /// It returns `None` if it cannot repeat this call.
-pub type Twin<T> = fn(Option<&Picture<T>>, Arguments<'_, T>) -> Option<Numbers<T>>;
+pub type Twin<T> = fn(Option<&Picture<T>>, Reader<'_, T>) -> Option<Numbers<T>>;
 
 /// Returns the twin of the function `name`, or `None` if it has none: its formula is a part of another function in
 /// Rust, or it reads buffers that Rust does not have.
 pub fn twin<T: Float>(name: &str) -> Option<Twin<T>> {
-    let (module, _) = name.split_once('_')?;
-    match module {
-        "vec3" => of_vectors(name),
-        "ray" | "in" | "root" | "hit" | "tie" => of_rays(name),
-        "sphere" | "projected" => of_spheres(name),
-        "cylinder" => of_cylinders(name),
-        "scatter" | "bounce" => of_surfaces(name),
-        _ => of_pictures(name),
-    }
-}
-
-fn of_vectors<T: Float>(name: &str) -> Option<Twin<T>> {
     Some(match name {
         "vec3_load" | "vec3_store" => |_, mut of| vector(of.vector()),
         "vec3_dot" => |_, mut of| number(of.vector().dot(of.vector())),
@@ -53,23 +41,11 @@ fn of_vectors<T: Float>(name: &str) -> Option<Twin<T>> {
             let (unit, length) = of.vector().unit_and_length();
             join([vector(unit), number(length)])
         },
-        _ => return None,
-    })
-}
-
-fn of_rays<T: Float>(name: &str) -> Option<Twin<T>> {
-    Some(match name {
         "ray_load" | "ray_store" => |_, mut of| ray(of.ray()),
         "ray_at" => |_, mut of| vector(of.ray().at(of.number())),
         "in_range" => |_, mut of| flag(in_range(of.number())),
         "hit_facing" => |_, mut of| hit(&Hit::facing(of.vector(), of.vector(), of.vector())),
         "tie_later_cap_is_closer" => |_, mut of| flag(later_cap_is_closer(of.number(), of.number())),
-        _ => return None,
-    })
-}
-
-fn of_spheres<T: Float>(name: &str) -> Option<Twin<T>> {
-    Some(match name {
         "sphere_new" | "sphere_load" => |_, mut of| sphere(&SphereRecord::new(of.vector(), of.number())),
         "sphere_seen_from" => |_, mut of| {
             let view = of.sphere().seen_from(of.vector());
@@ -84,12 +60,6 @@ fn of_spheres<T: Float>(name: &str) -> Option<Twin<T>> {
         "sphere_intersect" => |_, mut of| root(of.sphere().intersect(&of.ray())),
         "projected_sphere_intersect" => |_, mut of| root(projected::sphere(&of.sphere(), &of.ray())),
         "projected_cylinder_intersect" => |_, mut of| part_of_cylinder(projected::cylinder(&of.cylinder(), &of.ray())),
-        _ => return None,
-    })
-}
-
-fn of_cylinders<T: Float>(name: &str) -> Option<Twin<T>> {
-    Some(match name {
         "cylinder_new" => |_, mut of| cylinder(&CylinderRecord::new(of.vector(), of.number(), of.vector())),
         "cylinder_with_unit_axis" => |_, mut of| {
             let (center, radius, axis) = (of.vector(), of.number(), of.vector());
@@ -119,12 +89,6 @@ fn of_cylinders<T: Float>(name: &str) -> Option<Twin<T>> {
             vector(cylinder.outward(part, of.vector()))
         },
         "cylinder_intersect" => |_, mut of| part_of_cylinder(of.cylinder().intersect(&of.ray())),
-        _ => return None,
-    })
-}
-
-fn of_surfaces<T: Float>(name: &str) -> Option<Twin<T>> {
-    Some(match name {
         "scatter_matte" => |_, mut of| vector(scatter::scatter_around(of.vector(), of.vector(), T::of(NEGLIGIBLE))),
         "scatter_reflect" => |_, mut of| vector(reflection::reflect(of.vector(), of.vector())),
         "scatter_mirror" => |_, mut of| vector(reflection::mirror(of.vector(), of.vector())),
@@ -139,12 +103,6 @@ fn of_surfaces<T: Float>(name: &str) -> Option<Twin<T>> {
             let (incoming, hit) = (of.ray(), of.hit());
             ray(scattered(&incoming, &hit, &of.material(), of.vector()))
         },
-        _ => return None,
-    })
-}
-
-fn of_pictures<T: Float>(name: &str) -> Option<Twin<T>> {
-    Some(match name {
         "camera_ray" => |_, mut of| {
             let (position, origin) = (of.vector(), of.vector());
             let camera = Camera { position, origin, delta_x: of.vector(), delta_y: of.vector() };
@@ -240,7 +198,6 @@ fn part_of_cylinder<T: Float>(found: Option<(T, CylinderPart)>) -> Option<Number
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernel::Reader;
     use crate::kernels::KERNELS;
     use shaders::{Library, Precision};
 
@@ -281,7 +238,7 @@ mod tests {
                 };
                 let arguments = vec![0.5; function.arguments.len()];
                 // Functions of a picture have no result without one.
-                if let Some(numbers) = twin(None, Arguments(Reader(&arguments))) {
+                if let Some(numbers) = twin(None, Reader(&arguments)) {
                     assert_eq!(numbers.len(), function.results.len(), "{}", function.name);
                 }
             }

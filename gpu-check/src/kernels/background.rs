@@ -15,8 +15,7 @@ impl Formula for Gradient {
     const INPUTS: usize = 9;
     const OUTPUTS: &'static [&'static str] = &["red", "green", "blue"];
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
         let background = Background { dark: case.vector(), light: case.vector() };
         store(background.color(case.vector()), result);
     }

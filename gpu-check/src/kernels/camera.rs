@@ -17,8 +17,7 @@ impl Formula for CameraRay {
     const OUTPUTS: &'static [&'static str] =
         &["origin.x", "origin.y", "origin.z", "direction.x", "direction.y", "direction.z"];
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
         let (position, origin) = (case.vector(), case.vector());
         let camera = Camera { position, origin, delta_x: case.vector(), delta_y: case.vector() };
         let (row, column) = (case.number(), case.number());

@@ -1,10 +1,10 @@
 //! The intersection of a ray with a closed cylinder: its side and both caps.
 
+use cpu::Vec3;
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
-use cpu::{Ray, Vec3};
 use stability::methods::projected;
 
 use super::{HIT_REPORT, report};
@@ -64,9 +64,8 @@ impl<const PROJECTED: bool> Formula for Cylinder<PROJECTED> {
     const INPUTS: usize = 13;
     const OUTPUTS: &'static [&'static str] = HIT_REPORT;
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
-        let ray = Ray { origin: case.vector(), direction: case.vector() };
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
+        let ray = case.ray();
         let cylinder = CylinderRecord::new(case.vector(), case.number(), case.vector());
         let hit = if PROJECTED { projected::cylinder(&cylinder, &ray) } else { cylinder.intersect(&ray) };
         let hit = hit.map(|(lambda, part)| {

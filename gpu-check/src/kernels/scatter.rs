@@ -42,8 +42,7 @@ impl Formula for Matte {
     const INPUTS: usize = 6;
     const OUTPUTS: &'static [&'static str] = VECTOR;
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
         store(scatter::scatter_around(case.vector(), case.vector(), T::of(NEGLIGIBLE)), result);
     }
 
@@ -83,8 +82,7 @@ impl Formula for Reflection {
     const INPUTS: usize = 6;
     const OUTPUTS: &'static [&'static str] = VECTOR;
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
         store(reflection::reflect(case.vector(), case.vector()), result);
     }
 
@@ -112,8 +110,7 @@ impl Formula for Metal {
     const INPUTS: usize = 9;
     const OUTPUTS: &'static [&'static str] = VECTOR;
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
         store(reflection::mirror(case.vector(), case.vector()) + case.vector(), result);
     }
 
@@ -140,8 +137,7 @@ impl Formula for Refraction {
     const INPUTS: usize = 7;
     const OUTPUTS: &'static [&'static str] = VECTOR;
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
         store(refraction::refract(case.vector(), case.vector(), case.number()), result);
     }
 

@@ -1,10 +1,10 @@
 //! The intersection of a ray with a sphere.
 
+use cpu::Vec3;
 use cpu::internals::Hit;
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
-use cpu::{Ray, Vec3};
 use stability::methods::projected;
 
 use super::{HIT_REPORT, report};
@@ -46,9 +46,8 @@ impl<const PROJECTED: bool> Formula for Sphere<PROJECTED> {
     const INPUTS: usize = 10;
     const OUTPUTS: &'static [&'static str] = HIT_REPORT;
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
-        let ray = Ray { origin: case.vector(), direction: case.vector() };
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
+        let ray = case.ray();
         let sphere = SphereRecord::new(case.vector(), case.number());
         let lambda = if PROJECTED { projected::sphere(&sphere, &ray) } else { sphere.intersect(&ray) };
         let hit = lambda.map(|lambda| {

@@ -22,8 +22,7 @@ impl Formula for TwoSum {
     const INPUTS: usize = 2;
     const OUTPUTS: &'static [&'static str] = &["sum", "error"];
 
-    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let mut case = Reader(case);
+    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
         let (sum, error) = two_sum(case.number(), case.number());
         result.copy_from_slice(&[sum, error]);
     }

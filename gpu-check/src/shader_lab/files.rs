@@ -89,7 +89,7 @@ fn marked(line: &str) -> Option<&str> {
 /// Returns the error for a module name that does not exist. The message lists all names. If the name is in the first
 /// line of the file, the message shows its place there.
 fn unknown(path: &Path, text: &str, name: &str) -> Error {
-    let known: Vec<_> = module::MODULES.iter().chain(&module::REALS).map(|module| module.name).collect();
+    let known: Vec<_> = module::MODULES.iter().chain(module::REALS).map(|module| module.name).collect();
     let known = known.join(", ");
     match text.lines().next().and_then(|line| Some((line, marked(line)?))) {
         Some((line, rest)) => {

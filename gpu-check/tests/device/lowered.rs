@@ -12,7 +12,7 @@ use gpu_check::kernels::KERNELS;
 use gpu_check::pipeline::Content;
 use gpu_check::running::Accuracy;
 use gpu_check::scenes;
-use gpu_check::{Error, Gpu, Picture, Pipeline, Renderer};
+use gpu_check::{Error, Form, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
 
@@ -57,18 +57,18 @@ fn every_operation_gives_the_bits_of_rust() {
 /// The numbers of `everything.wgsl` that use conversions to f32, or `dot`, `length`, `normalize`, `cross` and `fract`.
 const OF_F32_OR_COMPOSITE: [usize; 6] = [6, 7, 9, 10, 11, 14];
 
-/// Returns the library whose compositions have integers in the place of f64.
-fn library() -> Library {
-    Library::standard().lowered(Arithmetic::standard())
+/// Opens the device, and lets integers calculate in the place of its f64.
+fn by_integers() -> Gpu {
+    common::gpu().with_form(Form::ByIntegers)
 }
 
 #[test]
 fn every_formula_gives_the_bits_of_cpu() {
-    let gpu = common::gpu();
+    let gpu = by_integers();
     let mut compared = 0;
     for kernel in &KERNELS {
         let rows = kernel.rows::<f64>();
-        let pipeline = rows.compile(&gpu, &library()).unwrap_or_else(|error| panic!("{error}"));
+        let pipeline = rows.compile(&gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
         for cases in [kernel.edge_cases::<f64>(), kernel.random_cases::<f64>(FORMULA_CASES, 42)] {
             let tally = rows.check(&gpu, &pipeline, &cases).unwrap_or_else(|error| panic!("{error}"));
             println!("{tally}");
@@ -82,13 +82,14 @@ fn every_formula_gives_the_bits_of_cpu() {
 
 #[test]
 fn every_picture_is_the_references_to_the_bit() {
-    let gpu = common::gpu();
+    let gpu = by_integers();
     let mut compared = Compared::default();
     let cases = scenes::all(RANDOM_SCENES, TESTS).unwrap_or_else(|error| panic!("{error}"));
     assert!(cases.len() >= 16 + RANDOM_SCENES as usize + scenes::edges().len(), "the repository has scenes");
     // A pipeline of so many instructions takes seconds to compile, so all scenes share one.
     let deepest = cases.iter().map(|case| case.config.max_depth as u32).max().expect("there are scenes");
-    let renderer = Renderer::<f64>::new(&gpu, &library(), &Features::all(deepest), &[]).expect("the kernel is valid");
+    let renderer =
+        Renderer::<f64>::new(&gpu, &Library::standard(), &Features::all(deepest), &[]).expect("the kernel is valid");
     for case in &cases {
         let picture = Picture::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
         let rendering = renderer.render(&picture).unwrap_or_else(|error| panic!("{}: {error}", case.name));

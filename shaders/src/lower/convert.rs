@@ -1,5 +1,6 @@
 //! Lowers conversions from f64 and to f64.
 
+use naga::common::wgsl::TryToWgsl;
 use naga::{Bytes, Expression, Handle, Scalar, ScalarKind, TypeInner};
 
 use super::function::FunctionLowering;
@@ -98,14 +99,7 @@ impl FunctionLowering<'_, '_> {
     }
 }
 
-/// Returns the name of a type as WGSL writes it.
-fn name(scalar: Scalar) -> String {
-    let letter = match scalar.kind {
-        ScalarKind::Sint => "i",
-        ScalarKind::Uint => "u",
-        ScalarKind::Float => "f",
-        ScalarKind::Bool => return "bool".to_owned(),
-        ScalarKind::AbstractInt | ScalarKind::AbstractFloat => return "an abstract number".to_owned(),
-    };
-    format!("{letter}{}", 8 * u32::from(scalar.width))
+/// Returns the name of the type in WGSL.
+fn name(scalar: Scalar) -> &'static str {
+    scalar.try_to_wgsl().unwrap_or("an abstract number")
 }

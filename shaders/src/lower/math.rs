@@ -3,6 +3,7 @@
 //! A function that WGSL defines by others, such as `length`, becomes those others, in the order of their definition and
 //! from the first component to the last. Each of them is rounded once.
 
+use naga::common::wgsl::TryToWgsl;
 use naga::{Expression, Handle, MathFunction};
 
 use super::function::FunctionLowering;
@@ -85,7 +86,10 @@ impl FunctionLowering<'_, '_> {
                     Ok(this.emit(Expression::Select { condition, accept: one, reject: zero }))
                 })?
             }
-            (other, _) => return Err(Refusal::new(self.span, format!("`{}` of f64", wgsl_name(other)))),
+            (other, _) => {
+                let name = other.try_to_wgsl().unwrap_or("this function");
+                return Err(Refusal::new(self.span, format!("`{name}` of f64")));
+            }
         };
         Ok(Some(lowered))
     }
@@ -155,10 +159,4 @@ impl FunctionLowering<'_, '_> {
         let sums = self.pairs("f64_add", &first, &second)?;
         Ok(self.vector(&sums))
     }
-}
-
-/// Returns the name of a function as WGSL writes it.
-fn wgsl_name(function: MathFunction) -> String {
-    let name = format!("{function:?}");
-    name[..1].to_lowercase() + &name[1..]
 }

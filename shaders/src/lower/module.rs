@@ -37,16 +37,6 @@ impl Lowering<'_> {
         }
         let info = self.info.get_entry_point(index);
         let function = FunctionLowering::new(self, &entry.function, info).run()?;
-        Ok(EntryPoint {
-            name: entry.name.clone(),
-            stage: entry.stage,
-            early_depth_test: entry.early_depth_test,
-            workgroup_size: entry.workgroup_size,
-            workgroup_size_overrides: None,
-            function,
-            mesh_info: None,
-            task_payload: None,
-            incoming_ray_payload: None,
-        })
+        Ok(EntryPoint { workgroup_size_overrides: None, function, ..entry.clone() })
     }
 }

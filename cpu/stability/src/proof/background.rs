@@ -27,13 +27,7 @@ const COLORS: [u8; 2] = [DERIVED + 4, DERIVED + 5];
 /// 2, and by 1/2.
 #[must_use]
 pub fn rows() -> [Row; 3] {
-    let row = |what, constant: f64, need| Row {
-        what,
-        file: "render/background_pixels.rs",
-        constant: constant / U,
-        need,
-        unit: "u",
-    };
+    let row = |what, constant: f64, need| Row::new(what, "render/background_pixels.rs", [constant / U, need], "u");
     [
         row("mean of a background, for each sample", rounding(1.0) - rounding(0.0), 1.5),
         row("mean of a background, for each pixel", rounding(0.0), of_color() + of_interval()),
@@ -57,9 +51,8 @@ fn of_remainder() -> Row {
     // A pixel's radius of 1/2 is as long as the shortest direction.
     let [.., remainder] = DerivativeBound::new(&camera, 0.0, 0.0, reach).numbers();
     remainder_is_at_most(NEEDED_REMAINDER).expect("the second derivative is not larger");
-    let (what, file) = ("remainder of a background", "render/background_slope.rs");
-    let [constant, need] = [remainder, NEEDED_REMAINDER].map(|factor| factor * 1000.0);
-    Row { what, file, constant, need, unit: "10^-3 abs(e)^2 / abs(d)^2" }
+    let factors = [remainder, NEEDED_REMAINDER].map(|factor| factor * 1000.0);
+    Row::new("remainder of a background", "render/background_slope.rs", factors, "10^-3 abs(e)^2 / abs(d)^2")
 }
 
 /// A camera with a pixel of no size at the distance 1.

@@ -73,14 +73,13 @@ fn disc() -> [Row; 2] {
     let need = ((error * U).sqrt() + 3.0 * U) / 1e-9;
     acts(extent, 1);
     let file = "accel/bounds.rs";
-    let disc = Row { what: "boxes of the BVH", file, constant, need, unit: "10^-9 R" };
+    let disc = Row::new("boxes of the BVH", file, [constant, need], "10^-9 R");
     // The computed extent of the disc is at least the exact one.
     extent.assume_relative(one, 0.0);
     forget_later(extent);
     let half_size = extent_of_cylinder(axis.x, half_height, Bounded::number(RADIUS, 0.0));
     let half_size = half_size * Bounded::constant(1.0 + ENLARGEMENT, 1.0);
-    let need = half_size.raw().relative;
-    [disc, Row { what: "half sizes of boxes", file, constant: ENLARGEMENT / U, need, unit: "u" }]
+    [disc, Row::new("half sizes of boxes", file, [ENLARGEMENT / U, half_size.raw().relative], "u")]
 }
 
 /// Checks that a number grows with the margin, or shrinks, as it must so that objects are kept.
@@ -146,23 +145,13 @@ fn slabs() -> [Row; 3] {
     // The terms with the origin have the reciprocal too, which is in units of the largest one.
     let [of_origin, rest] = [parts[0] / f64::from(LARGEST_RECIPROCAL), parts[1]];
     let lambda = (f64::from(f32::MAX) - rest) / of_origin - 1.01 * Extent::LARGEST * f64::from(LARGEST_RECIPROCAL);
-    let (file, unit) = ("accel/bvh/slab_ray.rs", "v (P + abs(O)) / abs(d)");
+    let row = |what, margins, unit| Row::new(what, "accel/bvh/slab_ray.rs", margins, unit);
+    let largest = [f64::from(f32::MAX) / 1e37, largest / 1e37];
+    let lambda = [lambda.log2(), (lambda_across() * 1e16).log2()];
     [
-        Row { what: "distance of a box's plane", file, constant, need, unit },
-        Row {
-            what: "largest number of a slab test, without giants",
-            file,
-            constant: f64::from(f32::MAX) / 1e37,
-            need: largest / 1e37,
-            unit: "10^37",
-        },
-        Row {
-            what: "lambda along a slab where a product overflows",
-            file,
-            constant: lambda.log2(),
-            need: (lambda_across() * 1e16).log2(),
-            unit: "log2",
-        },
+        row("distance of a box's plane", [constant, need], "v (P + abs(O)) / abs(d)"),
+        row("largest number of a slab test, without giants", largest, "10^37"),
+        row("lambda along a slab where a product overflows", lambda, "log2"),
     ]
 }
 
@@ -185,16 +174,15 @@ fn underflow() -> Row {
     let (_, rest) = error.relative_to(&size);
     assert!(rest.0.keys().all(|monomial| monomial.iter().all(|of| of.0 == RECIPROCAL)), "{rest:?}");
     let need = rest.sum() * V * LONGEST_SQUARED.sqrt();
-    let (what, file) = ("least move of a box's plane", "accel/bvh/slab_ray.rs");
-    Row { what, file, constant: f64::from(LEAST_MARGIN) * 1e14, need: need * 1e14, unit: "10^-14" }
+    let margins = [f64::from(LEAST_MARGIN) * 1e14, need * 1e14];
+    Row::new("least move of a box's plane", "accel/bvh/slab_ray.rs", margins, "10^-14")
 }
 
 /// Returns the row of the lambda that the least move is at least, if a reciprocal is limited. It must exceed the lambda
 /// of every plane across the largest component of the direction.
 fn limited_reciprocal() -> Row {
     let constant = f64::from(LEAST_MARGIN) * f64::from(LARGEST_RECIPROCAL) / 1e16;
-    let (what, file) = ("lambda along a slab", "accel/bvh/slab_ray.rs");
-    Row { what, file, constant, need: lambda_across(), unit: "10^16" }
+    Row::new("lambda along a slab", "accel/bvh/slab_ray.rs", [constant, lambda_across()], "10^16")
 }
 
 /// Returns the row of the largest number of a sphere leaf's test, if the ray starts on a giant.
@@ -210,8 +198,8 @@ fn overflow_of_spheres() -> Row {
     ];
     let numbers = [leaves, enters, squares[0], squares[1]].map(|number| number.bounds().size);
     let largest = numbers.map(|size| limits.iter().fold(size, |size, of| size.scaled_by(of.0, of.1)).sum());
-    let [constant, need] = [f64::from(f32::MAX), largest.into_iter().fold(0.0, f64::max)].map(|most| most / 1e34);
-    Row { what: "largest number of a sphere leaf", file: "accel/bvh/sphere_ray.rs", constant, need, unit: "10^34" }
+    let most = [f64::from(f32::MAX), largest.into_iter().fold(0.0, f64::max)].map(|most| most / 1e34);
+    Row::new("largest number of a sphere leaf", "accel/bvh/sphere_ray.rs", most, "10^34")
 }
 
 /// Returns the row of the lambda that a box may have at most, relative to that of the closest hit. It must exceed the
@@ -223,9 +211,8 @@ fn closest_so_far() -> Row {
         let least = farthest_for(lambda).min(farthest_for(lambda.next_down()));
         (f64::from(least) - lambda) / lambda / U
     });
-    let (what, file) = ("the closest lambda so far", "accel/bvh.rs");
-    let [constant, need] = [excess.fold(f64::INFINITY, f64::min), LIMITS.lambda_error() / 3.0 / U];
-    Row { what, file, constant, need, unit: "u lambda" }
+    let margins = [excess.fold(f64::INFINITY, f64::min), LIMITS.lambda_error() / 3.0 / U];
+    Row::new("the closest lambda so far", "accel/bvh.rs", margins, "u lambda")
 }
 
 /// Returns the row of the bounding spheres of leaves.
@@ -256,7 +243,7 @@ fn leaves() -> Row {
     // By how much the radius around this cube exceeds 1, for a largest coordinate of 1.
     let cube = BoundingSphere::of(&Bounds { low: [-1.0; 3], high: [1.0; 3] });
     let constant = (cube.radius_around([0.0; 3]) - 1.0) / V;
-    Row { what: "bounding spheres of leaves", file: "accel/bvh/sphere_leaf.rs", constant, need, unit: "v P" }
+    Row::new("bounding spheres of leaves", "accel/bvh/sphere_leaf.rs", [constant, need], "v P")
 }
 
 /// The numbers of the test of one bounding sphere.
@@ -339,7 +326,7 @@ fn bounding_spheres() -> [Row; 3] {
     let SphereNumbers { pairs: [.., [squares, rest]], .. } = sphere_numbers(true);
     let squares = squares.bounds().error.plus(&rest.bounds().error);
     let squares = relative_to_sizes(&squares, 0.0, &[squared(CROSS)], least * least);
-    let row = |what, need| Row { what, file: "accel/bvh/sphere_ray.rs", constant, need, unit: "v (P + abs(O))" };
+    let row = |what, need| Row::new(what, "accel/bvh/sphere_ray.rs", [constant, need], "v (P + abs(O))");
     [
         row("the line misses a sphere of a leaf", passes + squares),
         row("the ray enters a sphere of a leaf", enters),

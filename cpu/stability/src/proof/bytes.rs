@@ -119,5 +119,5 @@ pub fn row() -> Row {
         constant = constant.min(relative(-below.moved)).min(relative(from.moved));
         need = need.max(relative(below.error)).max(relative(from.error));
     }
-    Row { what: "bytes of means", file: "image/quantize.rs", constant, need, unit: "u (1 + gamma)" }
+    Row::new("bytes of means", "image/quantize.rs", [constant, need], "u (1 + gamma)")
 }

@@ -26,8 +26,7 @@ pub fn rows() -> [Row; 2] {
     // enough if `n / (D - n) <= r / (D + k - r)` for the error `k` of `D`. As `D >= f r - k`, it is so for `k <= f (r -
     // n)`.
     let constant = LEAST_DISTANCE * (ROUNDINGS - direction.need);
-    let (what, file) = ("distance of a window", direction.file);
-    let distance = Row { what, file, constant, need: of_distance(), unit: "u s" };
+    let distance = Row::new("distance of a window", direction.file, [constant, of_distance()], "u s");
     [direction, distance]
 }
 
@@ -79,5 +78,5 @@ fn direction() -> Row {
     let all = sizes.iter().fold(Polynomial::default(), |sum, size| sum.plus(size));
     let largest = relative_to_sizes(&error, 0.0, &[all], f64::MIN_POSITIVE * 1e10);
     let need = largest.max(of_position + of_origin);
-    Row { what: "direction of a camera ray", file: "render/ray_error.rs", constant: ROUNDINGS, need, unit: "u (P + s)" }
+    Row::new("direction of a camera ray", "render/ray_error.rs", [ROUNDINGS, need], "u (P + s)")
 }

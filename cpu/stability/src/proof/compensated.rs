@@ -226,9 +226,8 @@ fn sphere_h() -> Log {
 /// Returns the row of the constant that covers underflow, in bits above the smallest number. A quarter of it must do,
 /// so that the error of a discriminant is no larger part of the bound.
 fn row_of_underflow(what: &'static str, parts: &[Log]) -> Row {
-    let [constant, need] = [UNDERFLOW.log2() - 2.0, parts.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
-        .map(|log| log - f64::from_bits(1).log2());
-    Row { what, file: ROOTS, constant, need, unit: "log2" }
+    let logs = [UNDERFLOW.log2() - 2.0, parts.iter().copied().fold(f64::NEG_INFINITY, f64::max)];
+    Row::new(what, ROOTS, logs.map(|log| log - f64::from_bits(1).log2()), "log2")
 }
 
 /// Returns the number of which the code takes the root.
@@ -284,11 +283,10 @@ pub fn sphere_rows() -> ([Row; 3], Row, f64) {
     let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION).times(&length(TERMS)));
     let near_underflow = of_underflow(c, (h, sphere_h()), quadratic.near(), sphere_cells(terms_of_h, share));
     let (far, far_underflow) = far_discriminant();
-    let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
-        row("c of a sphere, compensated", ROOTS, of_c, "u^2 (q + R^2)"),
-        row("discriminant of a sphere, near", ROOTS, near, "u M"),
-        row("discriminant of a sphere, far", SPHERE, far, "u M"),
+        Row::new("c of a sphere, compensated", ROOTS, of_c, "u^2 (q + R^2)"),
+        Row::new("discriminant of a sphere, near", ROOTS, near, "u M"),
+        Row::new("discriminant of a sphere, far", SPHERE, far, "u M"),
     ];
     (rows, row_of_underflow("underflow of a sphere, compensated", &[near_underflow, far_underflow]), of_h)
 }
@@ -314,8 +312,8 @@ pub fn leaves(of_h: f64) -> Row {
         let expected = [[h, zero], [terms_of_h, h.abs() * limit], [c.abs() + error, h.abs() * least]];
         assert_eq!(pairs, expected, "the code decides in another way than the proof takes");
     }
-    let (what, constant) = ("lambda of a ray that leaves a sphere", sphere_filter::LIMITS.lambda_error() / U);
-    Row { what, file: ROOTS, constant, need: of_h * CONDITION_LIMIT + 6.0, unit: "u lambda" }
+    let margins = [sphere_filter::LIMITS.lambda_error() / U, of_h * CONDITION_LIMIT + 6.0];
+    Row::new("lambda of a ray that leaves a sphere", ROOTS, margins, "u lambda")
 }
 
 /// Returns the constant and the need of `a r^2 - |(C - O) x d|^2`, and what underflow adds.
@@ -432,15 +430,14 @@ pub fn side_rows() -> ([Row; 3], [Row; 2], [f64; 2]) {
     let near_largest = largest_of_side(quadratic.near(), share);
     let (far, [far_underflow, far_largest]) = far_discriminant_of_side();
     let largest = [f64::from(f64::MAX_EXP), near_largest.max(far_largest)];
-    let row = |what, file, [constant, need]: [f64; 2], unit| Row { what, file, constant, need, unit };
     let rows = [
-        row("c of a side, compensated", ROOTS, of_c, "u^2 (Q + 4 F)"),
-        row("discriminant of a side, near", ROOTS, near, "u M"),
-        row("discriminant of a side, far", FILE, far, "u M"),
+        Row::new("c of a side, compensated", ROOTS, of_c, "u^2 (Q + 4 F)"),
+        Row::new("discriminant of a side, near", ROOTS, near, "u M"),
+        Row::new("discriminant of a side, far", FILE, far, "u M"),
     ];
     let range = [
         row_of_underflow("underflow of a side, compensated", &[near_underflow, far_underflow]),
-        row("largest number of a side, compensated", FILE, largest, "log2"),
+        Row::new("largest number of a side, compensated", FILE, largest, "log2"),
     ];
     (rows, range, [a, of_h])
 }
@@ -538,7 +535,7 @@ fn far_discriminant_of_side() -> ([f64; 2], [Log; 2]) {
 pub fn plane() -> Row {
     let [[constant, need], other] = [true, false].map(constant_and_need);
     let (constant, need) = (constant.min(other[0]), need.max(other[1]));
-    Row { what: "distance of a cap's plane, compensated", file: FILE, constant, need, unit: "u (abs(p) + s X)" }
+    Row::new("distance of a cap's plane, compensated", FILE, [constant, need], "u (abs(p) + s X)")
 }
 
 /// Returns the constant and the need of the distance of the top or bottom cap's plane.

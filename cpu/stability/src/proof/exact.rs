@@ -35,12 +35,12 @@ pub fn rows() -> Vec<Row> {
         // A third of the margin of lambda is for lambda's own error.
         let of_lambda = limits.lambda_error() / 3.0 / U;
         let margins = [
-            (constant, discriminant, "u M"),
-            (constant, quadratic.numerator(), "u M / sqrt(D)"),
-            (of_lambda, lambda, "u lambda"),
+            ([constant, discriminant], "u M"),
+            ([constant, quadratic.numerator()], "u M / sqrt(D)"),
+            ([of_lambda, lambda], "u lambda"),
         ];
         let named = names.into_iter().zip(margins);
-        rows.extend(named.map(|(what, (constant, need, unit))| Row { what, file, constant, need, unit }));
+        rows.extend(named.map(|(what, (margins, unit))| Row::new(what, file, margins, unit)));
     }
     rows.push(inside());
     rows.extend(long_cylinder(cylinder.a));
@@ -52,7 +52,7 @@ pub fn rows() -> Vec<Row> {
         names.into_iter().zip([&of_sphere, &of_side]).zip([[3.0, sphere_h], [side_a, side_h]])
     {
         let need = of_w(rows_of, h) * CONDITION_LIMIT + rows_of[0].need / ERROR_OF_C * ACCURACY_OF_C + a + 5.0;
-        rows.push(Row { what, file: compensated::ROOTS, constant, need, unit: "u lambda" });
+        rows.push(Row::new(what, compensated::ROOTS, [constant, need], "u lambda"));
     }
     let crossing = of_w(&of_side, side_h) + side_a + 5.0;
     rows.extend(of_sphere);
@@ -63,13 +63,13 @@ pub fn rows() -> Vec<Row> {
     rows.push(compensated::plane());
     // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
     let steep = cylinder_parts::STEEPNESS.sqrt() * cylinder.limits.condition_limit;
-    for (what, of, need) in
-        [("a of a sphere", &sphere, sphere.a), ("a of a steep ray and a side", &cylinder, cylinder.a * steep)]
-    {
-        rows.push(Row { what, file: of.file, constant: of.limits.lambda_error() / U, need, unit: "u a" });
-    }
-    let (what, file, constant) = ("all rays miss, in lanes", "render/hit_lanes.rs", DISCRIMINANT_ERROR / U);
-    rows.push(Row { what, file, constant, need: cylinder.discriminant, unit: "u M" });
+    let of_a = |what, of: &Quadratic, need| Row::new(what, of.file, [of.limits.lambda_error() / U, need], "u a");
+    let in_lanes = [DISCRIMINANT_ERROR / U, cylinder.discriminant];
+    rows.extend([
+        of_a("a of a sphere", &sphere, sphere.a),
+        of_a("a of a steep ray and a side", &cylinder, cylinder.a * steep),
+        Row::new("all rays miss, in lanes", "render/hit_lanes.rs", in_lanes, "u M"),
+    ]);
     let of_parts = parts::rows(side_lambda);
     // What the heights and the distances need beside the error of lambda.
     let beside =
@@ -77,11 +77,11 @@ pub fn rows() -> Vec<Row> {
     let height = beside("height of a hit, due to lambda", side_lambda);
     let of_cap = of_parts.iter().find(|row| row.what == "lambda of a cap").map_or(f64::NAN, |row| row.need);
     let distance = beside("distance from a cap's centre, due to lambda", of_cap);
-    for (what, file, constant, need) in [
-        ("height of a crossing, compensated", compensated::ROOTS, ERROR_OF_ROOT, crossing + height),
-        ("distance from a cap's centre, compensated", compensated::FILE, ERROR_OF_CAP, distance + 1.0),
+    for (what, file, margins) in [
+        ("height of a crossing, compensated", compensated::ROOTS, [ERROR_OF_ROOT, crossing + height]),
+        ("distance from a cap's centre, compensated", compensated::FILE, [ERROR_OF_CAP, distance + 1.0]),
     ] {
-        rows.push(Row { what, file, constant, need, unit: "u lambda abs(d)" });
+        rows.push(Row::new(what, file, margins, "u lambda abs(d)"));
     }
     rows.extend(of_parts);
     rows
@@ -96,7 +96,7 @@ fn inside() -> Row {
     let [error, _] = pairs.iter().find(|pair| pair[1] == -c).expect("the code compares it");
     let size = squared(TO_CENTER).plus(&squared(RADIUS));
     let (constant, need) = (added(*error, &size, margin, U), IN_SCALE.relative(&c.bounds().error, &size, margin));
-    Row { what: "c of a cylinder", file: "exact/cylinder_parts.rs", constant, need, unit: "u (q + R^2)" }
+    Row::new("c of a cylinder", "exact/cylinder_parts.rs", [constant, need], "u (q + R^2)")
 }
 
 /// The family of `S`; see [`long_cylinder`].
@@ -142,7 +142,7 @@ fn long_cylinder(of_a: f64) -> [Row; 3] {
     ];
     let [of_h, of_c, of_discriminant] = needs.map(|error| relative_to_long(&error));
     let lambda = (of_a + 2.0_f64.sqrt() * of_h + of_c / 2.0 + 2.5) * limits.condition_limit + 2.0;
-    let row = |what, constant, need, unit| Row { what, file: "exact/cylinder_parts.rs", constant, need, unit };
+    let row = |what, constant, need, unit| Row::new(what, "exact/cylinder_parts.rs", [constant, need], unit);
     [
         row("discriminant of a long cylinder", constant, of_discriminant, "u m"),
         row("numerator of a long side's root", constant, of_discriminant + 1.0 + of_h + 2.0, "u m / sqrt(D)"),

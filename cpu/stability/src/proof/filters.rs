@@ -72,8 +72,7 @@ fn steep() -> Row {
     let [least, _] = compared()[compared().len() - 1];
     let constant = added(least, &squared(DIRECTION), STEEP_SHARE, U) * U;
     let need = 2.0 * relative_to_sizes(&slope.bounds().error, 0.0, &[length(DIRECTION)], moderate().direction);
-    let (what, file) = ("steep rays inside a cylinder", "accel/inside.rs");
-    Row { what, file, constant: constant.sqrt() / U, need, unit: "u abs(d)" }
+    Row::new("steep rays inside a cylinder", "accel/inside.rs", [constant.sqrt() / U, need], "u abs(d)")
 }
 
 /// Returns the row of rays that start beyond a cap.
@@ -91,7 +90,7 @@ fn beyond_a_cap() -> Row {
     let size = length(EXTENT);
     let constant = added(limit, &size, SLACK, U);
     let need = relative_to_sizes(&error, SLACK, slice::from_ref(&size), moderate().size);
-    Row { what: "the ray starts beyond a cap", file: "accel/may_hit/target.rs", constant, need, unit: "u L" }
+    Row::new("the ray starts beyond a cap", "accel/may_hit/target.rs", [constant, need], "u L")
 }
 
 /// Returns the rows of a conservative test: the discriminant, the quadratic at the smallest lambda `t`, and the same
@@ -120,8 +119,7 @@ fn conservative(is_sphere: bool) -> [Row; 3] {
     };
     let [misses, passed, starts] = names;
     let row = |what, file, number, size: &Polynomial, need, unit| {
-        let constant = added(number, size, MARGIN, U);
-        Row { what, file, constant, need, unit }
+        Row::new(what, file, [added(number, size, MARGIN, U), need], unit)
     };
     let conservative = "accel/may_hit/conservative.rs";
     let passed_need = relative_to_sizes(&in_t(at_first), MARGIN, &sizes_of_points(), moderate().size.powi(2));
@@ -157,7 +155,7 @@ fn flat_filter() -> [Row; 3] {
     let squares = squared(CENTER).plus(&squared(ORIGIN)).plus(&squared(RADIUS));
     let row = |what, constant: f64, number: Bounded, size: &Polynomial| {
         let need = moderate().relative(&number.bounds().error, size, FLAT_MARGIN);
-        Row { what, file: "accel/may_hit/filter_ray.rs", constant: constant / V, need, unit: "v a S" }
+        Row::new(what, "accel/may_hit/filter_ray.rs", [constant / V, need], "v a S")
     };
     let size = squared(DIRECTION).times(&squares).scaled(4.0);
     // The margin of a sphere is a part of the factors of `|C|^2`, `R^2` and `|O|^2`. Those of the first two are in

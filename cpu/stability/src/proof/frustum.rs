@@ -32,7 +32,7 @@ const NORMAL: u8 = DERIVED + 9;
 pub fn row() -> Row {
     let ([constant, of_sums], of_normal) = (of_comparisons(), of_normal());
     let need = 1.0 + (of_normal + of_sums) / ROUNDINGS;
-    Row { what: "frustum", file: "render/frustum.rs", constant, need, unit: "turns" }
+    Row::new("frustum", "render/frustum.rs", [constant, need], "turns")
 }
 
 /// Returns the error of a computed normal, in units of `ROUNDINGS` of a turn.

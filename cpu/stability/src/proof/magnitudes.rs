@@ -75,7 +75,7 @@ fn row(what: &'static str, file: &'static str, corners: &[(Corner, &[Known])]) -
     let each = corners.iter().map(|(corner, known)| largest(corner, known));
     let (number, need) = each.max_by(|a, b| a.1.total_cmp(&b.1)).expect("a domain has a corner");
     assert!(need < constant, "{what}: 2^{need:.1} overflows in {}", number.formula(4));
-    Row { what, file, constant, need, unit: "log2" }
+    Row::new(what, file, [constant, need], "log2")
 }
 
 /// Returns the rows.
@@ -154,16 +154,15 @@ fn underflow() -> Row {
         IN_SCALE.relative_and_rest(&discriminant.bounds().error, &size, 1.0)[1] * U
     });
     let logs = [UNDERFLOW, each[0].max(each[1])].map(|bound| bound.log2() - f64::from_bits(1).log2());
-    let (what, file, [constant, need]) = ("underflow of a discriminant", "exact/error_bound.rs", logs);
-    Row { what, file, constant, need, unit: "log2" }
+    Row::new("underflow of a discriminant", "exact/error_bound.rs", logs, "log2")
 }
 
 /// Returns the row of the size `m` of a long cylinder, in bits below 1. The square `m^2 / 2` is a product with `a`,
 /// which is at most the largest square of a direction in scale. The other factor is the smallest product that counts.
 fn long_side() -> Row {
     let need = LONGEST.log2() - (LEAST_SIZE * LEAST_SIZE / 2.0).log2();
-    let (what, file, constant) = ("underflow of a long side", "exact/cylinder_parts.rs", -f64::MIN_POSITIVE.log2());
-    Row { what, file, constant, need, unit: "log2" }
+    let logs = [-f64::MIN_POSITIVE.log2(), need];
+    Row::new("underflow of a long side", "exact/cylinder_parts.rs", logs, "log2")
 }
 
 /// The lengths in a scene with this largest coordinate `L`. No two points are farther apart than `3.5 L`. So a ray with

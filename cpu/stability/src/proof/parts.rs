@@ -47,7 +47,7 @@ pub fn record() -> CylinderRecord<Bounded> {
 
 /// Returns the rows. `of_side` is the relative error of an accepted lambda of the side, in units of `u`.
 pub fn rows(of_side: f64) -> Vec<Row> {
-    let row = |what, constant, need, unit| Row { what, file: FILE, constant, need, unit };
+    let row = |what, constant, need, unit| Row::new(what, FILE, [constant, need], unit);
     let slope = slope();
     let ([constant, need], of_cap) = plane(slope[1] - 1.0);
     let [[side, to_side], [cap, to_cap]] = [height(of_side), disc(of_cap)];
@@ -73,8 +73,8 @@ fn order(of_lambda: f64) -> Row {
     _ = is_certainly_closer(lambda, lambda);
     let [[nearer, farther]] = first(0);
     let error = nearer.bounds().error.plus(&farther.bounds().error);
-    let (constant, need) = (added(nearer, &size, margin, U), relative_to_sizes(&error, margin, &[size], 1.0));
-    Row { what: "order of two hits", file: "exact/order.rs", constant, need, unit: "u lambda" }
+    let margins = [added(nearer, &size, margin, U), relative_to_sizes(&error, margin, &[size], 1.0)];
+    Row::new("order of two hits", "exact/order.rs", margins, "u lambda")
 }
 
 /// Returns the row of the order of two caps, for the errors of the operations on
@@ -84,8 +84,8 @@ fn order(of_lambda: f64) -> Row {
 fn caps() -> Row {
     let [sum, product] = [3.0, 4.0];
     let (distance, slope) = (sum + product + 2.0 * sum, product + 2.0 * sum);
-    let (what, file, need) = ("order of two caps", "exact/order.rs", 2.0 * (distance + slope + product + sum));
-    Row { what, file, constant: ERROR_OF_CAPS / (U * U), need, unit: "u^2" }
+    let need = 2.0 * (distance + slope + product + sum);
+    Row::new("order of two caps", "exact/order.rs", [ERROR_OF_CAPS / (U * U), need], "u^2")
 }
 
 /// Returns the row of isolated objects, for this relative error of every lambda.
@@ -95,8 +95,7 @@ fn caps() -> Row {
 /// adds less than 64 u L.
 fn isolated(of_lambda: f64) -> Row {
     let need = ((12.0_f64.sqrt() + 2.0 * 2.0) * of_lambda + 64.0) * U * 1e9;
-    let (what, file) = ("isolated objects", "accel/isolated.rs");
-    Row { what, file, constant: SEPARATION * 1e9, need, unit: "10^-9 L" }
+    Row::new("isolated objects", "accel/isolated.rs", [SEPARATION * 1e9, need], "10^-9 L")
 }
 
 /// Returns the least that the code adds in the comparisons in which the margin takes part. There must be `count` of

@@ -183,8 +183,7 @@ pub fn row() -> Row {
     TABLES.set(error_of_tables());
     // `|t|` is at most 746.
     let fraction = of_exponential(746.0 * of_logarithm());
-    let (what, file, unit) = ("powers", "math/power/quick.rs", "u^2");
-    Row { what, file, constant: ERROR / UU, need: fraction / UU + 2.0, unit }
+    Row::new("powers", "math/power/quick.rs", [ERROR / UU, fraction / UU + 2.0], "u^2")
 }
 
 /// Returns the largest relative error of `t`, a logarithm times an exponent.

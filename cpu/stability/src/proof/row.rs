@@ -156,6 +156,12 @@ pub fn uses_of_margin() -> usize {
 }
 
 impl Row {
+    /// Returns a row, with the constant and the need.
+    #[must_use]
+    pub const fn new(what: &'static str, file: &'static str, [constant, need]: [f64; 2], unit: &'static str) -> Self {
+        Self { what, file, constant, need, unit }
+    }
+
     /// Whether the constant is as large as is needed.
     #[must_use]
     pub fn holds(&self) -> bool {

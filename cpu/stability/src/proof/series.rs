@@ -51,6 +51,6 @@ pub fn row() -> Row {
     });
     let [need, ..] = errors;
     assert!(errors.is_sorted_by(|a, b| a >= b), "more bits need less");
-    let (what, file, unit) = ("logarithms, sines and cosines", "math/fixed_point.rs", "10^-3 units a bit");
-    Row { what, file, constant: UNITS_PER_BIT * 1000.0, need: need * 1000.0, unit }
+    let margins = [UNITS_PER_BIT * 1000.0, need * 1000.0];
+    Row::new("logarithms, sines and cosines", "math/fixed_point.rs", margins, "10^-3 units a bit")
 }

@@ -138,10 +138,6 @@ fn along_or_across(random: &mut Random) -> Case {
     Case::cylinder(cylinder, target - forward * random.uniform(0.0, 20.0), forward)
 }
 
-fn nudged(random: &mut Random, vector: Vec3, most: usize) -> Vec3 {
-    Vec3::from(vector.to_array().map(|component| random.nudged(component, most)))
-}
-
 /// Returns a ray that passes the rim, where side and cap meet, within some units in the last place.
 fn through_the_rim(random: &mut Random) -> Case {
     if random.below(2) == 0 {
@@ -153,11 +149,11 @@ fn through_the_rim(random: &mut Random) -> Case {
         let forward = Vec3::new(0.0, steep, 1.0);
         let rim = Vec3::new(0.0, half * random.sign(), radius * random.sign());
         let origin = cylinder.center + rim - forward * short(random);
-        return Case::cylinder(cylinder, nudged(random, origin, 1), forward);
+        return Case::cylinder(cylinder, random.nudged_vector(origin, 1), forward);
     }
     let (cylinder, distance, end) = (plain(random), random.uniform(0.1, 30.0), random.sign());
     let rim = point_of(random, &cylinder, 1.0, end);
-    let target = nudged(random, rim, 3);
+    let target = random.nudged_vector(rim, 3);
     toward(random, cylinder, target, distance)
 }
 

@@ -23,36 +23,31 @@ fn almost_one(random: &mut Random) -> f64 {
     if random.below(4) == 0 { 1.0 } else { 1.0 + random.sign() * random.decades(-17.0, -10.0) }
 }
 
-/// Returns a random length that is a whole number of tenths up to 4, or any number in this range.
-fn length(random: &mut Random) -> f64 {
-    if random.below(2) == 0 { (random.below(40) + 1) as f64 / 10.0 } else { random.uniform(0.1, 4.0) }
-}
-
 /// Returns the origin and the direction of a ray whose point at the least lambda, or nearly there, is `point`.
 fn reaching(random: &mut Random, point: Vec3, direction: Vec3) -> (Vec3, Vec3) {
     let direction = direction * random.decades(-3.0, 6.0);
     let origin = point - direction * (LAMBDA_MIN * almost_one(random));
-    (Vec3::from(origin.to_array().map(|coordinate| random.nudged(coordinate, 2))), direction)
+    (random.nudged_vector(origin, 2), direction)
 }
 
 fn spheres(random: &mut Random) -> Case {
     if random.below(3) == 0 {
         // A camera at the origin of coordinates sees a sphere at a thousandth of the target's distance.
-        let (distance, radius) = ((random.below(60) + 1) as f64 / 10.0, length(random));
+        let (distance, radius) = ((random.below(60) + 1) as f64 / 10.0, random.length());
         let center = Vec3::new(0.0, 0.0, distance + random.sign() * radius);
         let (sign, axis) = (random.sign(), random.below(6) as u64 + 1);
         let turned = |vector: Vec3| Random::new(axis).shuffled(vector) * sign;
         let far = random.nudged(distance * 1000.0, 2);
         return Case::sphere(turned(center), radius, Vec3::ZERO, turned(Vec3::new(0.0, 0.0, far)));
     }
-    let (center, radius, up) = (random.cube(10.0), length(random), random.unit());
+    let (center, radius, up) = (random.cube(10.0), random.length(), random.unit());
     let (origin, direction) = (center + up * radius, random.unit());
     let (origin, direction) = reaching(random, origin, direction);
     Case::sphere(center, radius, origin, direction)
 }
 
 fn cylinder(random: &mut Random) -> Cylinder {
-    let (center, radius, height) = (random.cube(10.0), length(random), length(random));
+    let (center, radius, height) = (random.cube(10.0), random.length(), random.length());
     Cylinder { center, radius, axis: random.unit() * height }
 }
 
@@ -71,7 +66,7 @@ fn cylinders(random: &mut Random) -> Case {
 /// Returns a ray from the origin of coordinates to a cap at a thousandth of the target's distance, or within some units
 /// in the last place. The cap is hit from outside or inside. The distance and the height are round decimals.
 fn decimal_caps(random: &mut Random) -> Case {
-    let (distance, radius) = ((random.below(60) + 1) as f64 / 10.0, length(random));
+    let (distance, radius) = ((random.below(60) + 1) as f64 / 10.0, random.length());
     let half = random.sign() * (random.below(40) + 1) as f64 / 10.0;
     let (sign, axis) = (random.sign(), random.below(6) as u64 + 1);
     let turned = |vector: Vec3| Random::new(axis).shuffled(vector) * sign;

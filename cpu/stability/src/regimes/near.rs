@@ -44,18 +44,9 @@ fn seen(random: &mut Random, mut shapes: Vec<Shape>, target: Vec3, from: Vec3, d
     NearCase { shapes, ray: Ray { origin: target + from * distance, direction } }
 }
 
-/// Returns a length from 0.1 to 4. Half of the lengths are whole numbers of tenths.
-fn length(random: &mut Random) -> f64 {
-    if random.below(2) == 0 { (random.below(40) + 1) as f64 / 10.0 } else { random.uniform(0.1, 4.0) }
-}
-
-fn nudged(random: &mut Random, vector: Vec3, steps: usize) -> Vec3 {
-    vector.to_array().map(|component| random.nudged(component, steps)).into()
-}
-
 /// Two to four spheres in each other, with gaps of 10^-16 to 10^-4 radii, from distances of 1.3 to 10^9 radii.
 fn shells(random: &mut Random) -> NearCase {
-    let (center, radius) = (random.cube(10.0), length(random));
+    let (center, radius) = (random.cube(10.0), random.length());
     let mut shapes = vec![sphere(center, radius)];
     for _ in 0..1 + random.below(3) {
         let gap = radius * random.decades(-16.0, -4.0);
@@ -71,7 +62,7 @@ fn shells(random: &mut Random) -> NearCase {
 
 /// Two spheres that touch each other from outside or inside. The ray goes towards the point where they touch.
 fn touching(random: &mut Random) -> NearCase {
-    let (center, up, radius, other) = (random.cube(10.0), random.unit(), length(random), length(random));
+    let (center, up, radius, other) = (random.cube(10.0), random.unit(), random.length(), random.length());
     let point = center + up * radius;
     let second = sphere(point + up * (other * random.sign()), other);
     let target = point + random.unit() * (random.decades(-12.0, -1.0) * random.sign());
@@ -86,11 +77,11 @@ fn coplanar(random: &mut Random, is_straight: bool) -> NearCase {
     let up = if is_straight { random.shuffled(Vec3::new(0.0, sign, 0.0)) } else { random.unit() };
     let target = random.cube(40.0).map(|number| number.round() / 4.0);
     let shapes = (0..2 + random.below(3)).map(|_| {
-        let (height, radius) = (length(random) * random.sign(), length(random));
+        let (height, radius) = (random.length() * random.sign(), random.length());
         let aside = random.perpendicular(up) * (radius * random.uniform(0.0, 0.9));
         let aside = if is_straight { aside - up * aside.dot(up) } else { aside };
         let steps = 2 * random.below(2);
-        cylinder(nudged(random, target + up * (height / 2.0) + aside, steps), radius, up * height)
+        cylinder(random.nudged_vector(target + up * (height / 2.0) + aside, steps), radius, up * height)
     });
     let shapes = shapes.collect();
     let from = (random.unit() + up * random.uniform(-2.0, 2.0)).unit();
@@ -101,14 +92,14 @@ fn coplanar(random: &mut Random, is_straight: bool) -> NearCase {
 /// A cylinder, and a surface through a point of its rim: a sphere, a side or a cap. Half of the cases have a longer
 /// cylinder with the same side. The ray goes towards that point.
 fn through_a_rim(random: &mut Random) -> NearCase {
-    let (center, radius, axis) = (random.cube(10.0), length(random), random.unit() * length(random));
+    let (center, radius, axis) = (random.cube(10.0), random.length(), random.unit() * random.length());
     let rim = center + axis * 0.5 + random.perpendicular(axis) * radius;
     let mut shapes = vec![cylinder(center, radius, axis)];
     if random.below(2) == 0 {
         // This one is longer, and its side coincides with that of the first.
         shapes.push(cylinder(center + axis * 0.25, radius, axis * 1.5));
     }
-    let (other, along) = (length(random), random.unit() * length(random));
+    let (other, along) = (random.length(), random.unit() * random.length());
     let foot = rim + random.perpendicular(along) * other;
     shapes.push(match random.below(3) {
         0 => sphere(rim + random.unit() * other, other),
@@ -123,13 +114,13 @@ fn through_a_rim(random: &mut Random) -> NearCase {
 /// Two to four copies of an object. In a third of them the centre differs by up to two units in the last place, and so
 /// do the radius and the axis.
 fn nearly_identical(random: &mut Random) -> NearCase {
-    let (center, radius, axis) = (random.cube(10.0), length(random), random.unit() * length(random));
+    let (center, radius, axis) = (random.cube(10.0), random.length(), random.unit() * random.length());
     let is_sphere = random.below(2) == 0;
     let shapes = (0..2 + random.below(3)).map(|_| {
         let mut steps = || if random.below(3) == 0 { 2 } else { 0 };
         let [of_center, of_radius, of_axis] = [steps(), steps(), steps()];
-        let (center, radius) = (nudged(random, center, of_center), random.nudged(radius, of_radius));
-        if is_sphere { sphere(center, radius) } else { cylinder(center, radius, nudged(random, axis, of_axis)) }
+        let (center, radius) = (random.nudged_vector(center, of_center), random.nudged(radius, of_radius));
+        if is_sphere { sphere(center, radius) } else { cylinder(center, radius, random.nudged_vector(axis, of_axis)) }
     });
     let shapes = shapes.collect();
     let (from, distance) = (random.unit(), radius * random.decades(0.1, 7.0));

@@ -4,7 +4,6 @@
 mod tables;
 
 use std::error::Error;
-use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -60,16 +59,9 @@ fn count(text: &str) -> Result<usize, String> {
 }
 
 /// What the program looks for: a decision that is wrong, or an error of lambda that is not within its bound.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
 struct Wrong(String);
-
-impl fmt::Display for Wrong {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl Error for Wrong {}
 
 /// The exit status for an error of [`run()`].
 fn status(error: &(dyn Error + 'static)) -> u8 {

@@ -6,7 +6,7 @@ use cpu::internals::exact::{cylinder, sphere, sphere_compensated};
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::error_free::two_product;
-use cpu::{Ray, intersect};
+use cpu::intersect;
 
 use gpu_check::kernel::Reader;
 
@@ -24,7 +24,7 @@ pub fn mul_add(case: &[f64], result: &mut [f64]) {
 /// Writes the answers of all steps for a ray and a sphere.
 pub fn sphere(case: &[f64], result: &mut [f64]) {
     let mut case = Reader(case);
-    let ray = Ray { origin: case.vector(), direction: case.vector() };
+    let ray = case.ray();
     let record = SphereRecord::new(case.vector(), case.number());
     let plain = on_the_side(sphere::filtered(&record, &ray));
     let compensated = on_the_side(sphere_compensated::compensated(&record, &ray));
@@ -35,7 +35,7 @@ pub fn sphere(case: &[f64], result: &mut [f64]) {
 /// Writes the answers of all steps for a ray and a cylinder.
 pub fn cylinder(case: &[f64], result: &mut [f64]) {
     let mut case = Reader(case);
-    let ray = Ray { origin: case.vector(), direction: case.vector() };
+    let ray = case.ray();
     let (center, radius, axis) = (case.vector(), case.number(), case.vector());
     let record = CylinderRecord::new(center, radius, axis);
     let (plain, compensated) = (cylinder::filtered(&record, &ray), cylinder::compensated(&record, &axis, &ray));
@@ -46,7 +46,7 @@ pub fn cylinder(case: &[f64], result: &mut [f64]) {
 /// uncertain. It writes 3 if the formula does not find two hits.
 pub fn order(case: &[f64], result: &mut [f64]) {
     let mut case = Reader(case);
-    let ray = Ray { origin: case.vector(), direction: case.vector() };
+    let ray = case.ray();
     let spheres = [(); 2].map(|()| SphereRecord::new(case.vector(), case.number()));
     result[0] = match spheres.map(|sphere| sphere::filtered(&sphere, &ray)) {
         [Decision::Certain(Some(first)), Decision::Certain(Some(second))] => {
