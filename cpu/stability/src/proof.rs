@@ -26,6 +26,7 @@ pub mod polynomial;
 mod power;
 pub mod quadratic;
 pub mod row;
+pub mod ruled;
 pub mod series;
 pub mod signed;
 mod underflow;

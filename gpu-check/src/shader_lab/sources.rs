@@ -47,23 +47,15 @@ impl Sources {
     /// # Errors
     /// The reason why a file cannot be read, or the error in its text.
     pub fn parse(&self, options: &Options) -> Result<(Config, Scene), Error> {
-        let [config, scene] = self.texts.clone();
-        parse((&options.config, config), (&options.scene, scene))
+        parse([&options.config, &options.scene], &self.texts)
     }
 }
 
-/// Reads and parses a configuration and a scene of at most [`MAX_BYTES`] each.
-///
-/// # Errors
-/// The reason why a file cannot be read, or the error in its text.
-pub fn scene(config: &Path, scene: &Path) -> Result<(Config, Scene), Error> {
-    parse((config, text(config)), (scene, text(scene)))
-}
-
 /// Parses a configuration and a scene. The paths are for messages.
-fn parse(config: (&Path, Text), scene: (&Path, Text)) -> Result<(Config, Scene), Error> {
-    let bytes = |text: Text| text.map_err(|message| Error::Request { message });
-    let texts = [bytes(config.1)?, bytes(scene.1)?];
+fn parse(paths: [&Path; 2], texts: &[Text; 2]) -> Result<(Config, Scene), Error> {
+    let [config, scene] =
+        texts.each_ref().map(|text| text.as_deref().map_err(|message| Error::Request { message: message.clone() }));
+    let (config, scene) = (config?, scene?);
     // The message for a wrong line has the line, but not the file.
     let explain = |path: &Path, error: cpu::Error| match error {
         cpu::Error::Input(_) | cpu::Error::Picture(_) | cpu::Error::OutOfMemory { .. } => error.in_file(path).into(),
@@ -73,8 +65,8 @@ fn parse(config: (&Path, Text), scene: (&Path, Text)) -> Result<(Config, Scene),
         }
     };
     let checked = |parsed: Config| parsed.check_picture().map(|()| parsed);
-    let parsed = Config::parse(&texts[0][..]).and_then(checked).map_err(|error| explain(config.0, error))?;
-    Ok((parsed, Scene::parse(&texts[1][..]).map_err(|error| explain(scene.0, error))?))
+    let parsed = Config::parse(config).and_then(checked).map_err(|error| explain(paths[0], error))?;
+    Ok((parsed, Scene::parse(scene).map_err(|error| explain(paths[1], error))?))
 }
 
 /// Whether `path` is neither a file nor a folder. Then it is a pipe, a terminal or another device, which is read only
@@ -123,8 +115,7 @@ mod tests {
     fn a_wrong_text_is_named_with_its_file() {
         let parsed = |config: &[u8], scene: &[u8]| {
             let texts = [config, scene].map(|text| Ok(text.to_vec()));
-            let [config, scene] = texts;
-            parse((Path::new("c"), config), (Path::new("s"), scene)).expect_err("one is wrong").to_string()
+            parse(["c", "s"].map(Path::new), &texts).expect_err("one is wrong").to_string()
         };
         assert!(parsed(b"gamma: 2,2", b"").starts_with("c: Invalid value for key: [gamma:]\nLine: "));
         assert!(parsed(b"camera_position: 0 0 0", b"").starts_with("Invalid configuration [c]: camera_position"));

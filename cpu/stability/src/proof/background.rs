@@ -13,6 +13,7 @@ use super::bounds::Arithmetic;
 use super::interval::{Interval, Taylor, at_most};
 use super::polynomial::Polynomial;
 use super::row::{Row, U, components, factors, family::*, length, relative_to_sizes, sum};
+use super::ruled::Ruled;
 
 /// The families of a reciprocal length, of the sides of a pixel, of the remainder, and of colours.
 const RECIPROCAL: u8 = DERIVED;
@@ -76,9 +77,9 @@ pub fn remainder_is_at_most(limit: f64) -> Result<usize, [Interval; 2]> {
     let [zero, one] = [0.0, 1.0].map(Interval::of);
     let gradient = Background { dark: Vec3::ONE, light: Vec3::ZERO }.lanes();
     let second = |d: [Interval; 3], e: [Interval; 3]| {
-        let [x, y, z] = [0, 1, 2].map(|axis| Taylor([d[axis], e[axis], zero]));
+        let [x, y, z] = [0, 1, 2].map(|axis| Ruled(Taylor([d[axis], e[axis], zero])));
         // The share of the dark colour is `(s + 1) / 2`.
-        let Taylor([.., half]) = gradient.color(Vec3::new(x, y, z)).x;
+        let Ruled(Taylor([.., half])) = gradient.color(Vec3::new(x, y, z)).x;
         let [d_squared, e_squared] = [d, e].map(|[x, y, z]| x.squared() + y.squared() + z.squared());
         2.0 * (half * d_squared / e_squared).magnitude()
     };

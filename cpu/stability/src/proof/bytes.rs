@@ -5,13 +5,10 @@
 //! terms in `u^2`. All logarithms and errors are sums of multiples of 1, of gamma and of its reciprocal. So
 //! what the room must be, relative to `1 + gamma`, is largest for the smallest or for the largest gamma.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
-
 use cpu::internals::image::quantize::{Power, SLACK, around, scaled};
-use cpu::internals::math::real::Real;
 
-use super::operations::Unknown;
 use super::row::{Row, U};
+use super::ruled::{Ruled, Rules};
 
 /// A positive number.
 #[derive(Clone, Copy, Debug)]
@@ -32,26 +29,20 @@ impl Number {
     }
 }
 
-impl Mul for Number {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
+impl Rules for Number {
+    fn of(value: f64) -> Self {
+        Self::new(value.ln(), 0.0)
+    }
+    fn times(self, other: Self) -> Self {
         let is_room = self.log == SLACK.ln();
         let (log, error) = (self.log + other.log, self.error + other.error + 1.0);
         Self { log, error, moved: self.moved + other.moved, is_room }
     }
-}
-
-impl Div for Number {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
+    fn over(self, other: Self) -> Self {
         Self::new(self.log - other.log, self.error + other.error + 1.0)
     }
-}
-
-impl Add for Number {
-    type Output = Self;
     /// `ln(1 + room)` is at least `room ln(1.5) / 0.5`.
-    fn add(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         if other.is_room {
             let log = 1.5_f64.ln();
             return Self { moved: other.log.exp() * log / 0.5 / U, ..Self::new(log, other.error + 1.0) };
@@ -60,52 +51,18 @@ impl Add for Number {
         let log = most + ((self.log - most).exp() + (other.log - most).exp()).ln();
         Self::new(log, self.error.max(other.error) + 1.0)
     }
-}
-
-impl Sub for Number {
-    type Output = Self;
     /// The code subtracts the room from 1, which at most doubles the relative error.
-    fn sub(self, other: Self) -> Self {
+    fn minus(self, other: Self) -> Self {
         assert!(other.is_room, "only the room is subtracted");
         Self { moved: -other.log.exp() / U, ..Self::new(0.5_f64.ln(), other.error + 1.0) }
     }
 }
 
-impl Neg for Number {
-    type Output = Self;
-    fn neg(self) -> Self {
-        unreachable!("all numbers are positive")
-    }
-}
-
-impl Real for Number {
-    type Mask = Unknown;
-
-    fn of(value: f64) -> Self {
-        Self::new(value.ln(), 0.0)
-    }
-    fn sqrt(self) -> Self {
-        unreachable!("no byte takes a root")
-    }
-    fn abs(self) -> Self {
-        self
-    }
-    fn less(self, _: Self) -> Unknown {
-        Unknown
-    }
-    fn less_equal(self, _: Self) -> Unknown {
-        Unknown
-    }
-    fn select(_: Unknown, yes: Self, _: Self) -> Self {
-        yes
-    }
-}
-
-impl Power for Number {
-    fn power(self, exponent: Self) -> Self {
-        let factor = exponent.log.exp();
-        let error = factor * (self.error + self.log.abs() * exponent.error) + 1.0;
-        Self { log: factor * self.log, error, moved: factor * self.moved, is_room: false }
+impl Power for Ruled<Number> {
+    fn power(self, Self(exponent): Self) -> Self {
+        let (Self(base), factor) = (self, exponent.log.exp());
+        let error = factor * (base.error + base.log.abs() * exponent.error) + 1.0;
+        Self(Number { log: factor * base.log, error, moved: factor * base.moved, is_room: false })
     }
 }
 
@@ -113,9 +70,9 @@ impl Power for Number {
 pub fn row() -> Row {
     let (mut constant, mut need) = (f64::INFINITY, 0.0_f64);
     for gamma in [1e-300_f64, 1e300] {
-        let (root, number) = (Number::new(-255.0_f64.ln(), 1.0), Number::new(gamma.ln(), 0.0));
+        let [root, number] = [Number::new(-255.0_f64.ln(), 1.0), Number::new(gamma.ln(), 0.0)].map(Ruled);
         let relative = |of: f64| of * gamma / (1.0 + gamma);
-        let [below, from] = around(root, number).1.map(|bound| scaled(bound, number));
+        let [below, from] = around(root, number).1.map(|bound| scaled(bound, number).0);
         constant = constant.min(relative(-below.moved)).min(relative(from.moved));
         need = need.max(relative(below.error)).max(relative(from.error));
     }

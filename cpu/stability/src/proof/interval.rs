@@ -5,9 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use cpu::internals::math::real::Real;
-
-use super::operations::Unknown;
+use super::ruled::Rules;
 
 /// The numbers from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,68 +92,31 @@ impl Div for Interval {
 #[derive(Clone, Copy, Debug)]
 pub struct Taylor(pub [Interval; 3]);
 
-impl Add for Taylor {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
+impl Rules for Taylor {
+    fn of(value: f64) -> Self {
+        Self([value, 0.0, 0.0].map(Interval::of))
+    }
+    fn plus(self, other: Self) -> Self {
         Self([0, 1, 2].map(|order| self.0[order] + other.0[order]))
     }
-}
-
-impl Neg for Taylor {
-    type Output = Self;
-    fn neg(self) -> Self {
+    fn negative(self) -> Self {
         Self(self.0.map(Neg::neg))
     }
-}
-
-impl Sub for Taylor {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Mul for Taylor {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         let (Self([a, a1, a2]), Self([b, b1, b2])) = (self, other);
         Self([a * b, a * b1 + a1 * b, a * b2 + a1 * b1 + a2 * b])
     }
-}
-
-impl Div for Taylor {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
+    fn over(self, other: Self) -> Self {
         let (Self([a, a1, a2]), Self([b, b1, b2])) = (self, other);
         let value = a / b;
         let first = (a1 - value * b1) / b;
         Self([value, first, (a2 - value * b2 - first * b1) / b])
     }
-}
-
-impl Real for Taylor {
-    type Mask = Unknown;
-
-    fn of(value: f64) -> Self {
-        Self([value, 0.0, 0.0].map(Interval::of))
-    }
-    fn sqrt(self) -> Self {
+    fn root(self) -> Self {
         let Self([a, a1, a2]) = self;
         let value = a.sqrt();
         let first = a1 / (value + value);
         Self([value, first, (a2 - first * first) / (value + value)])
-    }
-    fn abs(self) -> Self {
-        unreachable!("no formula takes the magnitude of such a number")
-    }
-    fn less(self, _: Self) -> Unknown {
-        Unknown
-    }
-    fn less_equal(self, _: Self) -> Unknown {
-        Unknown
-    }
-    fn select(_: Unknown, yes: Self, _: Self) -> Self {
-        yes
     }
 }
 

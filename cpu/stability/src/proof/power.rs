@@ -5,16 +5,14 @@
 //! computed in `f64`, whose rounding is far below the slack.
 
 use std::cell::Cell;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use cpu::internals::math::double_double::DoubleDouble;
 use cpu::internals::math::power::quick::{ERROR, Wide, exp_of_rest, ln_of_parts, rest};
 use cpu::internals::math::power::tables::{LN_2, exponential, logarithm, reciprocal};
-use cpu::internals::math::real::Real;
 use dashu_float::{FBig, round::mode::HalfEven};
 
-use super::operations::Unknown;
 use super::row::{Row, U};
+use super::ruled::{Ruled, Rules};
 
 /// The square of the unit roundoff.
 const UU: f64 = U * U;
@@ -69,9 +67,12 @@ impl<const NARROW: bool> Near<NARROW> {
     }
 }
 
-impl<const NARROW: bool> Add for Near<NARROW> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
+impl<const NARROW: bool> Rules for Near<NARROW> {
+    fn of(value: f64) -> Self {
+        // The constants of narrow numbers are rounded quotients.
+        Self::new(0, value, value, if NARROW { value.abs() * U } else { 0.0 })
+    }
+    fn plus(self, other: Self) -> Self {
         // A number that is exactly 0 is a multiple of any power.
         let is_zero = |number: Self| number.magnitude() + number.error == 0.0;
         if is_zero(self) || is_zero(other) {
@@ -81,25 +82,10 @@ impl<const NARROW: bool> Add for Near<NARROW> {
         let (a, b) = (self.lowered(power), other.lowered(power));
         Self::new(power, a.low + b.low, a.high + b.high, a.error + b.error).rounded(3.0)
     }
-}
-
-impl<const NARROW: bool> Neg for Near<NARROW> {
-    type Output = Self;
-    fn neg(self) -> Self {
+    fn negative(self) -> Self {
         Self { low: -self.high, high: -self.low, ..self }
     }
-}
-
-impl<const NARROW: bool> Sub for Near<NARROW> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<const NARROW: bool> Mul for Near<NARROW> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         let ends = [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
         let (low, high) =
             (ends.into_iter().fold(f64::INFINITY, f64::min), ends.into_iter().fold(-f64::INFINITY, f64::max));
@@ -108,53 +94,22 @@ impl<const NARROW: bool> Mul for Near<NARROW> {
     }
 }
 
-impl<const NARROW: bool> Div for Near<NARROW> {
-    type Output = Self;
-    fn div(self, _: Self) -> Self {
-        unreachable!("the series have no quotients")
-    }
-}
+impl Wide for Ruled<Near<false>> {
+    type Narrow = Ruled<Near<true>>;
 
-impl<const NARROW: bool> Real for Near<NARROW> {
-    type Mask = Unknown;
-
-    fn of(value: f64) -> Self {
-        // The constants of narrow numbers are rounded quotients.
-        Self::new(0, value, value, if NARROW { value.abs() * U } else { 0.0 })
+    fn high(self) -> Self::Narrow {
+        let Near { power, low, high, error } = self.0;
+        Ruled(Near::new(power, low, high, error).rounded(0.0))
     }
-    fn sqrt(self) -> Self {
-        unreachable!("the series have no roots")
-    }
-    fn abs(self) -> Self {
-        unreachable!("the series have no magnitudes")
-    }
-    fn less(self, _: Self) -> Unknown {
-        Unknown
-    }
-    fn less_equal(self, _: Self) -> Unknown {
-        Unknown
-    }
-    fn select(_: Unknown, yes: Self, _: Self) -> Self {
-        yes
-    }
-}
-
-impl Wide for Near<false> {
-    type Narrow = Near<true>;
-
-    fn high(self) -> Near<true> {
-        let Self { power, low, high, error } = self;
-        Near::new(power, low, high, error).rounded(0.0)
-    }
-    fn widened(narrow: Near<true>) -> Self {
-        let Near { power, low, high, error } = narrow;
-        Self::new(power, low, high, error)
+    fn widened(narrow: Self::Narrow) -> Self {
+        let Near { power, low, high, error } = narrow.0;
+        Self(Near::new(power, low, high, error))
     }
     fn constant(DoubleDouble { high, low }: DoubleDouble) -> Self {
         let value = high + low;
         // The sum is rounded.
         let around = value.abs() * f64::EPSILON;
-        Self::new(0, value - around, value + around, value.abs() * TABLES.get())
+        Self(Near::new(0, value - around, value + around, value.abs() * TABLES.get()))
     }
 }
 
@@ -190,10 +145,10 @@ pub fn row() -> Row {
 fn of_logarithm() -> f64 {
     let most = std::f64::consts::SQRT_2 / 256.0 * (1.0 + 1e-9);
     MOST.set(most);
-    let z = Near::<false>::new(1, 1.0, 1.0, 0.0);
+    let z = Ruled(Near::<false>::new(1, 1.0, 1.0, 0.0));
     let remainder = most.powi(14) / 15.0 / (1.0 - most);
     let of = |e: i64, k: usize| {
-        let ln = ln_of_parts(e, k, z);
+        let Ruled(ln) = ln_of_parts(e, k, z);
         // Relative to the power of `z` that the logarithm has.
         Near { error: ln.error + remainder * most.powi(1 - ln.power), ..ln }.relative()
     };
@@ -209,14 +164,14 @@ fn of_exponential(error: f64) -> f64 {
     let half = LN_2.high / 2.0 + 1e-9;
     let of_rest = (-1076..=1025).map(|n| {
         let middle = n as f64 * LN_2.high;
-        rest(Near::<false>::new(0, middle - half, middle + half, error), n).error
+        rest(Ruled(Near::<false>::new(0, middle - half, middle + half, error)), n).0.error
     });
     let of_rest = of_rest.fold(0.0, f64::max);
     // The difference with `j / 64` is rounded.
     let most = 0.5_f64.powi(7) + 1e-9;
-    let r = Near::<false>::new(0, -most, most, of_rest).rounded(3.0);
+    let r = Ruled(Near::<false>::new(0, -most, most, of_rest).rounded(3.0));
     let of = |j: i64| {
-        let fraction = exp_of_rest(r, j);
+        let Ruled(fraction) = exp_of_rest(r, j);
         fraction.relative() + most.powi(13) / 6_227_020_800.0 * 1.02
     };
     (-23..=23).map(of).fold(0.0, f64::max)
