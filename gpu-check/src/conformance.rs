@@ -30,22 +30,5 @@ pub mod ulp;
 pub mod value;
 pub mod verdict;
 
-use crate::Gpu;
-use crate::conformance::{probe::Probe, verdict::Verdict};
-use crate::running::Accuracy;
-
-/// The probes of what WGSL does not demand to be as IEEE 754 defines it.
-const F32_PROBES: [&str; 7] =
-    ["sum", "product", "divide", "root", "subnormal-sum", "subnormal-product", "subnormal-less"];
-
-/// Returns the accuracy of the f32 arithmetic of a device: that of IEEE 754 if all its results for the probes are.
-#[must_use]
-pub fn accuracy(gpu: &Gpu) -> Accuracy {
-    let is_as_written = |probe: &Probe| Verdict::of(probe, &native::run(gpu, probe)) == Verdict::AsWritten;
-    let all = probes::all();
-    let mut chosen = all.iter().filter(|probe| F32_PROBES.contains(&probe.name.as_str()));
-    if chosen.all(is_as_written) { Accuracy::Ieee } else { Accuracy::Wgsl }
-}
-
 #[cfg(test)]
 mod tests;

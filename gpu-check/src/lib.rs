@@ -52,7 +52,6 @@ pub mod renderer;
 pub mod running;
 pub mod runtime;
 pub mod sampled;
-pub mod scenes;
 pub mod shader_lab;
 pub mod special;
 pub mod steps;

@@ -10,8 +10,8 @@ use gpu_check::conformance::outcome::Outcome;
 use gpu_check::conformance::probe::Probe;
 use gpu_check::conformance::report::{self, Run};
 use gpu_check::conformance::{isolated, native, probes};
-use gpu_check::scenes::repository;
 use test_support::folder::Folder;
+use test_support::project_root;
 
 use crate::common;
 
@@ -34,7 +34,7 @@ fn process_for(probes: &[Probe]) -> Command {
 /// docs/gpu/probes.csv. The number of wrong cases is not compared, because it depends on how many invocations a driver
 /// runs at once.
 fn check_documented(table: &Table, driver: &str) {
-    let text = std::fs::read_to_string(repository("docs/gpu/probes.csv")).expect("it is committed");
+    let text = std::fs::read_to_string(project_root().join("docs/gpu/probes.csv")).expect("it is committed");
     let documented = Table::parse(&text).expect("conformance wrote it");
     let [found, documented] = [table, &documented].map(|table| table.column(driver).expect("the driver has a column"));
     assert_eq!(found.len(), documented.len(), "the documented table has a line for each probe");
@@ -107,7 +107,7 @@ fn a_driver_that_crashes_fails_one_probe_and_the_table_is_complete() {
 fn reports_contain_the_programs_of_their_probes() {
     let probes = probes::all();
     for (path, names) in REPORTS {
-        let page = std::fs::read_to_string(repository(path)).expect("it is committed");
+        let page = std::fs::read_to_string(project_root().join(path)).expect("it is committed");
         for name in names {
             let probe = probes.iter().find(|probe| probe.name == *name).expect("it exists");
             let program: String = probe.text().lines().map(|line| format!("    {line}\n")).collect();

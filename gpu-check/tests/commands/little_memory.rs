@@ -4,9 +4,9 @@
 use std::fs;
 use std::process::Command;
 
-use gpu_check::scenes::repository;
 use gpu_check::shader_lab::TEMPLATE;
 use test_support::folder::Folder;
+use test_support::project_root;
 
 /// Smallest address space in kB with which the system's loader can start the program. The constants below are in kB
 /// too.
@@ -23,7 +23,7 @@ fn with_too_little_memory_the_program_says_so_and_never_dies() {
         let mut shell = Command::new("bash");
         shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", env!("CARGO_BIN_EXE_shader-lab")]);
         shell.args(["my.wgsl", "--config", "config", "--out", "out.png", "--scene"]);
-        shell.arg(repository("scenes/materials/scene.txt")).current_dir(folder.path());
+        shell.arg(project_root().join("scenes/materials/scene.txt")).current_dir(folder.path());
         let output = shell.output().expect("bash starts");
         if output.status.success() {
             println!("refused {refused} times up to {kilobytes} kB");

@@ -11,11 +11,11 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use gpu_check::running::Accuracy;
-use gpu_check::scenes::repository;
 use gpu_check::shader_lab::TEMPLATE;
 use shaders::Library;
 use shaders::module::MODULES;
 use test_support::folder::Folder;
+use test_support::project_root;
 
 use crate::common;
 
@@ -24,7 +24,7 @@ fn command(folder: &Path, arguments: &str) -> Command {
     fs::write(&config, "image_width: 48\nmax_depth: 8\n").expect("the folder is writable");
     let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
     command.current_dir(folder).args(arguments.split_whitespace()).arg("--config").arg(config);
-    command.arg("--scene").arg(repository("scenes/materials/scene.txt")).args(["--out", "out.png"]);
+    command.arg("--scene").arg(project_root().join("scenes/materials/scene.txt")).args(["--out", "out.png"]);
     command
 }
 
@@ -211,11 +211,11 @@ fn a_dash_is_standard_input_and_output() {
 
 /// Runs the program for `scenes/ten-thousand`, with a configuration that ends in these lines.
 fn run_ten_thousand(folder: &Path, lines: &str, arguments: &str) -> Output {
-    let config = fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("it is there");
+    let config = fs::read_to_string(project_root().join("scenes/ten-thousand/config.txt")).expect("it is there");
     fs::write(folder.join("few"), config + lines).expect("the folder is writable");
     let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
     command.current_dir(folder).args(arguments.split(' ')).args(["--config", "few", "--out", "out.png", "--scene"]);
-    command.arg(repository("scenes/ten-thousand/scene.txt")).output().expect("the program starts")
+    command.arg(project_root().join("scenes/ten-thousand/scene.txt")).output().expect("the program starts")
 }
 
 #[test]

@@ -4,15 +4,15 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use gpu_check::scenes::repository;
 use test_support::folder::Folder;
+use test_support::project_root;
 
 use crate::common;
 
 fn stress(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stress"))
         .args(arguments)
-        .current_dir(repository(""))
+        .current_dir(project_root().join(""))
         .output()
         .expect("the program starts")
 }
@@ -25,7 +25,7 @@ fn in_text(path: &Path) -> &str {
 fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
     let folder = Folder::new();
     let table = folder.file("pictures.csv");
-    fs::copy(repository("docs/accuracy/pictures.csv"), &table).expect("it is committed");
+    fs::copy(project_root().join("docs/accuracy/pictures.csv"), &table).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--case", "case-2", "c", "s"]);
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8(output.stderr).expect("it is text");
@@ -33,14 +33,14 @@ fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
         message.contains("pictures.csv: its rows for case-1, case-3, case-4 would go; give each as --case"),
         "{message}"
     );
-    assert_eq!(fs::read(&table).ok(), fs::read(repository("docs/accuracy/pictures.csv")).ok());
+    assert_eq!(fs::read(&table).ok(), fs::read(project_root().join("docs/accuracy/pictures.csv")).ok());
 }
 
 #[test]
 fn tables_are_written_into_the_folder_alone() {
     common::gpu();
     let folder = Folder::new();
-    let before = fs::read(repository("docs/accuracy/errors.csv")).expect("it is committed");
+    let before = fs::read(project_root().join("docs/accuracy/errors.csv")).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--rays", "1000"]);
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
@@ -56,5 +56,9 @@ fn tables_are_written_into_the_folder_alone() {
     }
     let files = fs::read_dir(folder.path()).expect("it is there").count();
     assert_eq!(files, 4 + 1, "tables and run.txt");
-    assert_eq!(fs::read(repository("docs/accuracy/errors.csv")).ok(), Some(before), "the project's own file stays");
+    assert_eq!(
+        fs::read(project_root().join("docs/accuracy/errors.csv")).ok(),
+        Some(before),
+        "the project's own file stays"
+    );
 }

@@ -1,8 +1,12 @@
 //! Opens the device for all tests that need one.
 
 use gpu_check::Gpu;
-use gpu_check::conformance;
+use gpu_check::conformance::{native, probe::Probe, probes, verdict::Verdict};
 use gpu_check::running::Accuracy;
+
+/// The probes of what WGSL does not demand to be as IEEE 754 defines it.
+const F32_PROBES: [&str; 7] =
+    ["sum", "product", "divide", "root", "subnormal-sum", "subnormal-product", "subnormal-less"];
 
 /// Opens the device, and prints its name, driver and version. If there is no device, the test fails with a message that
 /// tells what to install.
@@ -12,11 +16,15 @@ pub fn gpu() -> Gpu {
     gpu
 }
 
-/// Returns the accuracy of the device's f32 arithmetic, and prints it. Only with that of IEEE 754 can f32 have the bits
+/// Returns the accuracy of the device's f32 arithmetic, and prints it: that of IEEE 754 if the results of all probes are.
+/// Only with that of IEEE 754 can f32 have the bits
 /// of Rust.
 #[allow(dead_code, reason = "not every test compares f32")]
 pub fn accuracy(gpu: &Gpu) -> Accuracy {
-    let accuracy = conformance::accuracy(gpu);
+    let is_as_written = |probe: &Probe| Verdict::of(probe, &native::run(gpu, probe)) == Verdict::AsWritten;
+    let all = probes::all();
+    let mut chosen = all.iter().filter(|probe| F32_PROBES.contains(&probe.name.as_str()));
+    let accuracy = if chosen.all(is_as_written) { Accuracy::Ieee } else { Accuracy::Wgsl };
     println!("f32 has the accuracy of {accuracy:?}");
     // Else a fault of a probe would switch off the comparisons of f32 bits unseen.
     assert!(accuracy == Accuracy::Ieee || !gpu.is_lavapipe(), "lavapipe has the arithmetic of IEEE 754");

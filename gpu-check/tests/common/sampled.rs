@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use crate::scenes::Case;
 use cpu::Vec3;
 use gpu_check::difference::difference;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
-use gpu_check::scenes::Case;
 use gpu_check::{Float, Gpu, Picture};
 use shaders::{Features, Library};
 

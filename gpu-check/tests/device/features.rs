@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
+use crate::scenes::{self, Case};
 use gpu_check::difference::difference;
-use gpu_check::scenes::{self, Case};
 use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::{Features, Library};
 
@@ -26,7 +26,7 @@ fn render<T: Float>(gpu: &Gpu, case: &Case, features: &Features) -> (Vec<cpu::Ve
 }
 
 fn specialised_pipelines_give_the_same_bits<T: Float>(gpu: &Gpu) {
-    let mut cases = scenes::in_folder(&scenes::repository("tests/cases")).unwrap_or_else(|error| panic!("{error}"));
+    let mut cases = scenes::in_folder("tests/cases");
     cases.extend(scenes::edges());
     cases.extend((0..RANDOM_SCENES).map(scenes::random));
     cases.extend([

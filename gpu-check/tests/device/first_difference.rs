@@ -5,12 +5,13 @@ use std::time::Duration;
 
 use gpu_check::first_difference::report::{Places, report};
 use gpu_check::first_difference::{FirstDifference, of_pixel};
-use gpu_check::{Picture, features_of, scenes};
+use gpu_check::{Picture, features_of};
 use shaders::Library;
 
 use crate::common;
 use crate::mutants::examiner::Examiner;
 use crate::mutants::mutant::{Mutant, of_modules};
+use crate::scenes;
 
 /// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a case or a
 /// pixel that differs takes seconds.

@@ -6,12 +6,12 @@
 mod large;
 pub mod random;
 
+use crate::scenes;
 use cpu::Config;
 use cpu::internals::sampling::uniform::Uniform;
 use gpu_check::closest_hits::closest_hits;
 use gpu_check::difference::difference;
 use gpu_check::running::Accuracy;
-use gpu_check::scenes;
 use gpu_check::steps::{Follower, first_difference};
 use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::Library;
@@ -37,7 +37,7 @@ fn pictures_have_the_same_bits<T: Float>() {
     let (all, tree) = (Library::standard(), Library::standard().in_hierarchy());
     let mut cases = scenes::edges();
     for folder in ["scenes", "tests/cases"] {
-        cases.extend(scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}")));
+        cases.extend(scenes::in_folder(folder));
     }
     cases.extend((0..20).map(scenes::random));
     let mut pixels = 0;

@@ -1,11 +1,11 @@
 //! Compares whole pictures in WGSL with pictures in Rust, in deterministic mode: every scene of the repository, random
 //! scenes, and edge cases.
 
+use crate::scenes::{self, Case};
 use cpu::{Config, Vec3};
 use generator::cameras::hard_camera;
 use gpu_check::difference::difference;
 use gpu_check::running::{self, Accuracy, Running};
-use gpu_check::scenes::{self, Case};
 use gpu_check::{Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
@@ -20,7 +20,7 @@ const TESTS: usize = 15_000_000;
 fn cases() -> (Vec<Case>, usize) {
     let mut cases = Vec::new();
     for folder in ["tests/cases", "scenes"] {
-        let found = scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}"));
+        let found = scenes::in_folder(folder);
         println!("{folder}: {} scenes", found.len());
         cases.extend(found);
     }

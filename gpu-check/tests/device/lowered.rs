@@ -8,10 +8,10 @@ pub mod operations;
 
 use std::time::Duration;
 
+use crate::scenes;
 use gpu_check::kernels::KERNELS;
 use gpu_check::pipeline::Content;
 use gpu_check::running::Accuracy;
-use gpu_check::scenes;
 use gpu_check::{Error, Form, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
@@ -84,7 +84,7 @@ fn every_formula_gives_the_bits_of_cpu() {
 fn every_picture_is_the_references_to_the_bit() {
     let gpu = by_integers();
     let mut compared = Compared::default();
-    let cases = scenes::all(RANDOM_SCENES, TESTS).unwrap_or_else(|error| panic!("{error}"));
+    let cases = scenes::all(RANDOM_SCENES, TESTS);
     assert!(cases.len() >= 16 + RANDOM_SCENES as usize + scenes::edges().len(), "the repository has scenes");
     // A pipeline of so many instructions takes seconds to compile, so all scenes share one.
     let deepest = cases.iter().map(|case| case.config.max_depth as u32).max().expect("there are scenes");

@@ -15,3 +15,5 @@ mod pictures;
 #[path = "../common/sampled.rs"]
 mod sampled;
 mod samples;
+#[path = "../common/scenes.rs"]
+mod scenes;

@@ -1,8 +1,8 @@
 //! Whole pictures in deterministic mode, on the device and in Rust, and what was compared of them.
 
+use crate::scenes::Case;
 use cpu::{Scatter, Vec3, reference};
 use gpu_check::difference::difference;
-use gpu_check::scenes::Case;
 use gpu_check::{Error, Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 

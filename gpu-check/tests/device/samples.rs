@@ -6,12 +6,12 @@
 
 mod draws;
 
+use crate::scenes::{self, Case};
 use gpu_check::difference::{Difference, difference};
 use gpu_check::running::Accuracy;
 use gpu_check::sampled::streams::Streams;
 use gpu_check::sampled::twin::means;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
-use gpu_check::scenes::{self, Case};
 use gpu_check::{Gpu, Picture, features_of};
 use shaders::{Features, Library};
 
@@ -26,7 +26,7 @@ const RANDOM_TESTS: usize = 1_000_000;
 
 /// Returns the scenes of `folder`; with at most `tests` tests of objects, unless everything is rendered.
 fn in_folder(folder: &str, tests: usize) -> Vec<Case> {
-    let cases = scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}"));
+    let cases = scenes::in_folder(folder);
     cases.into_iter().map(|case| if is_everything() { case } else { within(case, tests) }).collect()
 }
 

@@ -14,10 +14,10 @@ use std::fmt::Write;
 use std::iter;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use crate::scenes::Case;
 use cpu::{Config, Scene};
 use gpu_check::difference::difference;
 use gpu_check::sampled::{Convention, Recording, SampledRendering};
-use gpu_check::scenes::Case;
 use gpu_check::{Form, features_of};
 use libtest_mimic::{Failed, Trial};
 use shaders::Library;

@@ -27,7 +27,7 @@ fn the_figures_of_the_example_with_random_numbers_are_what_its_command_prints() 
         println!("the figures are lavapipe's, so nothing was compared");
         return;
     }
-    let docs = fs::read_to_string(repository("docs/shader-lab.md")).expect("it is committed");
+    let docs = fs::read_to_string(project_root().join("docs/shader-lab.md")).expect("it is committed");
     let (from, to) = ("vector / sqrt(length_squared) * extent", "vector * (real(1.0) / sqrt(length_squared)) * extent");
     assert!(docs.contains(&format!("return ScatterVector({to}, next);")));
     assert!(docs.contains("scatter_vectors.wgsl --samples --scatter published"));
@@ -37,7 +37,10 @@ fn the_figures_of_the_example_with_random_numbers_are_what_its_command_prints() 
     fs::write(folder.file("scatter_vectors.wgsl"), text.replace(from, to)).expect("the folder is writable");
     let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
     command.current_dir(&folder).args("scatter_vectors.wgsl --samples --scatter published --config".split(' '));
-    command.arg(repository("scenes/grid/config.txt")).arg("--scene").arg(repository("scenes/grid/scene.txt"));
+    command
+        .arg(project_root().join("scenes/grid/config.txt"))
+        .arg("--scene")
+        .arg(project_root().join("scenes/grid/scene.txt"));
     let output = command.args(["--out", "out.png"]).output().expect("the program starts");
     let said = String::from_utf8(output.stdout).expect("it is text");
     check_lines(&block(&docs, "8 samples for each pixel, "), &said);
@@ -49,7 +52,7 @@ fn the_figures_of_the_documentation_are_what_its_commands_print() {
         println!("the figures are lavapipe's, so nothing was compared");
         return;
     }
-    let docs = fs::read_to_string(repository("docs/shader-lab.md")).expect("it is committed");
+    let docs = fs::read_to_string(project_root().join("docs/shader-lab.md")).expect("it is committed");
     let folder = Folder::new();
     let changed = "let near = (h - root) * (real(1.0) / a);";
     assert!(docs.contains(changed));
@@ -59,9 +62,9 @@ fn the_figures_of_the_documentation_are_what_its_commands_print() {
         let output = Command::new(env!("CARGO_BIN_EXE_shader-lab"))
             .current_dir(&folder)
             .args(["sphere.wgsl", "--config"])
-            .arg(repository("scenes/materials/config.txt"))
+            .arg(project_root().join("scenes/materials/config.txt"))
             .arg("--scene")
-            .arg(repository("scenes/materials/scene.txt"))
+            .arg(project_root().join("scenes/materials/scene.txt"))
             .args(["--out", "out.png"])
             .args(options)
             .output()

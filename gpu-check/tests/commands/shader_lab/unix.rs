@@ -7,7 +7,7 @@ use super::*;
 fn bash(folder: &Path, line: &str) -> Output {
     fs::write(folder.join("my.wgsl"), TEMPLATE).expect("the folder is writable");
     fs::write(folder.join("config"), "image_width: 16\n").expect("the folder is writable");
-    fs::copy(repository("scenes/materials/scene.txt"), folder.join("scene")).expect("the folder is writable");
+    fs::copy(project_root().join("scenes/materials/scene.txt"), folder.join("scene")).expect("the folder is writable");
     let mut bash = Command::new("bash");
     bash.current_dir(folder).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_shader-lab"));
     bash.output().expect("bash starts")

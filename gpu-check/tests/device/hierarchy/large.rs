@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
+use crate::scenes::{self, Case};
 use cpu::{Config, Scene, Vec3};
 use gpu_check::difference::difference;
-use gpu_check::scenes::{self, Case};
 use gpu_check::{Float, Form, Picture, Renderer, features_of};
 use shaders::Library;
 
@@ -17,7 +17,7 @@ const MOST_SPHERES: usize = 1_000_000;
 
 /// Returns `scenes/ten-thousand` with `width` columns of pixels.
 pub fn ten_thousand(width: u64) -> Case {
-    let cases = scenes::in_folder(&scenes::repository("scenes")).unwrap_or_else(|error| panic!("{error}"));
+    let cases = scenes::in_folder("scenes");
     let mut case = cases.into_iter().find(|case| case.name.contains("ten-thousand")).expect("the scene exists");
     case.config.image_width = width;
     case

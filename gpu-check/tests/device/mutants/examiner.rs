@@ -2,22 +2,22 @@
 
 use std::time::{Duration, Instant};
 
+use crate::scenes::{self, Case};
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Ray, Scatter, Vec3, reference};
 use gpu_check::check::{RowKernel, Tally};
 use gpu_check::closest_hits::closest_hits;
-use gpu_check::conformance::accuracy;
 use gpu_check::difference::{Difference, difference};
 use gpu_check::first_difference::{self, Located};
 use gpu_check::kernels::KERNELS;
 use gpu_check::running::Accuracy;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
-use gpu_check::scenes::{self, Case};
 use gpu_check::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
 use shaders::{Features, Library, Precision};
 
 use super::crafted::{self, Crafted};
 use super::mutant::Mutant;
+use crate::common;
 use crate::exact::kernels::EXACT_KERNELS;
 use crate::hierarchy::random;
 
@@ -76,7 +76,7 @@ impl<'a> Examiner<'a> {
         let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
         let sampled = recorded.collect::<Result<_, _>>()?;
         let mut draws = Uniform::new(45);
-        let accuracy = accuracy(gpu);
+        let accuracy = common::accuracy(gpu);
         let rays = (0..RAY_SCENES).map(|number| {
             let (picture, rays, hits) = random_rays(&mut draws, number)?;
             let hits = match accuracy {

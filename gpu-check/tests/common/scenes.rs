@@ -2,13 +2,14 @@
 //! differences between two implementations.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use cpu::internals::input::scene::{Cylinder, Object, Scene, Shape, Sphere};
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Material, Vec3};
 
-use crate::{Error, special};
+use gpu_check::special;
+use test_support::project_root;
 
 /// A scene with its configuration and its name.
 #[derive(Clone, Debug)]
@@ -21,52 +22,34 @@ pub struct Case {
     pub scene: Scene,
 }
 
-/// Returns all scenes in `folder`, in the order of their names. A scene is a subfolder with `config.txt` and
-/// `scene.txt`. The list is empty if `folder` does not exist.
-///
-/// # Errors
-/// [`Error::File`] or [`Error::Scene`] if a folder or a scene cannot be read.
-pub fn in_folder(folder: &Path) -> Result<Vec<Case>, Error> {
-    if !folder.exists() {
-        return Ok(Vec::new());
-    }
-    let failed = |cause| Error::File { path: folder.to_owned(), cause };
-    let entries = fs::read_dir(folder).map_err(failed)?.collect::<Result<Vec<_>, _>>().map_err(failed)?;
-    let mut folders: Vec<_> =
-        entries.into_iter().map(|entry| entry.path()).filter(|path| path.join("scene.txt").is_file()).collect();
+/// Returns all scenes in a folder of the repository, in the order of their names. A scene is a subfolder with
+/// `config.txt` and `scene.txt`.
+pub fn in_folder(folder: &str) -> Vec<Case> {
+    let entries = fs::read_dir(project_root().join(folder)).expect("the folder can be read");
+    let paths = entries.map(|entry| entry.expect("the folder can be read").path());
+    let mut folders: Vec<_> = paths.filter(|path| path.join("scene.txt").is_file()).collect();
     folders.sort();
-    folders.into_iter().map(|path| read(&path)).collect()
+    folders.iter().map(|path| read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))).collect()
 }
 
 /// Returns all scenes of the repository, the edge cases, and `random` random scenes, each [within](Case::within)
 /// `tests`.
-///
-/// # Errors
-/// Those of [`in_folder`].
-pub fn all(random: u64, tests: usize) -> Result<Vec<Case>, Error> {
-    let mut cases = in_folder(&repository("tests/cases"))?;
-    cases.extend(in_folder(&repository("scenes"))?);
-    cases.extend(edges().into_iter().chain((0..random).map(self::random)));
-    Ok(cases.into_iter().map(|case| case.within(tests)).collect())
+pub fn all(random: u64, tests: usize) -> Vec<Case> {
+    let repository = ["tests/cases", "scenes"].into_iter().flat_map(in_folder);
+    let cases = repository.chain(edges()).chain((0..random).map(self::random));
+    cases.map(|case| case.within(tests)).collect()
 }
 
-fn read(folder: &Path) -> Result<Case, Error> {
+fn read(folder: &Path) -> Result<Case, cpu::Error> {
     let config = Config::read(&folder.join("config.txt"))?;
     let scene = Scene::read(&folder.join("scene.txt"))?;
     let parts: Vec<_> = folder.iter().rev().take(2).map(|part| part.to_string_lossy()).collect();
     Ok(Case { name: format!("{}/{}", parts[1], parts[0]), config, scene })
 }
 
-/// Returns the path of `folder`, which is given relative to the root of the repository.
-#[must_use]
-pub fn repository(folder: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder)
-}
-
 impl Case {
     /// Returns the case with fewer pixels if its pixels times its objects are more than `tests`. The number of objects
     /// is increased by 100, because a pixel takes time even without objects.
-    #[must_use]
     pub fn within(mut self, tests: usize) -> Self {
         let objects = self.scene.objects.len() + 100;
         while self.config.image_width > 16
@@ -80,7 +63,6 @@ impl Case {
 
 /// Returns edge cases: scenes whose pixels differ if two implementations decide differently. They have objects of
 /// different materials at one place, a camera inside an object, and rays along an axis and in the plane of a cap.
-#[must_use]
 pub fn edges() -> Vec<Case> {
     const MATERIALS: &str = "matte: red .9 .1 .2\nmatte: green .1 .8 .3\nmetal: mirror .9 .8 .7 .1\nrefractive: glass 1.5\n\
         refractive: air .6\n";
@@ -113,7 +95,6 @@ pub fn edges() -> Vec<Case> {
 
 /// Returns a random scene with all materials, all shapes and a maximum depth of up to 50. Equal seeds give equal
 /// scenes.
-#[must_use]
 pub fn random(seed: u64) -> Case {
     let mut draws = Uniform::new(seed);
     let draws = &mut draws;
@@ -157,16 +138,4 @@ fn object(draws: &mut Uniform, materials: usize) -> Object {
         Shape::Cylinder(Cylinder { center, radius, axis })
     };
     Object { shape, material: (draws.canonical() * materials as f64) as u32 }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_repositorys_scenes_are_found() {
-        let cases = in_folder(&repository("tests/cases")).expect("they are valid");
-        assert!(cases.len() >= 16, "{}", cases.len());
-        assert_eq!(in_folder(Path::new("/nowhere")).expect("none is no error").len(), 0);
-    }
 }
