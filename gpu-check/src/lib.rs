@@ -6,9 +6,8 @@
 //! equal, with the reasons.
 //!
 //! - [`adapter`] and [`gpu`] open a device, and [`form`] says in which form it gets shaders;
-//! - [`kernel`] and [`kernels`] list the formulas that are compared, and [`check`] compares them;
+//! - [`rows`] runs kernels that turn rows of numbers into rows of numbers, and [`reader`] reads such a row;
 //! - [`methods`] lets `stability` compare the intersections in WGSL with exact arithmetic;
-//! - [`running`] computes a bound on the error of f32;
 //! - [`renderer`] and the package [`mod@twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
 //! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
@@ -16,7 +15,8 @@
 //! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take;
 //! - [`conformance`] holds drivers to IEEE 754 and WGSL.
 //!
-//! The tests compare f64 by integers and the exact intersections too, and deliberate errors that they must notice.
+//! The tests compare all formulas, operations on f64 by integers and whole pictures, and they must notice deliberate
+//! errors.
 //!
 //! ```no_run
 //! use gpu_check::{Gpu, Picture, Renderer, features_of};
@@ -34,7 +34,6 @@
 //! ```
 
 pub mod adapter;
-pub mod check;
 pub mod closest_hits;
 pub mod conformance;
 pub mod difference;
@@ -43,24 +42,21 @@ pub mod first_difference;
 pub mod form;
 pub mod gpu;
 pub mod guard;
-pub mod kernel;
-pub mod kernels;
 pub mod methods;
 pub mod pipeline;
 mod ray_loop;
+pub mod reader;
 pub mod renderer;
-pub mod running;
+pub mod rows;
 pub mod runtime;
 pub mod sampled;
 pub mod shader_lab;
-pub mod special;
 pub mod steps;
 pub mod terminal;
 
 pub use error::Error;
 pub use form::Form;
 pub use gpu::Gpu;
-pub use kernel::{Formulas, Kernel};
 pub use pipeline::Pipeline;
 pub use renderer::{Renderer, Rendering};
 pub use twin::{Float, Picture, features_of, head, hierarchy, packed, picture};

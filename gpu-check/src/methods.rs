@@ -1,6 +1,8 @@
 //! Makes the intersections in WGSL available as methods of `stability`, which compares them with exact arithmetic.
 
+use std::marker::PhantomData;
 use std::rc::Rc;
+use std::time::Duration;
 
 use cpu::Vec3;
 use cpu::internals::geometry::cylinder::CylinderPart;
@@ -9,10 +11,9 @@ use shaders::Library;
 use stability::case::Case;
 use stability::methods::{Answer, Failure, Method, Stopwatch};
 
-use crate::check::RowKernel;
-use crate::kernel::Reader;
-use crate::kernels::{CYLINDER, PROJECTED_CYLINDER, PROJECTED_SPHERE, SPHERE};
-use crate::{Error, Float, Formulas, Gpu, Kernel, Pipeline};
+use crate::reader::Reader;
+use crate::rows::results;
+use crate::{Error, Float, Gpu, Pipeline};
 
 /// Name of the method with the plain formulas in f64.
 pub const PLAIN: &str = "WGSL plain f64";
@@ -28,35 +29,39 @@ pub const PROJECTED: &str = "WGSL projected f32";
 pub fn all(gpu: Gpu) -> Result<Vec<Box<dyn Method>>, Error> {
     let gpu = Rc::new(gpu);
     Ok(vec![
-        Box::new(Wgsl::<f64>::new(PLAIN, &gpu, [SPHERE, CYLINDER])?),
-        Box::new(Wgsl::<f32>::new(PLAIN_SINGLE, &gpu, [SPHERE, CYLINDER])?),
-        Box::new(Wgsl::<f32>::new(PROJECTED, &gpu, [PROJECTED_SPHERE, PROJECTED_CYLINDER])?),
+        Box::new(Wgsl::<f64>::new(PLAIN, &gpu, ["kernels/sphere", "kernels/cylinder"])?),
+        Box::new(Wgsl::<f32>::new(PLAIN_SINGLE, &gpu, ["kernels/sphere", "kernels/cylinder"])?),
+        Box::new(Wgsl::<f32>::new(PROJECTED, &gpu, ["kernels/projected_sphere", "kernels/projected_cylinder"])?),
     ])
 }
+
+/// Number of numbers of a sphere's and of a cylinder's case; see [`rows`].
+const INPUTS: [usize; 2] = [10, 13];
+/// Number of numbers of a `HitReport` in `kernels/hit_report.wgsl`.
+const OUTPUTS: usize = 10;
 
 /// A method: a kernel for spheres and a kernel for cylinders, compiled for one precision.
 struct Wgsl<T> {
     name: &'static str,
     gpu: Rc<Gpu>,
-    kernels: [(RowKernel<T>, Pipeline); 2],
+    pipelines: [Pipeline; 2],
+    precision: PhantomData<T>,
 }
 
-impl<T: Formulas> Wgsl<T> {
-    fn new(name: &'static str, gpu: &Rc<Gpu>, kernels: [Kernel; 2]) -> Result<Self, Error> {
-        let [spheres, cylinders] = kernels.map(|kernel| kernel.rows::<T>());
-        let compiled = |kernel: RowKernel<T>| Ok::<_, Error>((kernel, kernel.compile(gpu, &Library::standard())?));
-        let kernels = [compiled(spheres)?, compiled(cylinders)?];
-        Ok(Self { name, gpu: Rc::clone(gpu), kernels })
+impl<T: Float> Wgsl<T> {
+    fn new(name: &'static str, gpu: &Rc<Gpu>, [sphere, cylinder]: [&str; 2]) -> Result<Self, Error> {
+        let compile = |kernel| Pipeline::new(gpu, &Library::standard().compose(kernel, T::PRECISION)?, &[]);
+        let pipelines = [compile(sphere)?, compile(cylinder)?];
+        Ok(Self { name, gpu: Rc::clone(gpu), pipelines, precision: PhantomData })
     }
 
-    /// Returns the kernel for `cases`, which must be all spheres or all cylinders.
-    fn kernel(&self, cases: &[Case]) -> &(RowKernel<T>, Pipeline) {
-        let cylinders = matches!(cases.first(), Some(Case { shape: Shape::Cylinder(_), .. }));
-        &self.kernels[usize::from(cylinders)]
+    /// Returns the reports for rows of spheres if `shape` is 0, or of cylinders if it is 1, and the time of the device.
+    fn reports(&self, shape: usize, rows: &[T]) -> Result<(Vec<T>, Duration), Error> {
+        results(&self.gpu, &self.pipelines[shape], [INPUTS[shape], OUTPUTS], rows)
     }
 }
 
-impl<T: Formulas> Method for Wgsl<T> {
+impl<T: Float> Method for Wgsl<T> {
     fn name(&self) -> &'static str {
         self.name
     }
@@ -69,17 +74,21 @@ impl<T: Formulas> Method for Wgsl<T> {
     }
 
     fn answer(&self, cases: &[Case]) -> Result<Vec<Option<Answer>>, Failure> {
-        let (kernel, pipeline) = self.kernel(cases);
-        let (reports, _) = kernel.results(&self.gpu, pipeline, &rows::<T>(cases))?;
-        Ok(reports.chunks(kernel.outputs.len()).map(answer).collect())
+        let (reports, _) = self.reports(shape(cases), &rows(cases))?;
+        Ok(reports.chunks(OUTPUTS).map(answer).collect())
     }
 
     /// Returns a stopwatch that measures the device's time. Unlike the renderer's time, it includes computing the
     /// records of the objects, and all cores of the processor work.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure> {
-        let ((kernel, pipeline), rows) = (self.kernel(cases), rows::<T>(cases));
-        Ok(Box::new(move || Ok(kernel.results(&self.gpu, pipeline, &rows)?.1)))
+        let (shape, rows) = (shape(cases), rows(cases));
+        Ok(Box::new(move || Ok(self.reports(shape, &rows)?.1)))
     }
+}
+
+/// Returns 0 if the cases are spheres, and 1 if they are cylinders. They must be all of one shape.
+fn shape(cases: &[Case]) -> usize {
+    usize::from(matches!(cases.first(), Some(Case { shape: Shape::Cylinder(_), .. })))
 }
 
 /// Returns the cases as rows of inputs for the kernels.

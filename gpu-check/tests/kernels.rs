@@ -4,13 +4,19 @@
 #[path = "kernels/bound.rs"]
 mod bound;
 mod common;
+#[path = "kernels/mod.rs"]
+mod kernels;
 
-use gpu_check::kernels::KERNELS;
-use gpu_check::running::Accuracy;
-use gpu_check::{Error, Formulas, Gpu, Kernel};
-use shaders::Library;
+use gpu_check::first_difference::twins::twin;
+use gpu_check::reader::Reader;
+use gpu_check::rows::results;
+use gpu_check::{Error, Gpu};
+use shaders::{Library, Precision};
 
 use bound::spread;
+use common::Accuracy;
+use kernels::KERNELS;
+use kernels::kernel::{Formulas, Kernel};
 
 const RANDOM_CASES: usize = 1 << 20;
 const FEWEST_EDGES: usize = 400;
@@ -65,7 +71,7 @@ fn f32_is_within_its_bound_of_f64() {
         let rows = kernel.rows::<f32>();
         let (results, _) = rows
             .compile(&gpu, &Library::standard())
-            .and_then(|pipeline| rows.results(&gpu, &pipeline, &cases))
+            .and_then(|pipeline| results(&gpu, &pipeline, [rows.inputs, rows.outputs.len()], &cases))
             .unwrap_or_else(|error| panic!("{error}"));
         let found = spread(accuracy, kernel, &cases, &results);
         println!("{} {found}", kernel.module);
@@ -78,4 +84,51 @@ fn f32_is_within_its_bound_of_f64() {
         let noticed = spread(accuracy, kernel, &cases, &wrong).beyond;
         assert!(noticed > RANDOM_CASES / 2, "{} notices {noticed}", kernel.module);
     }
+}
+
+/// Functions without a twin: parts of functions that have one, and functions that read buffers.
+const WITHOUT: [&str; 20] = [
+    "bounce_attenuated",
+    "cylinder_closer",
+    "cylinder_side",
+    "cylinder_with_caps",
+    "hit_report",
+    "hit_report_none",
+    "intersect_cylinder",
+    "intersect_every_object",
+    "intersect_sphere",
+    "is_closer",
+    "projected_crossings",
+    "sample_camera_ray",
+    "scatter_vector_in_cube",
+    "scatter_vector_next",
+    "scatter_vector_published",
+    "scatter_word",
+    "sphere_first_root",
+    "surface_at",
+    "tie_is_closer",
+    "tie_rank",
+];
+
+#[test]
+fn every_function_has_a_twin_with_as_many_numbers_or_is_listed() {
+    let mut names = Vec::new();
+    let pictures = ["kernels/image", "kernels/steps", "kernels/samples"];
+    for kernel in KERNELS.iter().map(|kernel| kernel.module).chain(pictures) {
+        let composition = Library::standard().compose(kernel, Precision::F64).expect("it exists");
+        for function in composition.with_call_trace().expect("it is valid").functions {
+            let Some(twin) = twin::<f64>(&function.name) else {
+                names.push(function.name);
+                continue;
+            };
+            let arguments = vec![0.5; function.arguments.len()];
+            // Functions of a picture have no result without one.
+            if let Some(numbers) = twin(None, Reader(&arguments)) {
+                assert_eq!(numbers.len(), function.results.len(), "{}", function.name);
+            }
+        }
+    }
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names, WITHOUT);
 }

@@ -10,7 +10,7 @@ struct ExactSum {
     error: real,
 }
 
-// Returns what two_sum in gpu-check/src/kernels/two_sum.rs returns.
+// Returns what two_sum in gpu-check/src/first_difference/twins.rs returns.
 fn exact_two_sum(a: real, b: real) -> ExactSum {
     let sum = a + b;
     let b_part = sum - a;

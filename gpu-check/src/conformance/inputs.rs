@@ -3,15 +3,19 @@
 use cpu::internals::sampling::uniform::Uniform;
 
 use super::value::Number;
-use crate::special;
-
 /// Number of random rows of a probe. It is large enough that two different formulas differ in many rows.
 const ROWS: usize = 200;
+
+/// Returns a random number of either sign with a magnitude between `10^low` and `10^high`.
+pub fn of_any_size(draws: &mut Uniform, low: f64, high: f64) -> f64 {
+    let size = 10.0_f64.powf(draws.draw(low, high));
+    if draws.canonical() < 0.5 { -size } else { size }
+}
 
 /// Returns random rows with magnitudes from `10^low` to `10^high` and either sign.
 pub fn random<T: Number, const N: usize>(low: f64, high: f64) -> Vec<[T; N]> {
     let mut draws = Uniform::new(30);
-    (0..ROWS).map(|_| [(); N].map(|()| T::of(special::of_any_size(&mut draws, low, high)))).collect()
+    (0..ROWS).map(|_| [(); N].map(|()| T::of(of_any_size(&mut draws, low, high)))).collect()
 }
 
 /// Returns random rows of positive numbers with magnitudes from `10^low` to `10^high`.

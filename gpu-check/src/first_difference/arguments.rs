@@ -6,8 +6,8 @@ use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 
 use crate::Float;
-use crate::kernel::Reader;
 use crate::picture::{Kind, PackedMaterial};
+use crate::reader::Reader;
 use crate::sampled::twin::canonical;
 
 impl<T: Float> Reader<'_, T> {

@@ -5,7 +5,6 @@ use std::marker::PhantomData;
 use shaders::{CallTrace, Library};
 
 use super::twins::{Twin, twin};
-use crate::check::RowKernel;
 use crate::head::{Part, head};
 use crate::pipeline::Content;
 use crate::ray_loop::{MAX_ITERATIONS, RayLoop};
@@ -79,12 +78,12 @@ impl<'a, T: Float> Tracer<'a, T> {
         self.twins[function]
     }
 
-    /// Runs one case of the kernel, and returns its calls and its result.
+    /// Runs one case of the kernel, and returns its calls and its result of `outputs` numbers.
     ///
     /// # Errors
     /// The errors of [`Pipeline::run`].
-    pub fn case(&self, kernel: &RowKernel<T>, case: &[T]) -> Result<(Vec<Call<T>>, Vec<T>), Error> {
-        let output = (kernel.outputs.len() * size_of::<T>()) as u64;
+    pub fn case(&self, case: &[T], outputs: usize) -> Result<(Vec<Call<T>>, Vec<T>), Error> {
+        let output = (outputs * size_of::<T>()) as u64;
         self.run(&[Content::Input(bytemuck::cast_slice(case)), Content::Output(output)])
     }
 

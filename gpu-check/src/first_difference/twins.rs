@@ -9,14 +9,14 @@ use cpu::internals::geometry::ray::in_range;
 use cpu::internals::geometry::sphere::{SphereRecord, SphereView};
 use cpu::internals::geometry::tie::later_cap_is_closer;
 use cpu::internals::materials::{reflection, refraction, scatter};
+use cpu::internals::math::real::Real;
 use cpu::internals::math::vec3::NEGLIGIBLE;
 use cpu::internals::render::background::Background;
 use cpu::{Ray, Vec3};
 use stability::methods::projected;
 
-use crate::kernel::Reader;
-use crate::kernels::two_sum;
 use crate::picture::{Kind, PackedMaterial};
+use crate::reader::Reader;
 use crate::{Float, Picture};
 use twin::trace::scattered;
 
@@ -195,56 +195,11 @@ fn part_of_cylinder<T: Float>(found: Option<(T, CylinderPart)>) -> Option<Number
     join([root(found.map(|(lambda, _)| lambda)), Some(vec![found.map(|(_, part)| part.number())])])
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::kernels::KERNELS;
-    use shaders::{Library, Precision};
-
-    /// Functions without a twin: parts of functions that have one, and functions that read buffers.
-    const WITHOUT: [&str; 20] = [
-        "bounce_attenuated",
-        "cylinder_closer",
-        "cylinder_side",
-        "cylinder_with_caps",
-        "hit_report",
-        "hit_report_none",
-        "intersect_cylinder",
-        "intersect_every_object",
-        "intersect_sphere",
-        "is_closer",
-        "projected_crossings",
-        "sample_camera_ray",
-        "scatter_vector_in_cube",
-        "scatter_vector_next",
-        "scatter_vector_published",
-        "scatter_word",
-        "sphere_first_root",
-        "surface_at",
-        "tie_is_closer",
-        "tie_rank",
-    ];
-
-    #[test]
-    fn every_function_has_a_twin_with_as_many_numbers_or_is_listed() {
-        let mut names = Vec::new();
-        let pictures = ["kernels/image", "kernels/steps", "kernels/samples"];
-        for kernel in KERNELS.iter().map(|kernel| kernel.module).chain(pictures) {
-            let composition = Library::standard().compose(kernel, Precision::F64).expect("it exists");
-            for function in composition.with_call_trace().expect("it is valid").functions {
-                let Some(twin) = twin::<f64>(&function.name) else {
-                    names.push(function.name);
-                    continue;
-                };
-                let arguments = vec![0.5; function.arguments.len()];
-                // Functions of a picture have no result without one.
-                if let Some(numbers) = twin(None, Reader(&arguments)) {
-                    assert_eq!(numbers.len(), function.results.len(), "{}", function.name);
-                }
-            }
-        }
-        names.sort_unstable();
-        names.dedup();
-        assert_eq!(names, WITHOUT);
-    }
+/// Returns the rounded sum of two numbers and its rounding error. `sum + error` is exactly `a + b`, unless the sum
+/// overflows (Knuth, TAOCP 4.2.2, theorem B).
+pub fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
+    let sum = a + b;
+    let b_part = sum - a;
+    let a_part = sum - b_part;
+    (sum, (a - a_part) + (b - b_part))
 }

@@ -10,14 +10,13 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use gpu_check::running::Accuracy;
 use gpu_check::shader_lab::TEMPLATE;
 use shaders::Library;
 use shaders::module::MODULES;
 use test_support::folder::Folder;
 use test_support::project_root;
 
-use crate::common;
+use crate::common::{self, Accuracy};
 
 fn command(folder: &Path, arguments: &str) -> Command {
     let config = folder.join("config.txt");

@@ -2,11 +2,19 @@
 
 use gpu_check::Gpu;
 use gpu_check::conformance::{native, probe::Probe, probes, verdict::Verdict};
-use gpu_check::running::Accuracy;
 
 /// The probes of what WGSL does not demand to be as IEEE 754 defines it.
 const F32_PROBES: [&str; 7] =
     ["sum", "product", "divide", "root", "subnormal-sum", "subnormal-product", "subnormal-less"];
+
+/// How accurate the f32 operations of a device are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accuracy {
+    /// As IEEE 754 defines them: rounded correctly, with numbers below the normal ones.
+    Ieee,
+    /// As accurate as WGSL demands (section 15.7.4, Floating Point Accuracy).
+    Wgsl,
+}
 
 /// Opens the device, and prints its name, driver and version. If there is no device, the test fails with a message that
 /// tells what to install.

@@ -2,12 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use crate::scenes::Case;
-use cpu::Vec3;
+use cpu::{Config, Scene, Vec3};
 use gpu_check::difference::difference;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use gpu_check::{Float, Gpu, Picture};
 use shaders::{Features, Library};
+
+/// A scene with its configuration and its name.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// The name in messages: the folder of the scene, or a description of the edge case.
+    pub name: String,
+    /// The configuration.
+    pub config: Config,
+    /// The scene.
+    pub scene: Scene,
+}
 
 /// Whether all pictures are rendered in full size.
 pub fn is_everything() -> bool {

@@ -8,19 +8,10 @@ use cpu::internals::input::scene::{Cylinder, Object, Scene, Shape, Sphere};
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Material, Vec3};
 
-use gpu_check::special;
 use test_support::project_root;
 
-/// A scene with its configuration and its name.
-#[derive(Clone, Debug)]
-pub struct Case {
-    /// The name in messages: the folder of the scene, or a description of the edge case.
-    pub name: String,
-    /// The configuration.
-    pub config: Config,
-    /// The scene.
-    pub scene: Scene,
-}
+use crate::kernels::special;
+pub use crate::sampled::Case;
 
 /// Returns all scenes in a folder of the repository, in the order of their names. A scene is a subfolder with
 /// `config.txt` and `scene.txt`.

@@ -8,10 +8,10 @@ pub mod kernels;
 mod rays;
 
 use gpu_check::Gpu;
-use gpu_check::check::RowKernel;
 use shaders::Library;
 
 use crate::common;
+use crate::kernels::row_kernel::RowKernel;
 use kernels::{CYLINDER, ExactKernel, MUL_ADD, ORDER, SPHERE, compensated_cylinders};
 
 /// Number of cases of each kind, unless the variable sets another one.

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use crate::scenes::{self, Case};
 use gpu_check::difference::difference;
 use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::{Features, Library};
 
 use crate::common;
+use crate::scenes::{self, Case};
 
 /// Number of random scenes that are compared, in addition to the repository's scenes and the edge cases.
 const RANDOM_SCENES: u64 = 12;

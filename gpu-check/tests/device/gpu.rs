@@ -5,13 +5,16 @@ use std::process::Command;
 use gpu_check::conformance::verdict::Verdict;
 use gpu_check::conformance::{native, probes};
 use gpu_check::pipeline::{Content, Pipeline};
-use gpu_check::{Error, Form, Formulas, Gpu, Kernel, Picture, Renderer, kernels};
+use gpu_check::rows::results;
+use gpu_check::{Error, Form, Gpu, Picture, Renderer};
 use shaders::{Composition, Features, Library, Precision};
 
 use crate::common;
+use crate::kernels::KERNELS;
+use crate::kernels::kernel::{Formulas, Kernel};
 
 fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
-    let kernel = &kernels::KERNELS[0];
+    let kernel = &KERNELS[0];
     let pipeline = kernel.rows::<f64>().compile(gpu, &Library::standard());
     (kernel, pipeline.unwrap_or_else(|error| panic!("{error}")))
 }
@@ -51,7 +54,8 @@ fn a_lost_device_is_an_error() {
     let gpu = common::gpu();
     let (kernel, pipeline) = sphere_pipeline(&gpu);
     gpu.close();
-    let error = kernel.rows::<f64>().results(&gpu, &pipeline, &kernel.edge_cases()).expect_err("it is closed");
+    let error = results::<f64>(&gpu, &pipeline, [kernel.inputs, kernel.outputs.len()], &kernel.edge_cases())
+        .expect_err("it is closed");
     assert!(matches!(error, Error::DeviceLost { .. }), "{error}");
 }
 
@@ -84,7 +88,7 @@ fn numbers_that_a_kernel_does_not_write_are_noticed() {
 
 /// Returns the number of sums whose rounding error differs from Rust's.
 fn wrong_errors<T: Formulas>(gpu: &Gpu) -> usize {
-    let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/two_sum").expect("it is listed");
+    let kernel = KERNELS.iter().find(|kernel| kernel.module == "kernels/two_sum").expect("it is listed");
     let rows = kernel.rows::<T>();
     let tally = rows
         .compile(gpu, &Library::standard())

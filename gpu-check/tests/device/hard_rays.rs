@@ -1,14 +1,13 @@
 //! Compares the intersections in WGSL with exact arithmetic, with fewer rays than the program `stress`.
 
 use gpu_check::methods::{self, PLAIN, PLAIN_SINGLE, PROJECTED};
-use gpu_check::running::Accuracy;
 use stability::case::Case;
 use stability::measure::{Judged, Row};
 use stability::methods::{Answer, Method};
 use stability::regimes::{CYLINDERS, Regime, SPHERES};
 use stability::run;
 
-use crate::common;
+use crate::common::{self, Accuracy};
 
 const SEED: u64 = 5;
 const RAYS: usize = 20_000;

@@ -6,18 +6,17 @@
 mod large;
 pub mod random;
 
-use crate::scenes;
 use cpu::Config;
 use cpu::internals::sampling::uniform::Uniform;
 use gpu_check::closest_hits::closest_hits;
 use gpu_check::difference::difference;
-use gpu_check::running::Accuracy;
 use gpu_check::steps::{Follower, first_difference};
 use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::Library;
 
-use crate::common;
+use crate::common::{self, Accuracy};
 use crate::pictures::on_device;
+use crate::scenes;
 
 /// Number of random rays, and their number if everything is compared, unless the variable sets another one.
 const RAYS: usize = 1 << 17;

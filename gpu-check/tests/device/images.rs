@@ -1,16 +1,16 @@
 //! Compares whole pictures in WGSL with pictures in Rust, in deterministic mode: every scene of the repository, random
 //! scenes, and edge cases.
 
-use crate::scenes::{self, Case};
 use cpu::{Config, Vec3};
 use generator::cameras::hard_camera;
 use gpu_check::difference::difference;
-use gpu_check::running::{self, Accuracy, Running};
 use gpu_check::{Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
-use crate::common;
+use crate::common::{self, Accuracy};
+use crate::kernels::running::{self, Running};
 use crate::pictures::{Compared, by_reference, on_device};
+use crate::scenes::{self, Case};
 
 const RANDOM_SCENES: u64 = 60;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].

@@ -8,16 +8,15 @@ pub mod operations;
 
 use std::time::Duration;
 
-use crate::scenes;
-use gpu_check::kernels::KERNELS;
 use gpu_check::pipeline::Content;
-use gpu_check::running::Accuracy;
 use gpu_check::{Error, Form, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
 
-use crate::common;
+use crate::common::{self, Accuracy};
+use crate::kernels::KERNELS;
 use crate::pictures::Compared;
+use crate::scenes;
 use comparison::check;
 
 /// Number of cases of each operation, unless `LOWERED_CASES` sets another.

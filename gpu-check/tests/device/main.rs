@@ -9,6 +9,9 @@ mod gpu;
 mod hard_rays;
 mod hierarchy;
 mod images;
+#[allow(dead_code, reason = "the program `kernels` compares their bounds")]
+#[path = "../kernels/mod.rs"]
+mod kernels;
 mod lowered;
 mod mutants;
 mod pictures;

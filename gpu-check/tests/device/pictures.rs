@@ -1,10 +1,11 @@
 //! Whole pictures in deterministic mode, on the device and in Rust, and what was compared of them.
 
-use crate::scenes::Case;
 use cpu::{Scatter, Vec3, reference};
 use gpu_check::difference::difference;
 use gpu_check::{Error, Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
+
+use crate::scenes::Case;
 
 /// Renders on the device, by a pipeline for the scene's own features.
 pub fn on_device<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Rendering<T> {

@@ -6,17 +6,16 @@
 
 mod draws;
 
-use crate::scenes::{self, Case};
 use gpu_check::difference::{Difference, difference};
-use gpu_check::running::Accuracy;
 use gpu_check::sampled::streams::Streams;
 use gpu_check::sampled::twin::means;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use gpu_check::{Gpu, Picture, features_of};
 use shaders::{Features, Library};
 
-use crate::common;
+use crate::common::{self, Accuracy};
 use crate::sampled::{Pipelines, Tally, is_everything, record};
+use crate::scenes::{self, Case};
 
 const RANDOM_SCENES: u64 = 200;
 /// Limit on the number of samples times objects of one picture; see [`Case::within`].

@@ -1,10 +1,11 @@
 //! Compares a kernel's f32 results with the formula in f64. The difference must stay within the bound that
-//! [`gpu_check::running`] computes for each case.
+//! [`running`] computes for each case.
 
 use std::fmt;
 
-use gpu_check::Kernel;
-use gpu_check::running::{self, Accuracy, Running};
+use crate::common::Accuracy;
+use crate::kernels::kernel::Kernel;
+use crate::kernels::running::{self, Running};
 
 /// The distances between f32 and f64 results, compared with their bounds.
 #[derive(Clone, Copy, Debug, Default)]

@@ -14,7 +14,6 @@ use std::fmt::Write;
 use std::iter;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::scenes::Case;
 use cpu::{Config, Scene};
 use gpu_check::difference::difference;
 use gpu_check::sampled::{Convention, Recording, SampledRendering};
@@ -24,6 +23,7 @@ use shaders::Library;
 use test_support::golden::{self, Golden};
 
 use crate::common;
+use crate::sampled::Case;
 use crate::sampled::{Pipelines, Tally, is_everything, record};
 
 /// Returns a trial for each of the pictures.

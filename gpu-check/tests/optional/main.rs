@@ -8,9 +8,6 @@ mod course;
 mod injected;
 #[path = "../common/sampled.rs"]
 mod sampled;
-#[allow(dead_code, reason = "these tests make no scenes")]
-#[path = "../common/scenes.rs"]
-mod scenes;
 
 use libtest_mimic::Arguments;
 

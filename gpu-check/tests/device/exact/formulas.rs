@@ -8,7 +8,7 @@ use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::error_free::two_product;
 use cpu::intersect;
 
-use gpu_check::kernel::Reader;
+use gpu_check::reader::Reader;
 
 /// The lambda and the part of a hit, or `None` for a miss.
 type Hit = Option<(f64, CylinderPart)>;

@@ -7,10 +7,10 @@
 //!
 //! The comparison needs f64: in f32 the constants of the bounds have no proof.
 
-use gpu_check::check::RowKernel;
 use gpu_check::methods;
 
 use super::{formulas, rays};
+use crate::kernels::row_kernel::RowKernel;
 
 /// A kernel over f64, and its cases. The first number is how many random cases of each kind there are, beside the edge
 /// cases; the second is a seed. The kinds are the random cases of the plain formula, the regimes of `stability`, and

@@ -2,13 +2,15 @@
 
 use cpu::internals::input::scene::{Cylinder, Shape};
 use cpu::internals::sampling::uniform::Uniform;
-use gpu_check::kernels::{CYLINDER, SPHERE};
-use gpu_check::special::{self, Row};
-use gpu_check::{Kernel, methods};
+use gpu_check::methods;
 use stability::case::Case;
 use stability::random::Random;
 use stability::regimes::near::{self, NearCase};
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, Regime, SPHERES};
+
+use crate::kernels::kernel::Kernel;
+use crate::kernels::special::{self, Row};
+use crate::kernels::{CYLINDER, SPHERE};
 
 /// Numbers for edge cases of products. The last one overflows if WGSL splits it without scaling it first.
 const FACTORS: [f64; 13] = [

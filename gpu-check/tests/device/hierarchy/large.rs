@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use crate::scenes::{self, Case};
 use cpu::{Config, Scene, Vec3};
 use gpu_check::difference::difference;
 use gpu_check::{Float, Form, Picture, Renderer, features_of};
@@ -10,6 +9,7 @@ use shaders::Library;
 
 use super::is_everything;
 use crate::pictures::on_device;
+use crate::scenes::{self, Case};
 
 /// Number of spheres of the largest scene, if everything is rendered. By default it has 70,000, which are more than the
 /// iterations of a loop.

@@ -3,7 +3,9 @@
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Ray, Scene, Vec3};
 
-use gpu_check::{Error, Float, Picture, special};
+use gpu_check::{Error, Float, Picture};
+
+use crate::kernels::special;
 
 /// Returns a scene of about 300 objects of very different sizes. Every third scene has a ground sphere.
 ///

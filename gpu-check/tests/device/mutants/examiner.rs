@@ -2,24 +2,24 @@
 
 use std::time::{Duration, Instant};
 
-use crate::scenes::{self, Case};
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Ray, Scatter, Vec3, reference};
-use gpu_check::check::{RowKernel, Tally};
 use gpu_check::closest_hits::closest_hits;
 use gpu_check::difference::{Difference, difference};
 use gpu_check::first_difference::{self, Located};
-use gpu_check::kernels::KERNELS;
-use gpu_check::running::Accuracy;
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
-use gpu_check::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
+use gpu_check::{Error, Float, Gpu, Picture, Renderer, features_of};
 use shaders::{Features, Library, Precision};
 
 use super::crafted::{self, Crafted};
 use super::mutant::Mutant;
-use crate::common;
+use crate::common::{self, Accuracy};
 use crate::exact::kernels::EXACT_KERNELS;
 use crate::hierarchy::random;
+use crate::kernels::KERNELS;
+use crate::kernels::kernel::Kernel;
+use crate::kernels::row_kernel::{RowKernel, Tally};
+use crate::scenes::{self, Case};
 
 /// Number of random cases of each kernel.
 const RANDOM_CASES: usize = 1 << 14;
@@ -144,7 +144,8 @@ impl<'a> Examiner<'a> {
             let (kernel, cases) = &self.kernels[at];
             let case = &cases[index * kernel.inputs..][..kernel.inputs];
             let start = Instant::now();
-            return timed(first_difference::of_case(self.gpu, library, kernel, case), start);
+            let rows = [case, &kernel.expected(case)];
+            return timed(first_difference::of_case(self.gpu, library, kernel.module, rows), start);
         }
         if runs("kernels/image", module)?
             && let Some((case, Difference { first: Some(index), .. })) = self.differing_picture(library)?

@@ -4,17 +4,19 @@
 mod background;
 mod camera;
 mod cylinder;
+pub mod kernel;
+pub mod row_kernel;
+pub mod running;
 mod scatter;
+pub mod special;
 mod sphere;
 mod two_sum;
-
-pub use two_sum::two_sum;
 
 use cpu::Vec3;
 use cpu::internals::Hit;
 use cpu::internals::math::real::Real;
 
-use crate::Kernel;
+use kernel::Kernel;
 
 /// The intersection of a ray with a sphere, by the plain formula.
 pub const SPHERE: Kernel = Kernel::of::<sphere::Sphere<false>>();

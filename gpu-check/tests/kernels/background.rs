@@ -3,10 +3,11 @@
 use cpu::internals::math::real::Real;
 use cpu::internals::render::background::Background;
 use cpu::internals::sampling::uniform::Uniform;
+use gpu_check::reader::Reader;
 
+use super::kernel::Formula;
+use super::special::{self, DIRECTIONS, NUMBERS, Row};
 use super::store;
-use crate::kernel::{Formula, Reader};
-use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
 pub enum Gradient {}
 

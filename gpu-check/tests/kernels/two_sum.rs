@@ -2,20 +2,13 @@
 
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
+use gpu_check::first_difference::twins::two_sum;
+use gpu_check::reader::Reader;
 
-use crate::kernel::{Formula, Reader};
-use crate::special::{self, NUMBERS, Row};
+use super::kernel::Formula;
+use super::special::{self, NUMBERS, Row};
 
 pub enum TwoSum {}
-
-/// Returns the rounded sum of two numbers and its rounding error. `sum + error` is exactly `a + b`, unless the sum
-/// overflows (Knuth, TAOCP 4.2.2, theorem B).
-pub fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
-    let sum = a + b;
-    let b_part = sum - a;
-    let a_part = sum - b_part;
-    (sum, (a - a_part) + (b - b_part))
-}
 
 impl Formula for TwoSum {
     const MODULE: &'static str = "kernels/two_sum";

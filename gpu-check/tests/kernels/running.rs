@@ -25,6 +25,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use cpu::internals::math::real::Real;
 
+use crate::common::Accuracy;
+
 /// Half a unit in the last place of f32, relative to the number: `2^-24`.
 const U: f64 = 1.0 / 16_777_216.0;
 /// Half of the smallest positive f32, `2^-150`: the largest rounding error below the normal numbers.
@@ -40,15 +42,6 @@ const WIDE_U: f64 = f64::EPSILON / 2.0;
 const SLACK: f64 = 1.0 + 1e-12;
 /// The largest finite f32. Larger results overflow to infinity.
 const LARGEST: f64 = f32::MAX as f64;
-
-/// How accurate the f32 operations of a device are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Accuracy {
-    /// As IEEE 754 defines them: rounded correctly, with numbers below the normal ones.
-    Ieee,
-    /// As accurate as WGSL demands (section 15.7.4, Floating Point Accuracy).
-    Wgsl,
-}
 
 thread_local! {
     /// The accuracy in which bounds are computed.

@@ -5,10 +5,11 @@ use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::real::Real;
 use cpu::internals::math::vec3::NEGLIGIBLE;
 use cpu::internals::sampling::uniform::Uniform;
+use gpu_check::reader::Reader;
 
+use super::kernel::Formula;
+use super::special::{self, DIRECTIONS, NUMBERS, Row};
 use super::store;
-use crate::kernel::{Formula, Reader};
-use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
 pub enum Matte {}
 pub enum Reflection {}

@@ -1,15 +1,11 @@
 //! Compares a kernel's results with those of its formula in Rust, bit by bit.
 
 use std::fmt;
-use std::time::Duration;
 
+use gpu_check::rows::results;
+use gpu_check::{Error, Float, Gpu, Pipeline};
 use shaders::Library;
 
-use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::{Error, Float, Gpu, Pipeline};
-
-/// Largest number of cases in one run. The device's limit on a binding may be lower.
-const BATCH: u64 = 1 << 18;
 /// Largest number of differing cases that a tally stores as text.
 const SHOWN: usize = 5;
 
@@ -55,30 +51,6 @@ impl<T: Float> RowKernel<T> {
         Pipeline::new(gpu, &library.compose(self.module, T::PRECISION)?, &[])
     }
 
-    /// Returns the kernel's results for `cases`, row after row, and the time of the device without the transfers. The
-    /// cases are run in batches whose buffers the device can bind.
-    ///
-    /// # Errors
-    /// The errors of [`Pipeline::run`].
-    pub fn results(&self, gpu: &Gpu, pipeline: &Pipeline, cases: &[T]) -> Result<(Vec<T>, Duration), Error> {
-        let outputs = self.outputs.len();
-        let width = self.inputs.max(outputs) * size_of::<T>();
-        let batch = BATCH.min(gpu.binding_limit() / width as u64).min(MAX_INVOCATIONS) as usize;
-        let mut results = Vec::with_capacity(cases.len() / self.inputs * outputs);
-        let mut time = Duration::ZERO;
-        for cases in cases.chunks(batch * self.inputs) {
-            let rows = cases.len() / self.inputs;
-            let output = (rows * outputs * size_of::<T>()) as u64;
-            let contents = [Content::Input(bytemuck::cast_slice(cases)), Content::Output(output)];
-            let run = pipeline.run(gpu, &contents, rows as u64)?;
-            time += run.time;
-            for bytes in run.outputs {
-                results.extend(bytemuck::pod_collect_to_vec::<u8, T>(&bytes));
-            }
-        }
-        Ok((results, time))
-    }
-
     /// Returns the result of one case by the formula in Rust.
     #[must_use]
     pub fn expected(&self, case: &[T]) -> Vec<T> {
@@ -92,7 +64,7 @@ impl<T: Float> RowKernel<T> {
     /// # Errors
     /// The errors of [`Pipeline::run`].
     pub fn check(&self, gpu: &Gpu, pipeline: &Pipeline, cases: &[T]) -> Result<Tally, Error> {
-        let (results, _) = self.results(gpu, pipeline, cases)?;
+        let (results, _) = results(gpu, pipeline, [self.inputs, self.outputs.len()], cases)?;
         let (kernel, names) = (self.module, self.outputs);
         let mut tally =
             Tally { kernel, cases: 0, numbers: 0, nonzero: 0, differing: 0, first: None, shown: Vec::new() };

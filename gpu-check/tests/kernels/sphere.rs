@@ -5,11 +5,12 @@ use cpu::internals::Hit;
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
+use gpu_check::reader::Reader;
 use stability::methods::projected;
 
+use super::kernel::Formula;
+use super::special::{self, DIRECTIONS, NUMBERS, Row};
 use super::{HIT_REPORT, report};
-use crate::kernel::{Formula, Reader};
-use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
 /// The plain formula, or the projected form if `PROJECTED`.
 pub enum Sphere<const PROJECTED: bool> {}

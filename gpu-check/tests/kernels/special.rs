@@ -2,6 +2,7 @@
 
 use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
+pub use gpu_check::conformance::inputs::of_any_size;
 
 /// Numbers for edge cases: zeros, subnormal, very small and very large numbers of f64 and of f32, ordinary numbers, and
 /// infinity.
@@ -55,12 +56,6 @@ pub const DIRECTIONS: [[f64; 3]; 22] = [
     [0.0, 0.0, 0.0],
     [f64::NAN, 1.0, 0.0],
 ];
-
-/// Returns a random number of either sign with a magnitude between `10^low` and `10^high`.
-pub fn of_any_size(draws: &mut Uniform, low: f64, high: f64) -> f64 {
-    let size = 10.0_f64.powf(draws.draw(low, high));
-    if draws.canonical() < 0.5 { -size } else { size }
-}
 
 /// Returns a random vector in the cube around the origin with sides of length `2 * extent`.
 pub fn in_cube(draws: &mut Uniform, extent: f64) -> Vec3 {

@@ -5,12 +5,12 @@
 
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
-use cpu::{Ray, Vec3};
+use gpu_check::Float;
+use gpu_check::reader::Reader;
 
-use crate::Float;
-use crate::check::RowKernel;
-use crate::running::Running;
-use crate::special::Row;
+use super::row_kernel::RowKernel;
+use super::running::Running;
+use super::special::Row;
 
 /// A formula of `cpu`, and the kernel of `shaders` that should give its bits.
 pub trait Formula {
@@ -86,32 +86,6 @@ impl Kernel {
         }
         assert_eq!(rows.0.len(), count * self.inputs, "{}", self.module);
         rows.0.into_iter().map(T::of).collect()
-    }
-}
-
-/// Reads numbers and vectors from a row, one after the other.
-#[derive(Clone, Copy, Debug)]
-pub struct Reader<'a, T>(pub &'a [T]);
-
-impl<T: Real> Reader<'_, T> {
-    /// Removes the next number from the row, and returns it.
-    ///
-    /// # Panics
-    /// If the row has no more numbers.
-    pub fn number(&mut self) -> T {
-        let (first, rest) = self.0.split_first().expect("the row is as long as its kernel says");
-        self.0 = rest;
-        *first
-    }
-
-    /// Removes the next three numbers from the row, and returns them as a vector.
-    pub fn vector(&mut self) -> Vec3<T> {
-        Vec3::new(self.number(), self.number(), self.number())
-    }
-
-    /// Removes the next six numbers from the row, and returns them as a ray.
-    pub fn ray(&mut self) -> Ray<T> {
-        Ray { origin: self.vector(), direction: self.vector() }
     }
 }
 

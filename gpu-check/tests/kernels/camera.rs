@@ -4,10 +4,11 @@ use cpu::internals::geometry::camera::Camera;
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Vec3};
+use gpu_check::reader::Reader;
 
+use super::kernel::Formula;
+use super::special::{self, NUMBERS, Row};
 use super::store;
-use crate::kernel::{Formula, Reader};
-use crate::special::{self, NUMBERS, Row};
 
 pub enum CameraRay {}
 
