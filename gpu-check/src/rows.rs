@@ -9,7 +9,7 @@ use crate::{Error, Float, Gpu, Pipeline};
 const BATCH: u64 = 1 << 18;
 
 /// Returns the results for `cases`, row after row, and the time of the device without the transfers. A case has
-/// `inputs` numbers, and a result has `outputs` numbers. The cases are run in batches whose buffers the device can bind.
+/// `inputs` numbers, and a result has `outputs` numbers. The buffers of each run are as large as the device can bind.
 ///
 /// # Errors
 /// The errors of [`Pipeline::run`].

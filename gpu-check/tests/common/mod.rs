@@ -24,9 +24,8 @@ pub fn gpu() -> Gpu {
     gpu
 }
 
-/// Returns the accuracy of the device's f32 arithmetic, and prints it: that of IEEE 754 if the results of all probes are.
-/// Only with that of IEEE 754 can f32 have the bits
-/// of Rust.
+/// Returns the accuracy of the device's f32 arithmetic, and prints it: that of IEEE 754 if the results of all probes
+/// have it. Only with that of IEEE 754 can f32 have the bits of Rust.
 #[allow(dead_code, reason = "not every test compares f32")]
 pub fn accuracy(gpu: &Gpu) -> Accuracy {
     let is_as_written = |probe: &Probe| Verdict::of(probe, &native::run(gpu, probe)) == Verdict::AsWritten;

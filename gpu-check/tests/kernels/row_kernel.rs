@@ -29,7 +29,7 @@ pub struct Tally {
     pub shown: Vec<String>,
 }
 
-/// A kernel that turns each case, a row of inputs, into a row of outputs, and its formula in Rust. Both calculate in `T`.
+/// A kernel that turns each case, a row of inputs, into a row of outputs, and its formula in Rust, both over `T`.
 #[derive(Clone, Copy, Debug)]
 pub struct RowKernel<T> {
     /// The name of the kernel's module in `shaders`.

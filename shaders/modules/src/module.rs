@@ -27,8 +27,8 @@ macro_rules! modules {
     };
 }
 
-/// All modules except the two that define `real`. [`crate::Precision`] chooses one of those two. Each module comes after
-/// all modules that it needs.
+/// All modules except the two that define `real`. [`crate::Precision`] chooses one of those two. Each module comes
+/// after all modules that it needs.
 pub const MODULES: &[Module] = modules! {
     "vec3" needs [];
     "exact" needs [];
