@@ -1,15 +1,15 @@
 //! `render-lab inspect`: prints what a scene holds, and how the renderer prepares it.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use cpu::internals::Prepared;
 use cpu::internals::accel::bounds::Bounds;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
-use cpu::internals::input::scene::Shape;
-use cpu::{Aos, Config, Error, Material, Scatter, Scene};
+use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
+use cpu::{Aos, Config, Error, Material, Scatter, Scene, Vec3};
 use minijinja::value::Serde;
 use serde::Serialize;
 
@@ -39,12 +39,11 @@ struct Inspection {
     materials: usize,
     unused_materials: usize,
     /// Lowest corner of the box around all objects, in scene units; absent if there are no objects.
-    lowest_corner: Option<[f32; 3]>,
-    highest_corner: Option<[f32; 3]>,
+    lowest_corner: Option<[f64; 3]>,
+    highest_corner: Option<[f64; 3]>,
     /// Largest absolute coordinate of the objects and the camera, in scene units.
     reach: f64,
-    /// Whether all magnitudes are moderate. If not, the renderer intersects every ray with every object, without
-    /// conservative tests.
+    /// Whether the magnitudes allow conservative tests. If not, the renderer intersects every ray with every object.
     moderate: bool,
     structure: Structure,
     picture: [usize; 2],
@@ -81,11 +80,15 @@ impl Arguments {
     /// # Errors
     /// An error of a file.
     pub fn run(&self) -> Result<(), Failure> {
-        sources::refuse_inputs_in_one(&[self.config.as_deref().unwrap_or(Path::new("")), &self.scene])?;
+        let inputs: Vec<_> = self.config.iter().chain([&self.scene]).map(PathBuf::as_path).collect();
+        sources::refuse_inputs_in_one(&inputs)?;
         let config = self.config.as_ref().map_or(Ok(Config::default()), |path| sources::config(path, &[]))?;
         let scene = sources::scene(&self.scene)?;
-        let path = self.config.as_ref().unwrap_or(&self.scene);
-        let inspection = Inspection::of(&config, &scene).map_err(|error| sources::about_picture(error, path, &[]))?;
+        let explain = |error| match &self.config {
+            Some(path) => sources::about_picture(error, path, &[]),
+            None => error.into(),
+        };
+        let inspection = Inspection::of(&config, &scene).map_err(explain)?;
         if self.json { super::print_json(&inspection) } else { terminal::print(&inspection.text()?) }
     }
 }
@@ -94,9 +97,11 @@ impl Inspection {
     fn of(config: &Config, scene: &Scene) -> Result<Self, Error> {
         let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
         let extent = Extent::new(&prepared.objects, &prepared.camera, &scene.materials_in_use()?);
-        let bounds = (0..scene.objects.len())
-            .map(|id| Bounds::of_object(&prepared.objects, id as u32))
-            .reduce(|all, one| all.union(&one));
+        let corners =
+            scene.objects.iter().map(|object| corners(&object.shape)).reduce(|[low, high], [lower, higher]| {
+                let axes = [0, 1, 2];
+                [axes.map(|axis| low[axis].min(lower[axis])), axes.map(|axis| high[axis].max(higher[axis]))]
+            });
         let mut used = vec![false; scene.materials.len()];
         let mut objects_by_material = BTreeMap::new();
         for object in &scene.objects {
@@ -110,10 +115,10 @@ impl Inspection {
             objects_by_material,
             materials: scene.materials.len(),
             unused_materials: used.iter().filter(|&&used| !used).count(),
-            lowest_corner: bounds.map(|bounds| bounds.low),
-            highest_corner: bounds.map(|bounds| bounds.high),
+            lowest_corner: corners.map(|[low, _]| low),
+            highest_corner: corners.map(|[_, high]| high),
             reach: extent.max_coordinate,
-            moderate: extent.moderate,
+            moderate: !matches!(prepared.accel, Accel::EveryObject(_)),
             structure: match &prepared.accel {
                 Accel::EveryObject(_) => Structure::EveryObject,
                 Accel::SmallScene(_) => Structure::SmallScene,
@@ -128,6 +133,18 @@ impl Inspection {
     fn text(&self) -> Result<String, String> {
         filled(include_str!("../../templates/inspect.txt"), Serde(self).into())
     }
+}
+
+/// Returns the lowest and the highest corner of the box around an object.
+fn corners(shape: &Shape) -> [[f64; 3]; 2] {
+    let (center, half) = match *shape {
+        Shape::Sphere(Sphere { center, radius }) => (center, Vec3::splat(radius)),
+        Shape::Cylinder(Cylinder { center, radius, axis }) => {
+            let disc = axis.unit().map(|along| (1.0 - along * along).max(0.0).sqrt() * radius);
+            (center, axis.map(f64::abs) / 2.0 + disc)
+        }
+    };
+    [(center - half).to_array(), (center + half).to_array()]
 }
 
 const fn kind(material: &Material) -> &'static str {
@@ -181,8 +198,17 @@ mod tests {
         assert_eq!((inspection.materials, inspection.unused_materials), (2, 1));
         assert_eq!(inspection.objects_by_material, BTreeMap::from([("matte", 2)]));
         assert_eq!(inspection.reach, 10.0, "the camera's distance");
-        let high = inspection.highest_corner.expect("there are objects");
-        assert!((high[0] - 4.0).abs() < 1e-4, "{high:?}");
+        assert_eq!((inspection.lowest_corner, inspection.highest_corner), (Some([-1.0; 3]), Some([4.0, 1.0, 1.0])));
+    }
+
+    #[test]
+    fn extreme_objects_have_corners_and_are_not_moderate() {
+        for (line, high) in [("cylinder: 0 0 0 1 0 1e60 0", [1.0, 5e59, 1.0]), ("sphere: 0 0 0 1e-9", [1e-9; 3])] {
+            let text = format!("matte: a 1 1 1\n{line} a\n");
+            let inspection = inspect(&Scene::parse(text.as_bytes()).expect("it is valid"));
+            assert_eq!((inspection.highest_corner, inspection.moderate), (Some(high), false), "{line}");
+            assert_eq!(inspection.structure, Structure::EveryObject, "{line}");
+        }
     }
 
     #[test]
