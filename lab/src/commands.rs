@@ -17,9 +17,11 @@ pub mod supervise;
 pub mod time;
 pub mod view;
 
+use std::path::Path;
+
 use serde::Serialize;
 
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 
 /// Writes `value` as JSON to standard output.
 ///
@@ -29,10 +31,23 @@ pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     terminal::print(&serde_json::to_string_pretty(value).map_err(|error| error.to_string())?)
 }
 
-/// Writes `value` to standard output: as JSON if `json` is true, and otherwise as `text`.
+/// Writes `value` to standard output: as JSON if `json` is true, and otherwise as `text`. If one of the outputs `outs`
+/// is standard output, the text goes to standard error.
 ///
 /// # Errors
 /// An error if standard output cannot be written.
-pub fn print_as(json: bool, value: &impl Serialize, text: impl FnOnce() -> String) -> Result<(), Failure> {
-    if json { print_json(value) } else { terminal::print(&text()) }
+pub fn print_as(
+    json: bool,
+    outs: &[&Path],
+    value: &impl Serialize,
+    text: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    match (json, outs.iter().any(|out| sources::is_stdout(out))) {
+        (true, _) => print_json(value),
+        (false, true) => {
+            terminal::note(&text());
+            Ok(())
+        }
+        (false, false) => terminal::print(&text()),
+    }
 }

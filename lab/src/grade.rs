@@ -8,6 +8,8 @@ use std::fs;
 use std::path::Path;
 
 use cpu::Config;
+use cpu::internals::input::reader::read;
+use cpu::internals::input::text::MAX_FILE_BYTES;
 use serde::Serialize;
 
 use crate::bench::commands::{Job, Rounds, Timed};
@@ -133,13 +135,16 @@ fn built(build: &Job, printed: &Path) -> Result<(), Failure> {
 /// Returns the scenes whose time is measured: those of the file, or two small ones.
 fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
     let case = |name: &str, files: [Vec<u8>; 2]| picture(format!("{TIMED}{name}"), Group::Course, files, [None, None]);
-    let read = |path: &Path| fs::read(path).map_err(|error| format!("{}: {error}", terminal::name(path)));
+    let read = |path: &Path| {
+        let bytes = sources::regular(path).and_then(|path| read(path, MAX_FILE_BYTES));
+        bytes.map_err(|error| format!("{}: {error}", terminal::name(path)))
+    };
     if !file.scene.is_empty() {
         let scene = |timed: &file::Timed| {
             let [config, scene] = [&timed.config, &timed.scene].map(|file| folder.join(file));
+            let files = [read(&config)?, read(&scene)?];
             sources::config(&config, &[])?;
             sources::scene(&scene)?;
-            let files = [read(&config)?, read(&scene)?];
             let case = case(&timed.name, files);
             // A wrong scene would give no points to all programs.
             case.expected_pictures().map_err(|error| error.about(&format!("scene [{}]", timed.name)))?;

@@ -2,14 +2,17 @@
 
 pub mod located;
 
+use std::collections::HashSet;
 use std::fs;
 use std::io::{self, BufReader};
+use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::{Path, PathBuf};
 
 use cpu::internals::input::error::Picture;
 use cpu::internals::input::reader::Input;
 use cpu::internals::input::text::MAX_FILE_BYTES;
 use cpu::{Config, Error, Scene};
+use output::{Options, Output};
 
 use crate::format::faults::{self, MOST_FAULTS};
 use crate::format::hint::Kind;
@@ -72,35 +75,79 @@ pub fn input(path: &Path) -> PathBuf {
 }
 
 /// Returns the path to write to: `/dev/stdout` if `path` is `-`, and otherwise `path`.
-pub fn output(path: &Path) -> PathBuf {
+fn output(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdout") } else { path.to_owned() }
 }
 
-/// Refuses standard input as more than one of the files `paths`, because a pipe gives its content once.
+/// Opens an output. `-` is standard output.
 ///
 /// # Errors
-/// A message about standard input.
-pub fn refuse_inputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
-    let is_stdin = |path: &&&Path| input(path) == Path::new("/dev/stdin");
-    if paths.iter().filter(is_stdin).count() > 1 {
-        return Err("standard input (-) can be only one of the files".into());
-    }
-    Ok(())
+/// The errors of [`Output::open`].
+pub fn open(path: &Path, options: Options) -> Result<Output, output::Error> {
+    Output::open(&output(path), options)
 }
 
-/// Refuses two outputs that are one file, even if their paths differ.
+/// Whether the output `path` is standard output.
+pub fn is_stdout(path: &Path) -> bool {
+    output::is_stdout(&output(path))
+}
+
+/// Refuses standard output for `what`, which needs a file or a folder.
 ///
 /// # Errors
-/// A message that names both outputs.
-pub fn refuse_outputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
-    let target = |path: &Path| output::target(&output(path));
-    for (index, path) in paths.iter().enumerate() {
-        if let Some(other) = paths[..index].iter().find(|other| target(other) == target(path)) {
-            let [one, other] = [other, path].map(|path| output_name(path));
-            return Err(format!("[{one}] and [{other}] are one file; the outputs need a file each").into());
-        }
+/// A message with the remedy.
+pub fn refuse_stdout(what: &str, path: &Path) -> Result<(), Failure> {
+    if is_stdout(path) { Err(format!("{what} has no standard output (-); name it").into()) } else { Ok(()) }
+}
+
+/// Refuses outputs of which two are one file, or one is a file of `inputs`. If `json` is true, JSON is written to
+/// standard output, so no output may be standard output. Call this before the inputs are read.
+///
+/// # Errors
+/// A message that names the outputs.
+pub fn check_outputs(outs: &[&Path], inputs: &[&Path], json: bool) -> Result<(), Failure> {
+    if json && outs.iter().any(|out| is_stdout(out)) {
+        return Err("--json and an output - both write to standard output; choose a file".into());
     }
-    Ok(())
+    let outs: Vec<_> = outs.iter().map(|out| output(out)).collect();
+    output::refuse_one_file(&outs.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
+    Ok(outs.iter().try_for_each(|out| output::refuse_inputs(out, inputs))?)
+}
+
+/// Returns what tells an input that can be read once from others: whether it is standard input, or the numbers of a
+/// pipe. Returns `None` for an input that can be read again.
+pub fn read_once(path: &Path) -> Option<(bool, u64, u64)> {
+    const STDIN: [&str; 3] = ["/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"];
+    let path = input(path);
+    if STDIN.iter().any(|name| path == Path::new(name)) {
+        return Some((true, 0, 0));
+    }
+    let pipe = fs::metadata(path).ok().filter(|metadata| metadata.file_type().is_fifo())?;
+    Some((false, pipe.dev(), pipe.ino()))
+}
+
+/// Refuses standard input or a pipe as more than one of the files `paths`, because it gives its content once.
+///
+/// # Errors
+/// A message that names the file.
+pub fn refuse_inputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
+    let mut known = HashSet::new();
+    let again =
+        paths.iter().find_map(|path| read_once(path).filter(|once| !known.insert(*once)).map(|once| (path, once)));
+    match again {
+        None => Ok(()),
+        Some((_, (true, ..))) => Err("standard input (-) can be only one of the files".into()),
+        Some((path, _)) => Err(format!("{}: a pipe can be only one of the files", terminal::name(path)).into()),
+    }
+}
+
+/// Returns `path` if it leads to a regular file. A file that the user has not named may be a pipe that never gives
+/// anything.
+///
+/// # Errors
+/// The error of the system, or that it is no regular file.
+pub fn regular(path: &Path) -> io::Result<&Path> {
+    if fs::metadata(path)?.is_file() { Ok(path) } else { Err(io::Error::other("it is not a regular file")) }
 }
 
 /// Makes the folder `path` and those above it, if they are not there.
@@ -108,6 +155,7 @@ pub fn refuse_outputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
 /// # Errors
 /// A message with the name of the folder.
 pub fn make_folder(path: &Path) -> Result<(), Failure> {
+    refuse_stdout("a folder", path)?;
     fs::create_dir_all(path).map_err(|error| {
         let is_file = error.kind() == io::ErrorKind::AlreadyExists;
         let cause = if is_file { "it is a file, and a folder is needed".to_owned() } else { error.to_string() };

@@ -87,6 +87,13 @@ impl Output {
         Ok(Self { named: path.to_owned(), place, failure: None })
     }
 
+    /// Whether the output is a regular file, which [`Output::commit`] replaces. A device or a pipe gets the bytes when
+    /// they are written.
+    #[must_use]
+    pub const fn is_regular(&self) -> bool {
+        matches!(self.place, Place::Regular(_))
+    }
+
     /// Replaces the old file by the new one. Call this when all bytes are written.
     ///
     /// # Errors
@@ -175,10 +182,32 @@ pub fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     }
 }
 
-/// Returns the path that an output to `path` gets, without links. Two outputs with one target would be one file. The
-/// file need not exist.
+/// Refuses outputs of which two are one file, even if their paths differ. Call this before they are opened. `/dev/null`
+/// may be several outputs.
+///
+/// # Errors
+/// [`Error`] with a message that names both outputs.
+pub fn refuse_one_file(outs: &[&Path]) -> Result<(), Error> {
+    let targets: Vec<_> = outs.iter().map(|out| target(out)).collect();
+    for (index, out) in outs.iter().enumerate().filter(|(index, _)| targets[*index] != Path::new("/dev/null")) {
+        if let Some(other) = targets[..index].iter().position(|other| *other == targets[index]) {
+            let name = outs[other].to_string_lossy();
+            let text = format!("it is the same file as the output [{name}]; the outputs need a file each");
+            return Err(Error::new(out, io::Error::new(io::ErrorKind::InvalidInput, text)));
+        }
+    }
+    Ok(())
+}
+
+/// Whether an output to `path` goes to standard output.
 #[must_use]
-pub fn target(path: &Path) -> PathBuf {
+pub fn is_stdout(path: &Path) -> bool {
+    target(path) == Path::new("/dev/stdout")
+}
+
+/// Returns the path that an output to `path` gets, without links: `/dev/stdout` for all names of standard output. The
+/// file need not exist.
+fn target(path: &Path) -> PathBuf {
     let path = place::follow(path).unwrap_or_else(|_| path.to_owned());
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     match (fs::canonicalize(folder), path.file_name()) {

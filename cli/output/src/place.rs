@@ -61,8 +61,8 @@ fn is_stdout(path: &Path) -> bool {
     STDOUT_NAMES.iter().any(|name| path == Path::new(name))
 }
 
-/// Follows all links from `path`. Returns the path of a file that is no link, a path at which no file exists, or a name
-/// of standard output.
+/// Follows all links from `path`. Returns the path of a file that is no link, a path at which no file exists, or the
+/// first of the names of standard output.
 ///
 /// # Errors
 /// An error if there are too many links, or if a link belongs to another user and may not be followed
@@ -70,7 +70,10 @@ fn is_stdout(path: &Path) -> bool {
 pub fn follow(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MAX_LINKS {
-        let (false, Ok(name)) = (is_stdout(&target), file_name(&target)) else { return Ok(target) };
+        if is_stdout(&target) {
+            return Ok(STDOUT_NAMES[0].into());
+        }
+        let Ok(name) = file_name(&target) else { return Ok(target) };
         let parent = target.parent().unwrap_or(Path::new(""));
         let Ok(folder) = Folder::open(parent, false) else { return Ok(target) };
         match folder.read_link(&name)? {

@@ -10,7 +10,7 @@ use generator::{Arrangement, Options};
 use serde::Serialize;
 
 use super::drawn::{CONVENTIONS, Drawn};
-use crate::Failure;
+use crate::{Failure, sources};
 
 /// The kind of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -178,7 +178,9 @@ fn of_course(folder: &Path, number: u32) -> Result<Case, Failure> {
     let read = |name: String| {
         let path = folder.join(name);
         let explain = "RENDER_REFERENCE_DIR must name the folder of the course's cases, or nothing";
-        fs::read(&path).map_err(|error| format!("{}: {error}; {explain}", crate::terminal::name(&path)))
+        sources::regular(&path)
+            .and_then(fs::read)
+            .map_err(|error| format!("{}: {error}; {explain}", crate::terminal::name(&path)))
     };
     let files = [read(format!("config{number}.txt"))?, read(format!("scene{number}.txt"))?];
     let sums = String::from_utf8_lossy(&read("SHA256SUMS".to_owned())?).into_owned();

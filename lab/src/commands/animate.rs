@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 use cpu::internals::Prepared;
+use cpu::internals::input::reader::read_text;
 use cpu::internals::math::vec3::Vec3;
 use cpu::{Aos, Config, Error, Scene, Size};
 use indicatif::ProgressBar;
@@ -79,14 +80,13 @@ impl Arguments {
     /// # Errors
     /// An error of a file or of a camera, or an interruption.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        if self.out == Path::new("-") {
-            return Err("an animation has no standard output (-); name a .png file or a folder".into());
-        }
+        let inputs: Vec<_> = [&self.config, &self.scene].into_iter().chain(&self.to).map(PathBuf::as_path).collect();
+        sources::refuse_stdout("an animation", &self.out)?;
+        sources::refuse_inputs_in_one(&inputs)?;
+        output::refuse_inputs(&self.out, &inputs)?;
         let config = sources::config(&self.config, &self.set)?;
         let to = self.to.as_ref().map(|path| sources::config(path, &self.set)).transpose()?;
         let scene = sources::scene(&self.scene)?;
-        let inputs = [&self.config, &self.scene].into_iter().chain(&self.to);
-        output::refuse_inputs(&self.out, &inputs.map(PathBuf::as_path).collect::<Vec<_>>())?;
         let explain = |error| sources::about_picture(Error::Picture(error), &self.config, &self.set);
         let size = config.image_size().map_err(explain)?;
         let cameras: Vec<_> = (0..self.frames).map(|frame| self.camera(frame, &config, to.as_ref())).collect();
@@ -189,7 +189,7 @@ impl Film<'_> {
         let place = folder.join(ABOUT);
         let frames: Vec<_> = (0..self.cameras.len()).map(|frame| folder.join(format!("{frame:04}.png"))).collect();
         if fs::exists(&place).map_err(|error| format!("{name}: {error}"))? {
-            if cpu::internals::input::reader::read_text(&place, 1 << 16).ok().as_ref() != Some(&about) {
+            if sources::regular(&place).and_then(|place| read_text(place, 1 << 16)).ok().as_ref() != Some(&about) {
                 return Err(format!("{name}: it has frames of another animation; choose another folder").into());
             }
         } else if let Some(old) = frames.iter().find(|path| path.exists()) {
@@ -201,7 +201,7 @@ impl Film<'_> {
         let is_whole = |old: Picture| (old.width, old.height) == (self.size.width(), self.size.height());
         let mut rendered = 0;
         for (frame, path) in frames.iter().enumerate() {
-            if path.exists() && Picture::read(path).is_ok_and(is_whole) {
+            if path.is_file() && Picture::read(path).is_ok_and(is_whole) {
                 self.bar.inc(self.size.height() as u64);
                 continue;
             }

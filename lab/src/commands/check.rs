@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use output::{Options, Output};
+use output::Options;
 use tempfile::TempDir;
 
 use crate::bench::commands::Job;
@@ -36,7 +36,7 @@ pub struct Shown {
     /// Language of the report
     #[arg(long, default_value = "en", value_parser = language())]
     pub language: Language,
-    /// Write the report as one self-contained page too
+    /// Write the report as one self-contained page too; - is standard output
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
     /// Keep the files of all cases in this folder; without it, they are kept in a temporary folder if something failed
@@ -72,7 +72,9 @@ impl Arguments {
     /// [`Failure::Rejected`] if the program failed a case, or an error of a file or the program.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         let language = self.shown.language;
-        let html = self.shown.html.as_ref().map(|path| Output::open(path, options)).transpose()?;
+        let outs: Vec<_> = self.shown.html.iter().map(PathBuf::as_path).collect();
+        sources::check_outputs(&outs, &[], self.json)?;
+        let html = self.shown.html.as_ref().map(|path| sources::open(path, options)).transpose()?;
         let cases = cases::all(std::env::var_os("RENDER_REFERENCE_DIR").as_deref().map(Path::new))?;
         let (folder, temporary) = self.shown.folder()?;
         let name = terminal::quoted(self.program.iter().map(AsRef::as_ref));
@@ -82,7 +84,7 @@ impl Arguments {
             let page = report.page(language, &folder)?;
             output.fill(|file| file.write_all(page.as_bytes()))?;
         }
-        super::print_as(self.json, &report, || report.text(language))?;
+        super::print_as(self.json, &outs, &report, || report.text(language))?;
         if report.is_passed() {
             return Ok(());
         }

@@ -1,12 +1,12 @@
 //! `render-lab compare`: compares two pictures.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use colorous::INFERNO;
 use minijinja::value::Serde;
 use minijinja::{Value, context};
-use output::{Options, Output};
+use output::Options;
 use serde::Serialize;
 
 use crate::difference::{Difference, Errors, MAXIMUM_BOUND, RMSE_BOUND};
@@ -43,7 +43,8 @@ pub struct Arguments {
     /// Show in the heat map which picture is brighter: red where the second is, blue where the first is
     #[arg(long, requires = "heatmap")]
     signed: bool,
-    /// Write a page that shows both: with a slider, blinking or as a difference, with zoom and the values of a pixel
+    /// Write a page that shows both: with a slider, blinking or as a difference, with zoom and the values of a pixel;
+    /// - is standard output
     #[arg(long, value_name = "OUT.html")]
     html: Option<PathBuf>,
     /// Print the figures as JSON
@@ -59,19 +60,11 @@ impl Arguments {
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         sources::refuse_inputs_in_one(&[&self.first, &self.second])?;
         let outs: Vec<_> = self.heatmap.iter().chain(&self.html).map(PathBuf::as_path).collect();
-        let is_output_taken = outs.contains(&Path::new("-"));
-        if self.json && is_output_taken {
-            return Err("--json and an output - both write to standard output; choose a file".into());
-        }
-        sources::refuse_outputs_in_one(&outs)?;
-        for path in outs {
-            output::refuse_inputs(path, &[&self.first, &self.second])?;
-        }
-        let open = |path: &PathBuf| -> Result<_, Failure> {
-            Ok((Kind::of(path, Kind::Png)?, Output::open(&sources::output(path), options)?))
-        };
+        sources::check_outputs(&outs, &[&self.first, &self.second], self.json)?;
+        let open =
+            |path: &PathBuf| -> Result<_, Failure> { Ok((Kind::of(path, Kind::Png)?, sources::open(path, options)?)) };
         let heatmap_output = self.heatmap.as_ref().map(open).transpose()?;
-        let html = self.html.as_ref().map(|path| Output::open(&sources::output(path), options)).transpose()?;
+        let html = self.html.as_ref().map(|path| sources::open(path, options)).transpose()?;
         let read = |path| Any::read(&sources::input(path));
         let (first, second) = (read(&self.first)?, read(&self.second)?);
         let values = match (&first, &second) {
@@ -93,11 +86,7 @@ impl Arguments {
             let page = page([&first, &second], names, &text)?;
             output.fill(|file| file.write_all(page.as_bytes()))?;
         }
-        match (self.json, is_output_taken) {
-            (true, _) => super::print_json(&figures)?,
-            (false, true) => terminal::note(&text),
-            (false, false) => terminal::print(&text)?,
-        }
+        super::print_as(self.json, &outs, &figures, || text)?;
         if figures.levels.accepted { Ok(()) } else { Err(Failure::Rejected) }
     }
 }

@@ -2,7 +2,6 @@
 //! or Mitsuba 3.
 
 use std::ffi::OsStr;
-use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -10,7 +9,7 @@ use clap::Args;
 use cpu::internals::input::reader::read;
 use cpu::internals::input::text::MAX_FILE_BYTES;
 use cpu::{Config, Scene};
-use output::{Options, Output};
+use output::Options;
 
 use crate::convert::complete::complete;
 use crate::convert::notes::Notes;
@@ -75,7 +74,7 @@ impl Arguments {
     fn picture(&self, input: &Path, out: &Path, options: Options) -> Result<(), Failure> {
         let kind = Kind::of(out, Kind::Png)?;
         output::refuse_inputs(out, &[input])?;
-        let output = Output::open(&sources::output(out), options)?;
+        let output = sources::open(out, options)?;
         let picture = Any::read(&sources::input(input))?;
         Ok(output.fill(|file| picture.write(kind, self.gamma, file))?)
     }
@@ -83,8 +82,10 @@ impl Arguments {
 
 /// Writes the configuration and the scene in the files `inputs` as a scene of pbrt or Mitsuba.
 fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Options) -> Result<(), Failure> {
-    if inputs.contains(&&PathBuf::from("-")) {
-        return Err("the configuration and the scene are read twice, so they cannot be standard input (-)".into());
+    if inputs.iter().any(|path| sources::read_once(path).is_some()) {
+        return Err(
+            "the configuration and the scene are read twice, so they cannot be standard input (-) or pipes".into()
+        );
     }
     let (config, scene) = (sources::config(inputs[0], &[])?, sources::scene(inputs[1])?);
     let size = config.check_picture().and_then(|()| Ok(config.image_size()?));
@@ -118,13 +119,11 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
 /// of them cannot be written.
 fn write_all(inputs: &[PathBuf], files: &[(&PathBuf, Vec<u8>)], options: Options) -> Result<(), Failure> {
     let inputs: Vec<_> = inputs.iter().map(PathBuf::as_path).collect();
-    sources::refuse_outputs_in_one(&files.iter().map(|(path, _)| path.as_path()).collect::<Vec<_>>())?;
+    sources::check_outputs(&files.iter().map(|(path, _)| path.as_path()).collect::<Vec<_>>(), &inputs, false)?;
     let (mut regular, mut others) = (Vec::new(), Vec::new());
     for (path, bytes) in files {
-        output::refuse_inputs(path, &inputs)?;
-        let output = Output::open(&sources::output(path), options)?;
-        let is_regular = fs::metadata(sources::output(path)).map_or(true, |metadata| metadata.is_file());
-        if is_regular { &mut regular } else { &mut others }.push((path, output, bytes));
+        let output = sources::open(path, options)?;
+        if output.is_regular() { &mut regular } else { &mut others }.push((path, output, bytes));
     }
     for (path, output, bytes) in &mut regular {
         output.write_all(bytes).map_err(|cause| output::Error { path: path.to_path_buf(), cause })?;

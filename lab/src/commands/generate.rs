@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use generator::{self, Arrangement, Options};
-use output::Output;
 
 use crate::numbers::number;
 use crate::{Failure, sources, terminal};
@@ -90,16 +89,14 @@ impl Arguments {
     /// An error if a file exists or cannot be written, or if the weights of all materials are zero.
     pub fn run(&self, how: output::Options) -> Result<(), Failure> {
         let options = self.options()?;
-        output::refuse_inputs(&self.scene, &[&self.config])?;
-        sources::refuse_outputs_in_one(&[&self.config, &self.scene])?;
+        sources::check_outputs(&[&self.config, &self.scene], &[], false)?;
         if let Some(old) = [&self.config, &self.scene].into_iter().find(|path| path.is_file() && !self.force) {
             let name = terminal::name(old);
             return Err(format!("{name}: a file of this name exists; choose another, or replace it by --force").into());
         }
         check_memory(options.objects)?;
         // Both files are opened before one is written. So neither is changed if one of them cannot be opened.
-        let (config, scene) =
-            (Output::open(&sources::output(&self.config), how)?, Output::open(&sources::output(&self.scene), how)?);
+        let (config, scene) = (sources::open(&self.config, how)?, sources::open(&self.scene, how)?);
         config.fill(|file| file.write_all(generator::write::config(&generator::view(&options)).as_bytes()))?;
         scene.fill(|file| file.write_all(generator::write::scene(&generator::scene(&options)).as_bytes()))?;
         Ok(())

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use output::{Options, Output};
+use output::Options;
 use tempfile::TempDir;
 
 use super::check::Shown;
@@ -25,7 +25,7 @@ pub struct Arguments {
     rounds: Rounds,
     #[command(flatten)]
     shown: Shown,
-    /// Write the table as CSV too
+    /// Write the table as CSV too; - is standard output
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     /// Print everything as JSON
@@ -40,8 +40,8 @@ impl Arguments {
     /// An error of a file, or [`Failure::Interrupted`].
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         let outs: Vec<_> = self.shown.html.iter().chain(&self.csv).map(PathBuf::as_path).collect();
-        sources::refuse_outputs_in_one(&outs)?;
-        let open = |path: &Option<PathBuf>| path.as_ref().map(|path| Output::open(path, options)).transpose();
+        sources::check_outputs(&outs, &[], self.json)?;
+        let open = |path: &Option<PathBuf>| path.as_ref().map(|path| sources::open(path, options)).transpose();
         let (html, csv) = (open(&self.shown.html)?, open(&self.csv)?);
         let cases = cases::all(std::env::var_os("RENDER_REFERENCE_DIR").as_deref().map(Path::new))?;
         if let Some(warning) = measure::busy::warning(measure::busy::load()) {
@@ -64,6 +64,6 @@ impl Arguments {
         // The commands that repeat a case need its files.
         let is_passed = |graded: &Graded| graded.report.as_ref().is_some_and(Report::is_passed);
         temporary.filter(|_| !grades.programs.iter().all(is_passed)).map(TempDir::keep);
-        super::print_as(self.json, &grades, || terminal::table(&rows))
+        super::print_as(self.json, &outs, &grades, || terminal::table(&rows))
     }
 }

@@ -37,6 +37,9 @@ impl Arguments {
                 "A scene file: one material or object a line; a material stands above the objects made of it.\n\n{}",
                 format::scene_table()
             ),
+            [file @ ("config" | "scene"), name, ..] => {
+                return Err(format!("[{file}] is a file, and has no command or topic [{name}] below it").into());
+            }
             ref path => {
                 command.build();
                 let mut found = &mut command;

@@ -12,7 +12,7 @@ use cpu::internals::{InstructionSet, Limits, Prepared, render_linear};
 use cpu::{Aos, Config, Error, Renderable, Scene, Soa};
 use indicatif::ProgressBar;
 use measure::clock::{own_seconds, peak_memory};
-use output::{Options, Output};
+use output::Options;
 
 use crate::checkpoint::Origin;
 use crate::engine::{self, LayoutName, ScatterName};
@@ -72,17 +72,15 @@ impl Arguments {
     /// An error of a file, or [`Failure::Interrupted`].
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         sources::refuse_inputs_in_one(&[&self.config, &self.scene])?;
-        if self.out == Path::new("-") && self.json {
-            return Err("--json and the picture - both write to standard output; choose a file".into());
-        }
         let kind = Kind::of(&self.out, Kind::Ppm)?;
         let inputs: Vec<&Path> = [&self.config, &self.scene].into_iter().map(PathBuf::as_path).collect();
         for path in self.stages.files() {
-            output::refuse_inputs(path, &inputs)?;
-            sources::refuse_outputs_in_one(&[path, &self.out])?;
+            sources::refuse_stdout("a checkpoint", path)?;
+            sources::check_outputs(&[path, &self.out], &inputs, self.json)?;
         }
         let kept = self.stages.files().map(PathBuf::as_path);
-        output::refuse_inputs(&self.out, &inputs.iter().copied().chain(kept).collect::<Vec<_>>())?;
+        let inputs: Vec<_> = inputs.into_iter().chain(kept).collect();
+        sources::check_outputs(&[&self.out], &inputs, self.json)?;
         let config = sources::config(&self.config, &self.set)?;
         let scene = sources::scene(&self.scene)?;
         let is_in_parts = self.crop.is_some() || self.stages.files().next().is_some();
@@ -122,7 +120,7 @@ impl Arguments {
         let ((config, scene), (kind, options)) = (inputs, how);
         let explain = |error: Error| sources::about_picture(error, &self.config, &self.set);
         let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(explain)?;
-        let output = Output::open(&sources::output(&self.out), options)?;
+        let output = sources::open(&self.out, options)?;
         let (before, start) = (own_seconds(), Instant::now());
         let rows = prepared.size.height();
         let bar = if self.quiet { ProgressBar::hidden() } else { terminal::progress(rows, "rows") };

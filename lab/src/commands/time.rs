@@ -42,7 +42,7 @@ impl Arguments {
         let jobs: Vec<_> = self.commands.iter().map(job).collect();
         let timed = self.rounds.measure(&jobs, &supervise::NONE, |message| Err(message.into()))?;
         let record = Record { machine, commands: timed.into_iter().collect::<Result<_, _>>()? };
-        super::print_as(self.json, &record, || table(&record.commands))
+        super::print_as(self.json, &[], &record, || table(&record.commands))
     }
 }
 

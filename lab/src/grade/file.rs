@@ -9,6 +9,7 @@ use cpu::internals::input::reader::read_text;
 use serde::{Deserialize, Serialize};
 
 use crate::bench::commands::Job;
+use crate::sources::regular;
 use crate::{Failure, terminal};
 
 /// Largest size of `grade.toml`, in bytes.
@@ -86,7 +87,8 @@ impl File {
     pub fn read(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join("grade.toml");
         let explain = |error: String| format!("{}: {error}", terminal::name(&path));
-        let text = if path.exists() { read_text(&path, MAX_BYTES) } else { Ok(String::new()) };
+        let text =
+            if path.exists() { regular(&path).and_then(|path| read_text(path, MAX_BYTES)) } else { Ok(String::new()) };
         let text = text.map_err(|error| explain(error.to_string()))?;
         let mut file: Self = toml::from_str(&text).map_err(|error| explain(error.to_string()))?;
         let name = terminal::name(folder);

@@ -28,6 +28,7 @@ fn generated_files_are_the_committed_ones_and_may_go_to_standard_output() {
     assert!(text.as_bytes() == folder.read("scene.txt"));
     assert_eq!(folder.names(), ["config.txt", "other.txt", "scene.txt"]);
     assert!(complaint(&["generate", "-", "-"]).contains("need a file each"));
+    printed(&["generate", "/dev/null", "/dev/null"]);
 }
 
 #[test]

@@ -30,9 +30,8 @@ fn an_output_that_is_an_input_is_refused_under_any_name_and_stays() {
         "$lab render config scene $OUT",
         "$lab compare picture.ppm picture.ppm --heatmap $OUT",
         "$lab bench merge --out $OUT bench.json",
-        "$lab generate config $OUT",
     ];
-    for (line, input) in lines.iter().zip(["scene", "picture.ppm", "bench.json", "config"]) {
+    for (line, input) in lines.iter().zip(["scene", "picture.ppm", "bench.json"]) {
         for out in [input, "hard", "soft"] {
             let prepare = "cp $root/scenes/grid/config.txt config; cp $root/scenes/grid/scene.txt scene; \
                            cp $root/docs/report/data/bench.json .; printf 'P3 1 1 255 0 0 0\n' > picture.ppm";
@@ -47,12 +46,14 @@ fn an_output_that_is_an_input_is_refused_under_any_name_and_stays() {
         "generate new ./new",
         "render config scene new.ppm --checkpoint ./new.ppm",
         &format!("compare {pictures} --heatmap new.png --html ./new.png"),
-        &format!("compare {pictures} --heatmap - --html -"),
+        &format!("compare {pictures} --heatmap - --html /dev/fd/1"),
+        "grade . --html - --csv -",
     ] {
         let message = bash_complaint(&folder, &format!("$lab {line}"));
-        assert!(message.contains("are one file; the outputs need a file each"), "{line}: {message}");
+        assert!(message.contains("; the outputs need a file each"), "{line}: {message}");
     }
-    for line in ["inspect - /dev/stdin", "bench diff - -", "bench merge --out m - x -", "compare - /dev/stdin"] {
+    let twice = ["inspect - /dev/fd/0", "bench diff - -", "bench merge --out m - x -", "animate x - m --to /dev/stdin"];
+    for line in twice {
         let message = bash_complaint(&folder, &format!("$lab {line}"));
         assert!(message.contains("standard input (-) can be only one of the files"), "{line}: {message}");
     }
@@ -68,12 +69,20 @@ fn complaints_name_the_file_and_the_remedy() {
     let folder = Folder::new();
     folder.write("same", "camera_position: 0 0 0\n");
     folder.write("empty", "");
+    bash(&folder, "mkdir grades; mkfifo pipe grades/grade.toml");
     for (line, words) in [
         ("inspect same empty", "[same]: camera_position is the same point"),
         ("convert same empty o.xml", "[same]: camera_position is the same point"),
         ("animate same empty o.png", "same: frame 0: "),
         ("animate empty empty same", "same: it is a file, and a folder is needed"),
         ("check same", "; name the program ./same"),
+        ("grade grades", "grade.toml: it is not a regular file"),
+        ("compare pipe ./pipe", "./pipe: a pipe can be only one of the files"),
+        ("convert pipe empty o.xml", "cannot be standard input (-) or pipes"),
+        ("render empty empty o.ppm --checkpoint -", "a checkpoint has no standard output (-)"),
+        ("man -", "a folder has no standard output (-)"),
+        ("check --html - --json same", "both write to standard output"),
+        ("help config foo", "no command or topic [foo]"),
         ("generate c s --objects -1", "invalid value '-1' for '--objects"),
         ("generate c s --cylinders 0,5", "write a decimal point, not a comma"),
         ("bench diff <(printf '\\xff\\xfe{') x", "the byte order mark of UTF-16; save the file as UTF-8"),

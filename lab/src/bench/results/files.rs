@@ -47,6 +47,6 @@ impl Results {
     /// # Errors
     /// An error if the file cannot be written.
     pub fn check_writable(path: &Path, options: Options) -> Result<(), Failure> {
-        Ok(Output::open(&sources::output(path), options).map(drop)?)
+        Ok(sources::open(path, options).map(drop)?)
     }
 }

@@ -38,7 +38,7 @@ impl Arguments {
         if changes.other_processor {
             terminal::note("warning: the records come from different processors, so their times say little");
         }
-        super::super::print_as(self.json, &changes, || text(&changes))?;
+        super::super::print_as(self.json, &[], &changes, || text(&changes))?;
         if changes.slower.is_empty() { Ok(()) } else { Err(Failure::Rejected) }
     }
 }
