@@ -1,7 +1,5 @@
 //! All errors of the programs, with their exact messages (specification, sections 3.4 and 4.3).
 
-use std::fmt;
-
 /// The error of a program that ends without a picture.
 #[derive(Debug)]
 #[non_exhaustive]
@@ -22,9 +20,10 @@ pub enum Error {
 }
 
 impl Error {
-    /// Returns the message, byte for byte, without `Error: ` before it and without a line end.
+    /// Returns the message, byte for byte, without `Error: ` before it and without a line end. For a terminal, control
+    /// characters in names and in text of files are escaped.
     #[must_use]
-    pub fn message(&self) -> Vec<u8> {
+    pub fn message(&self, for_terminal: bool) -> Vec<u8> {
         match self {
             Self::ArgumentCount(count) => format!("Invalid number of arguments: {count}").into_bytes(),
             Self::Stack { room, needed } => {
@@ -35,34 +34,10 @@ impl Error {
                 )
                 .into_bytes()
             }
+            Self::Renderer(error) if for_terminal => error.message_for_terminal(),
             Self::Renderer(error) => error.message(),
+            Self::Output(error) if for_terminal => error.message(|text| cpu::escape(text).into_bytes()),
             Self::Output(error) => error.message(<[u8]>::to_vec),
-        }
-    }
-
-    /// Returns the message for a terminal: control characters in names and in text of files are escaped.
-    #[must_use]
-    pub(crate) fn message_for_terminal(&self) -> Vec<u8> {
-        match self {
-            Self::ArgumentCount(_) | Self::Stack { .. } => self.message(),
-            Self::Renderer(error) => error.message_for_terminal(),
-            Self::Output(error) => error.message(|text| cpu::escape(text).into_bytes()),
-        }
-    }
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&String::from_utf8_lossy(&self.message()))
-    }
-}
-
-impl std::error::Error for Error {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::ArgumentCount(_) | Self::Stack { .. } => None,
-            Self::Renderer(error) => Some(error),
-            Self::Output(error) => Some(error),
         }
     }
 }

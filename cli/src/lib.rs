@@ -20,7 +20,7 @@ pub fn main<L: cpu::Renderable>() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             let mut stderr = std::io::stderr();
-            let message = if stderr.is_terminal() { error.message_for_terminal() } else { error.message() };
+            let message = error.message(stderr.is_terminal());
             // An error is ignored: if standard error is closed, only the exit status tells of the failure.
             let _ = stderr.write_all(&[b"Error: ", &message[..], b"\n"].concat());
             ExitCode::FAILURE

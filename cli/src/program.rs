@@ -47,7 +47,7 @@ mod tests {
     fn the_first_error_is_returned_with_its_message() {
         let message = |arguments: &[&str]| {
             let error = run::<cpu::Aos>(arguments.iter().map(OsString::from)).expect_err("there are no such files");
-            String::from_utf8(error.message()).expect("the message is text")
+            String::from_utf8(error.message(false)).expect("the message is text")
         };
         assert_eq!(message(&["config.txt", "scene.txt"]), "Invalid number of arguments: 2");
         let missing = message(&["no/config.txt", "no/scene.txt", "no/out.ppm"]);

@@ -5,9 +5,7 @@
 pub enum Failure {
     /// Two pictures differ more than the course accepts, or `check` found a fault.
     Rejected,
-    /// An error of the renderer or of its input files.
-    Renderer(cpu::Error),
-    /// Another error, with its message.
+    /// An error, with its message.
     Other(String),
     /// A signal stopped the command, and no results were kept.
     Interrupted,
@@ -31,7 +29,7 @@ impl Failure {
         match self {
             Self::Rejected => 1,
             Self::Help => 0,
-            Self::Renderer(_) | Self::Other(_) | Self::CommandLine => 2,
+            Self::Other(_) | Self::CommandLine => 2,
             Self::Kept { interrupted: false, .. } => 3,
             Self::Interrupted | Self::Kept { .. } => 130,
         }
@@ -41,7 +39,6 @@ impl Failure {
     pub fn about(self, name: &str) -> Self {
         match self {
             Self::Other(text) => Self::Other(format!("{name}: {text}")),
-            Self::Renderer(_) => Self::Other(format!("{name}: {}", self.message().unwrap_or_default())),
             other => other,
         }
     }
@@ -50,7 +47,6 @@ impl Failure {
     pub fn message(&self) -> Option<String> {
         match self {
             Self::Rejected | Self::CommandLine | Self::Help => None,
-            Self::Renderer(error) => Some(String::from_utf8_lossy(&error.message_for_terminal()).into_owned()),
             Self::Other(message) | Self::Kept { message, .. } => Some(message.clone()),
             Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }
@@ -59,7 +55,7 @@ impl Failure {
 
 impl From<cpu::Error> for Failure {
     fn from(error: cpu::Error) -> Self {
-        Self::Renderer(error)
+        Self::Other(String::from_utf8_lossy(&error.message_for_terminal()).into_owned())
     }
 }
 

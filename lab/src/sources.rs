@@ -361,9 +361,7 @@ mod tests {
         let settings = ["gamma=2".to_owned(), "image_width=100000000".to_owned()];
         let Failure::Other(message) = about_picture(error(), Path::new("c"), &settings) else { panic!("words") };
         assert!(message.starts_with("--set image_width=100000000: the image is too large"), "{message}");
-        let Failure::Renderer(message) = about_picture(error(), Path::new("c"), &settings[..1]) else {
-            panic!("error")
-        };
-        assert!(message.to_string().starts_with("Invalid configuration [c]: "), "{message}");
+        let Failure::Other(message) = about_picture(error(), Path::new("c"), &settings[..1]) else { panic!("words") };
+        assert!(message.starts_with("Invalid configuration [c]: "), "{message}");
     }
 }

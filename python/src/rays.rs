@@ -64,8 +64,8 @@ pub fn intersect<'py>(
 /// The array has the shape (height, width), and is infinite where there is no object.
 #[pyfunction]
 pub fn depth<'py>(py: Python<'py>, config: &Config, scene: &Scene) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let Pixels { size, distance, .. } = pixels(py, config, scene)?;
-    PyArray1::from_vec(py, distance).reshape([size.height(), size.width()])
+    let (size, hits) = pixels(py, config, scene)?;
+    PyArray1::from_vec(py, hits.lambda).reshape([size.height(), size.width()])
 }
 
 /// Returns the normals of what the rays through the middles of the pixels hit.
@@ -74,20 +74,13 @@ pub fn depth<'py>(py: Python<'py>, config: &Config, scene: &Scene) -> PyResult<B
 /// where there is no object.
 #[pyfunction]
 pub fn normals<'py>(py: Python<'py>, config: &Config, scene: &Scene) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let Pixels { size, normal, .. } = pixels(py, config, scene)?;
-    PyArray1::from_vec(py, normal).reshape([size.height(), size.width(), 3])
+    let (size, hits) = pixels(py, config, scene)?;
+    PyArray1::from_vec(py, hits.normal).reshape([size.height(), size.width(), 3])
 }
 
-/// What the rays through the middles of the pixels hit.
-struct Pixels {
-    size: Size,
-    /// The distance of each pixel's hit from the camera.
-    distance: Vec<f64>,
-    /// Three numbers for each pixel, as in [`Hits::normal`].
-    normal: Vec<f64>,
-}
-
-fn pixels(py: Python<'_>, config: &Config, scene: &Scene) -> PyResult<Pixels> {
+/// Returns the size of the picture, and what the rays through the middles of its pixels hit. The directions of these
+/// rays count as vectors of length one, so each lambda is the distance from the camera.
+fn pixels(py: Python<'_>, config: &Config, scene: &Scene) -> PyResult<(Size, Hits)> {
     let (config, scene, stop) = (&config.0, scene.scene(), AtomicBool::new(false));
     worker::run(py, &stop, || {
         let prepared = Prepared::<Aos>::new(config, scene, Scatter::Deterministic)?;
@@ -97,9 +90,8 @@ fn pixels(py: Python<'_>, config: &Config, scene: &Scene) -> PyResult<Pixels> {
             camera.ray(row as f64, column as f64, [0.0; 2])
         };
         let hits = Hits::with_room(size.pixels())?;
-        let hits = closest::append(hits, &(objects, accel), size.pixels(), ray, &stop);
-        let mut distance = hits.lambda;
-        distance.iter_mut().enumerate().for_each(|(index, lambda)| *lambda *= ray(index).direction.length());
-        Ok(Pixels { size, distance, normal: hits.normal })
+        let mut hits = closest::append(hits, &(objects, accel), size.pixels(), ray, &stop);
+        hits.lambda.iter_mut().enumerate().for_each(|(index, lambda)| *lambda *= ray(index).direction.length());
+        Ok((size, hits))
     })
 }

@@ -74,7 +74,15 @@ pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
 /// Those of [`read`]. [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
 #[cfg(feature = "internals")]
 pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
-    let bytes = read(path, limit)?;
+    text_of(read(path, limit)?)
+}
+
+/// Returns the text in the bytes of a file.
+///
+/// # Errors
+/// [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
+#[cfg(feature = "internals")]
+pub fn text_of(bytes: Vec<u8>) -> io::Result<String> {
     // In UTF-16, one of the two bytes of an ASCII letter is zero.
     let is_utf_16 = matches!(bytes[..], [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, _, ..] | [_, 0, ..]);
     let refused = |place| {
@@ -127,7 +135,7 @@ mod tests {
         let error = read_text(&Temporary::new("bytes", b"abc\xff").0, 9).expect_err("it is none").to_string();
         assert_eq!(error, "it is not UTF-8 text: see the byte at offset 3; save it as UTF-8");
         for (bytes, place) in [(b"\xff\xfea\0", 0), (b"a\0b\0", 1), (b"\0a\0b", 0)] {
-            let error = read_text(&Temporary::new("utf-16", bytes).0, 9).expect_err("it is none").to_string();
+            let error = text_of(bytes.to_vec()).expect_err("it is none").to_string();
             assert!(error.ends_with(&format!("offset {place}; it is UTF-16, so save it as UTF-8")), "{error}");
         }
     }

@@ -9,10 +9,10 @@ use serde_json::Value;
 
 use super::commands::Record;
 use super::machine::Machine;
-use super::results::check::{MAX_BYTES, Total};
+use super::results::check::Total;
 use super::results::{Results, Timing};
 use crate::format::hint::Language;
-use crate::{Failure, sources, terminal};
+use crate::{Failure, terminal};
 
 /// The times of a record: the machines, and the medians by the name of their case.
 #[derive(Clone, Debug)]
@@ -59,13 +59,11 @@ impl Times {
     /// # Errors
     /// The file cannot be read, or is no such record.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let explain = |error: String| format!("{}: {error}", terminal::name(path));
-        let bytes = cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES);
-        Ok(bytes.map_err(|error| error.to_string()).and_then(|bytes| Self::parse(&bytes)).map_err(explain)?)
+        let value = Total::default().read(path)?;
+        Ok(Self::of(value).map_err(|error| format!("{}: {error}", terminal::name(path)))?)
     }
 
-    fn parse(bytes: &[u8]) -> Result<Self, String> {
-        let value: Value = Total::default().parse(bytes)?;
+    fn of(value: Value) -> Result<Self, String> {
         let (machines, times): (_, Vec<_>) = if value.get("commands").is_some() {
             let record: Record = serde_json::from_value(value).map_err(|error| error.to_string())?;
             let times = record.commands.into_iter().map(|timed| (timed.command, timed.seconds));

@@ -7,6 +7,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use cpu::internals::input::reader::text_of;
 use sha2::{Digest, Sha256};
 
 use crate::terminal;
@@ -76,11 +77,7 @@ impl Input {
     /// # Errors
     /// Those of [`content`], or [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
     pub fn text(&self, file: File, length: u64) -> io::Result<String> {
-        String::from_utf8(content(file, length)?).map_err(|error| {
-            let place = error.utf8_error().valid_up_to();
-            let text = format!("it is not UTF-8 text: see the byte at offset {place}; save it as UTF-8");
-            io::Error::new(io::ErrorKind::InvalidData, text)
-        })
+        text_of(content(file, length)?)
     }
 
     /// Returns a text that changes when the content of the file changes. Its time of modification would not do, because

@@ -86,7 +86,7 @@ fn rendered(config: &str, scene: &str) -> Result<String, Failed> {
     let folder = Folder::with_scene(config, scene);
     let [config, scene, out] = ["config.txt", "scene.txt", "out.ppm"].map(|name| folder.file(name));
     cli::program::run::<Aos>([&config, &scene, &out].map(|path| path.into()))
-        .map_err(|error| String::from_utf8_lossy(&error.message()).into_owned())?;
+        .map_err(|error| String::from_utf8_lossy(&error.message(false)).into_owned())?;
     Ok(digest::sha256(&std::fs::read(out)?))
 }
 

@@ -66,11 +66,7 @@ interface Exports {
     wgsl(): void;
     result(): number;
     result_length(): number;
-    fault_text(): number;
-    fault_line(): number;
-    fault_column(): number;
-    fault_length(): number;
-    fault_hint(language: number): void;
+    fault(): void;
 }
 
 /** Whether a result is a fault. */
@@ -217,19 +213,8 @@ export class Renderer {
     }
 
     #fault(): Fault {
-        const { fault_text, fault_line, fault_column, fault_length } = this.#exports;
-        const fault = {
-            text: fault_text(),
-            line: fault_line(),
-            column: fault_column(),
-            length: fault_length(),
-            message: this.#text(),
-        };
-        return { ...fault, hints: [this.#hint(0), this.#hint(1)] };
-    }
-
-    #hint(language: number): string {
-        this.#exports.fault_hint(language);
-        return this.#text();
+        const message = this.#text();
+        this.#exports.fault();
+        return { message, ...(JSON.parse(this.#text()) as Omit<Fault, 'message'>) };
     }
 }

@@ -2,9 +2,10 @@
 
 use cpu::internals::input::error::Error;
 use format::hint::spanish_without_line;
+use serde::Serialize;
 
 /// The place of a fault in a text. The three numbers are 0 if the fault is not about a line.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Place {
     /// The text: 0 is the configuration, 1 the scene. A fault that is about no text, such as too little memory, has 2.
     pub text: usize,
@@ -18,11 +19,13 @@ pub struct Place {
 }
 
 /// A message with its place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Fault {
     /// The message, which is that of `render-aos` for its errors.
+    #[serde(skip)]
     pub message: Vec<u8>,
     /// The place of the error.
+    #[serde(flatten)]
     pub place: Place,
     /// What is wrong and what to write instead, in English and in Spanish. For an error without a line the first one is
     /// empty, and the second one is the message in Spanish.

@@ -55,12 +55,12 @@ pub extern "C" fn check(text: usize) -> usize {
 }
 
 /// Makes the result the message of fault number `index` of the last [`check`], as after [`render`]. The functions from
-/// [`fault_text`] on have its place and its hint.
+/// [`fault()`] gives its place and its hints.
 #[unsafe(no_mangle)]
 pub extern "C" fn fault_at(index: usize) {
     let mut state = state();
     if let Some(fault) = state.faults.get(index).cloned() {
-        state.store(&fault);
+        state.store(fault);
     }
 }
 
@@ -81,7 +81,7 @@ pub extern "C" fn render(layout: u32, is_published: u32, is_portable: u32) -> u3
     let status = u32::from(file.is_err());
     match file {
         Ok(file) => state.result = file,
-        Err(fault) => state.store(&fault),
+        Err(fault) => state.store(fault),
     }
     status
 }
@@ -117,36 +117,12 @@ pub extern "C" fn result_length() -> usize {
     state().result.len()
 }
 
-/// Returns which text the last fault is about: 0 is the configuration, 1 the scene, 2 neither of them.
+/// Makes the place and the hints of the last fault the result, as JSON: the fields of [`fault::Place`], and `hints`.
 #[unsafe(no_mangle)]
-pub extern "C" fn fault_text() -> usize {
-    state().fault.text
-}
-
-/// Returns the line of the last fault, counted from 1, or 0 if the fault is not about a line.
-#[unsafe(no_mangle)]
-pub extern "C" fn fault_line() -> usize {
-    state().fault.line
-}
-
-/// Returns the column of the last fault in units of UTF-16, counted from 1, or 0 if the fault is not about a line.
-#[unsafe(no_mangle)]
-pub extern "C" fn fault_column() -> usize {
-    state().fault.column
-}
-
-/// Returns the length of the wrong token of the last fault in units of UTF-16. It is 0 if the token is missing.
-#[unsafe(no_mangle)]
-pub extern "C" fn fault_length() -> usize {
-    state().fault.length
-}
-
-/// Makes the result the hint on the last fault, which says what is wrong and what to write instead. `language` is 0 for
-/// English, 1 for Spanish. The result is empty for a fault that is not about a line.
-#[unsafe(no_mangle)]
-pub extern "C" fn fault_hint(language: usize) {
+pub extern "C" fn fault() {
     let mut state = state();
-    state.result = state.hints.get(language).cloned().unwrap_or_default().into_bytes();
+    // Serialising numbers and texts into memory never fails.
+    state.result = serde_json::to_vec(&state.fault).unwrap_or_default();
 }
 
 /// Reads both texts for the shaders, and returns 0, or 1 with a fault as after [`fault_at`].
@@ -233,7 +209,7 @@ fn with_state(act: impl FnOnce(&mut State) -> Result<Vec<u8>, Fault>) -> u32 {
             0
         }
         Err(fault) => {
-            state.store(&fault);
+            state.store(fault);
             1
         }
     }

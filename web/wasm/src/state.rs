@@ -18,10 +18,8 @@ pub struct State {
     pub result: Vec<u8>,
     /// The faults of the last text that was checked.
     pub faults: Vec<Fault>,
-    /// The place of the last fault.
-    pub fault: Place,
-    /// The hints on the last fault.
-    pub hints: [String; 2],
+    /// The last fault.
+    pub fault: Option<Fault>,
     /// The scene for the shaders, after it has been asked for.
     pub live: Option<Live>,
 }
@@ -29,14 +27,7 @@ pub struct State {
 impl State {
     /// Returns a state without texts.
     pub const fn new() -> Self {
-        Self {
-            texts: [Vec::new(), Vec::new()],
-            result: Vec::new(),
-            faults: Vec::new(),
-            fault: Place { text: 0, line: 0, column: 0, length: 0 },
-            hints: [String::new(), String::new()],
-            live: None,
-        }
+        Self { texts: [Vec::new(), Vec::new()], result: Vec::new(), faults: Vec::new(), fault: None, live: None }
     }
 
     /// Returns the configuration, if it is valid and describes a picture that can be made.
@@ -68,11 +59,10 @@ impl State {
         }
     }
 
-    /// Stores the message and the place of a fault as the result.
-    pub fn store(&mut self, fault: &Fault) {
+    /// Stores a fault, and its message as the result.
+    pub fn store(&mut self, fault: Fault) {
         self.result.clone_from(&fault.message);
-        self.fault = fault.place;
-        self.hints.clone_from(&fault.hints);
+        self.fault = Some(fault);
     }
 }
 

@@ -1,14 +1,23 @@
 //! Tests of the module's functions, called as functions of Rust.
 
 use super::*;
+use crate::fault::Place;
 
 fn write(text: usize, bytes: &[u8]) {
     assert!(!room(text, bytes.len()).is_null());
     state().texts[text].copy_from_slice(bytes);
 }
 
-fn fault() -> [usize; 4] {
-    [fault_text(), fault_line(), fault_column(), fault_length()]
+/// Returns the text, the line, the column and the length of the last fault.
+fn place() -> [usize; 4] {
+    let Some(Fault { place: Place { text, line, column, length }, .. }) = state().fault else { panic!("no fault") };
+    [text, line, column, length]
+}
+
+/// Returns the last fault as the page gets it.
+fn last_fault() -> serde_json::Value {
+    fault();
+    serde_json::from_slice(&state().result).expect("it is JSON")
 }
 
 fn result_text() -> String {
@@ -40,15 +49,15 @@ fn texts_become_a_file_or_a_message() {
 
     write(1, b"\ntriangle: 1\n");
     assert_eq!((render(0, 0, 0), result_text().as_str()), (1, "Unknown scene entity: triangle"));
-    assert_eq!(fault(), [1, 2, 1, 9]);
+    assert_eq!(place(), [1, 2, 1, 9]);
     write(0, b"gamma: 0\n\nmax_depth: 0");
     assert_eq!(check(0), 2);
     fault_at(1);
-    assert_eq!(fault(), [0, 3, 12, 1]);
+    assert_eq!(place(), [0, 3, 12, 1]);
     fault_at(0);
     assert_eq!(result_text(), "Invalid value for key: [gamma:]\nLine: \"gamma: 0\"");
-    assert_eq!(fault(), [0, 1, 8, 1]);
-    for (text, place, hints) in [
+    assert_eq!(place(), [0, 1, 8, 1]);
+    for (text, wanted, hints) in [
         ("gamma: 2,2", [0, 1, 8, 3], ["point, not a comma: gamma: 2.2", "decimal, no una coma: gamma: 2.2"]),
         (
             "gamma:\u{a0}2",
@@ -64,10 +73,10 @@ fn texts_become_a_file_or_a_message() {
         write(0, text.as_bytes());
         assert_eq!(check(0), 1, "{text}");
         fault_at(0);
-        assert_eq!(fault(), place, "{text}");
+        assert_eq!(place(), wanted, "{text}");
         for (language, hint) in hints.into_iter().enumerate() {
-            fault_hint(language);
-            assert!(result_text().contains(hint), "{text}: {}", result_text());
+            let fault = last_fault();
+            assert!(fault["hints"][language].as_str().is_some_and(|text| text.contains(hint)), "{text}: {fault}");
         }
     }
     assert!(room(2, 1).is_null());
@@ -82,9 +91,9 @@ fn texts_become_a_file_or_a_message() {
     ] {
         write(0, text.as_bytes());
         write(1, b"");
-        assert_eq!((render(0, 0, 0), fault()[0]), (1, 0), "{text}");
-        fault_hint(1);
-        assert!(result_text().starts_with(spanish), "{}", result_text());
+        assert_eq!((render(0, 0, 0), place()[0]), (1, 0), "{text}");
+        let fault = last_fault();
+        assert!(fault["hints"][1].as_str().is_some_and(|text| text.starts_with(spanish)), "{fault}");
     }
 
     table(0);
@@ -132,7 +141,7 @@ fn the_shaders_get_a_scene() {
     assert_eq!((aim(), packed(4)), (0, 0));
     assert!(result_text().contains("\"width\":4"), "{}", result_text());
     write(0, b"image_width: none\n");
-    assert_eq!((aim(), fault()), (1, [0, 1, 14, 4]));
+    assert_eq!((aim(), place()), (1, [0, 1, 14, 4]));
     assert_eq!((truth(0), result_length()), (0, 4 * 4 * 3 * 8), "the last good scene stays");
     wgsl();
     assert!(result_text().contains("shaders/wgsl/sphere.wgsl"));

@@ -1,9 +1,13 @@
 //! Checks results from a file before other figures are computed from them.
 
+use std::path::Path;
+
+use cpu::internals::input::reader;
 use serde::de::DeserializeOwned;
 
 use super::{Results, Timing};
 use crate::format::unseen;
+use crate::{Failure, sources, terminal};
 
 /// Most bytes of one file of results, and of all files together. The full matrix takes 270,000.
 pub const MAX_BYTES: u64 = 16 << 20;
@@ -32,12 +36,17 @@ pub struct Total {
 }
 
 impl Total {
-    /// Adds the size of `json` and parses it. If all files together exceed [`MAX_BYTES`] or [`MAX_VALUES`], nothing is
-    /// parsed.
+    /// Reads the JSON file `path`; `-` is standard input. If all files together exceed [`MAX_BYTES`] or [`MAX_VALUES`],
+    /// nothing is parsed.
     ///
     /// # Errors
-    /// What is wrong, in words.
-    pub fn parse<T: DeserializeOwned>(&mut self, json: &[u8]) -> Result<T, String> {
+    /// The file cannot be read, or is not such JSON.
+    pub fn read<T: DeserializeOwned>(&mut self, path: &Path) -> Result<T, Failure> {
+        let bytes = reader::read(&sources::input(path), MAX_BYTES).map_err(|error| error.to_string());
+        Ok(bytes.and_then(|bytes| self.parse(&bytes)).map_err(|error| format!("{}: {error}", terminal::name(path)))?)
+    }
+
+    fn parse<T: DeserializeOwned>(&mut self, json: &[u8]) -> Result<T, String> {
         let others = if *self == Self::default() { "" } else { "with the files before it, " };
         self.bytes += json.len() as u64;
         self.values += values(json);

@@ -5,8 +5,8 @@ use std::path::Path;
 use output::{Options, Output};
 
 use super::Results;
-use super::check::{MAX_BYTES, Total};
-use crate::{Failure, sources, terminal};
+use super::check::Total;
+use crate::{Failure, terminal};
 
 impl Results {
     /// Reads results from a JSON file; `-` is standard input.
@@ -22,11 +22,8 @@ impl Results {
     /// # Errors
     /// As [`Results::read`]; the limits hold for all files together.
     pub fn read_part(path: &Path, total: &mut Total) -> Result<Self, Failure> {
-        let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
-        let text =
-            cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
-        let results: Self = total.parse(&text).map_err(|error| explain(&error))?;
-        results.check().map_err(|error| explain(&error))?;
+        let results: Self = total.read(path)?;
+        results.check().map_err(|error| format!("{}: {error}", terminal::name(path)))?;
         Ok(results)
     }
 
@@ -40,13 +37,5 @@ impl Results {
             return terminal::print(&json);
         }
         Ok(Output::open(path, options)?.fill(|file| writeln!(file, "{json}"))?)
-    }
-
-    /// Checks that [`Results::write`] can write the file `path`. Changes no file.
-    ///
-    /// # Errors
-    /// An error if the file cannot be written.
-    pub fn check_writable(path: &Path, options: Options) -> Result<(), Failure> {
-        Ok(sources::open(path, options).map(drop)?)
     }
 }

@@ -19,7 +19,7 @@ impl How {
     pub(super) fn run<'a>(&self, options: Options, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
         interrupt::listen();
         // Checked first, because a measurement takes minutes and its results would be lost.
-        Results::check_writable(&self.out, options)?;
+        drop(sources::open(&self.out, options)?);
         let plan = Plan { quick: self.quick, repeats: usize::from(self.repeats) };
         let machine = Machine::here();
         let say = |text: String| (!self.quiet).then(|| terminal::note(&text));
