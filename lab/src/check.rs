@@ -78,13 +78,14 @@ impl Report {
             if program.place != Path::new(".") {
                 command = format!("cd {} && {command}", terminal::quoted([program.place.as_os_str()]));
             }
-            let (name, group, faults) = (case.name.clone(), case.group, Vec::new());
-            let mut checked = Checked { case: name, group, faults, equal: false, difference: None, command };
-            match outcome {
-                Err(faults) => checked.faults = faults,
-                Ok(compared) => checked.judge(case, &compared[convention], convention, &place)?,
-            }
-            Ok(checked)
+            let (equal, difference, faults) = match outcome {
+                Err(faults) => (false, None, faults),
+                Ok(compared) => {
+                    let Comparison { is_equal, difference } = &compared[convention];
+                    (*is_equal, Some(difference.clone()), wrong_picture(case, difference, convention, &place)?)
+                }
+            };
+            Ok(Checked { case: case.name.clone(), group: case.group, faults, equal, difference, command })
         });
         Ok(Self { program: program.name.clone(), convention, cases: judged.collect::<Result<_, Failure>>()? })
     }
@@ -101,25 +102,20 @@ impl Report {
     }
 }
 
-impl Checked {
-    /// Judges a picture. If it is wrong, writes the expected picture, the picture, and their difference into the folder
-    /// of the case.
-    fn judge(&mut self, case: &Case, compared: &Comparison, convention: usize, place: &Path) -> Result<(), Failure> {
-        let difference = &compared.difference;
-        self.equal = compared.is_equal;
-        if !difference.accepted {
-            let bounds = format!("maximum < {MAXIMUM_BOUND}, RMSE < {RMSE_BOUND}");
-            let figures = format!("maximum {:.1}, RMSE {:.2}", difference.maximum, difference.rmse);
-            self.faults.push(Kind::WrongPicture.fault("", bounds, figures));
-            let found = Picture::read(&place.join(ARGUMENTS[2]))?;
-            let expected = &case.expected_pictures()?[convention].picture;
-            let map = heatmap(expected, &found, Scale::automatic(expected, &found, false))?;
-            let map = map.crop([0, 0, expected.width, expected.height])?;
-            for (name, picture) in page::PICTURES.iter().zip([expected, &found, &map]) {
-                Output::open(&place.join(name), Options::default())?.fill(|file| picture.write_png(file))?;
-            }
-        }
-        self.difference = Some(difference.clone());
-        Ok(())
+/// Returns the fault of a picture, if it is wrong. Then it writes the expected picture, the picture, and their
+/// difference into the folder of the case.
+fn wrong_picture(case: &Case, difference: &Difference, convention: usize, place: &Path) -> Result<Vec<Fault>, Failure> {
+    if difference.accepted {
+        return Ok(Vec::new());
     }
+    let found = Picture::read(&place.join(ARGUMENTS[2]))?;
+    let expected = &case.expected_pictures()?[convention].picture;
+    let map = heatmap(expected, &found, Scale::automatic(expected, &found, false))?;
+    let map = map.crop([0, 0, expected.width, expected.height])?;
+    for (name, picture) in page::PICTURES.iter().zip([expected, &found, &map]) {
+        Output::open(&place.join(name), Options::default())?.fill(|file| picture.write_png(file))?;
+    }
+    let bounds = format!("maximum < {MAXIMUM_BOUND}, RMSE < {RMSE_BOUND}");
+    let figures = format!("maximum {:.1}, RMSE {:.2}", difference.maximum, difference.rmse);
+    Ok(vec![Kind::WrongPicture.fault("", bounds, figures)])
 }

@@ -16,10 +16,8 @@ pub enum Failure {
         /// Whether a signal stopped the command, and not one of its options.
         interrupted: bool,
     },
-    /// The command line is not valid. Its message has been printed already.
-    CommandLine,
-    /// The help was printed. This is not an error: the exit status is 0.
-    Help,
+    /// The message about the command line or the help has been printed already. The exit status follows.
+    Printed(u8),
 }
 
 impl Failure {
@@ -28,8 +26,8 @@ impl Failure {
     pub const fn status(&self) -> u8 {
         match self {
             Self::Rejected => 1,
-            Self::Help => 0,
-            Self::Other(_) | Self::CommandLine => 2,
+            Self::Printed(status) => *status,
+            Self::Other(_) => 2,
             Self::Kept { interrupted: false, .. } => 3,
             Self::Interrupted | Self::Kept { .. } => 130,
         }
@@ -46,7 +44,7 @@ impl Failure {
     /// Returns the message to print, with control characters escaped; `None` if the message has been printed already.
     pub fn message(&self) -> Option<String> {
         match self {
-            Self::Rejected | Self::CommandLine | Self::Help => None,
+            Self::Rejected | Self::Printed(_) => None,
             Self::Other(message) | Self::Kept { message, .. } => Some(message.clone()),
             Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }

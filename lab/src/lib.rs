@@ -87,21 +87,21 @@ fn command_line() -> Result<cli::Cli, Failure> {
         let is_clean = |argument: &OsString| {
             cpu::internals::input::text::escape(argument.as_encoded_bytes()).as_bytes() == argument.as_encoded_bytes()
         };
-        if error.use_stderr() && arguments.iter().all(is_clean) {
-            let _ = error.print();
-            return Failure::CommandLine;
-        }
         if error.use_stderr() {
-            // The message repeats the arguments. Their control characters must be escaped before they reach the
-            // terminal.
-            terminal::note(&error.render().to_string());
-            return Failure::CommandLine;
+            if arguments.iter().all(is_clean) {
+                let _ = error.print();
+            } else {
+                // The message repeats the arguments. Their control characters must be escaped before they reach the
+                // terminal.
+                terminal::note(&error.render().to_string());
+            }
+            return Failure::Printed(2);
         }
         let written = if std::io::stdout().is_terminal() {
             error.print().map_err(Failure::from)
         } else {
             terminal::write(error.render().to_string().as_bytes())
         };
-        written.err().unwrap_or(Failure::Help)
+        written.err().unwrap_or(Failure::Printed(0))
     })
 }

@@ -114,31 +114,26 @@ pub fn check_outputs(outs: &[&Path], inputs: &[&Path], json: bool) -> Result<(),
     Ok(outs.iter().try_for_each(|out| output::refuse_inputs(out, inputs))?)
 }
 
-/// Returns what tells an input that can be read once from others: whether it is standard input, or the numbers of a
-/// pipe. Returns `None` for an input that can be read again.
-pub fn read_once(path: &Path) -> Option<(bool, u64, u64)> {
+/// Returns the numbers that tell a pipe or standard input from others, because it gives its content once. Returns
+/// `None` for an input that can be read again.
+pub fn read_once(path: &Path) -> Option<(u64, u64)> {
     const STDIN: [&str; 3] = ["/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"];
     let path = input(path);
-    if STDIN.iter().any(|name| path == Path::new(name)) {
-        return Some((true, 0, 0));
-    }
-    let pipe = fs::metadata(path).ok().filter(|metadata| metadata.file_type().is_fifo())?;
-    Some((false, pipe.dev(), pipe.ino()))
+    let metadata = fs::metadata(&path).ok()?;
+    let is_once = STDIN.map(Path::new).contains(&&*path) || metadata.file_type().is_fifo();
+    is_once.then(|| (metadata.dev(), metadata.ino()))
 }
 
-/// Refuses standard input or a pipe as more than one of the files `paths`, because it gives its content once.
+/// Refuses a pipe or standard input as more than one of the files `paths`.
 ///
 /// # Errors
 /// A message that names the file.
 pub fn refuse_inputs_in_one(paths: &[&Path]) -> Result<(), Failure> {
     let mut known = HashSet::new();
-    let again =
-        paths.iter().find_map(|path| read_once(path).filter(|once| !known.insert(*once)).map(|once| (path, once)));
-    match again {
-        None => Ok(()),
-        Some((_, (true, ..))) => Err("standard input (-) can be only one of the files".into()),
-        Some((path, _)) => Err(format!("{}: a pipe can be only one of the files", terminal::name(path)).into()),
-    }
+    let is_again = |path: &&&Path| read_once(path).is_some_and(|once| !known.insert(once));
+    paths.iter().find(is_again).map_or(Ok(()), |path| {
+        Err(format!("{}: a pipe or standard input (-) can be only one of the files", terminal::name(path)).into())
+    })
 }
 
 /// Returns `path` if it leads to a regular file. A file that the user has not named may be a pipe that never gives

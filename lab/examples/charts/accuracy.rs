@@ -60,38 +60,31 @@ pub fn charts(folder: &Path) -> Result<Vec<Chart>, String> {
         charts.push(by_regime(format!("{object}-lambda"), title, "relative error", errors));
     }
     let large: Vec<Large> = read(&folder.join("large-spheres.csv"))?;
-    let mut series = Vec::new();
-    for row in &large {
-        add(&mut series, &row.implementation, row.radius, row.wrong_share);
-    }
-    charts.push(Chart {
-        name: "large-spheres".to_owned(),
-        title: "Wrong decisions of rays that leave a sphere".to_owned(),
-        x: Axis { label: "radius", format: power_of_ten },
-        y: Axis { label: "share of rays (no mark: none)", format: power_of_ten },
-        series,
-        rows: Vec::new(),
-    });
+    let points = large.iter().map(|row| (&*row.implementation, row.radius, row.wrong_share));
+    let x = Axis { label: "radius", format: power_of_ten };
+    let y = Axis { label: "share of rays (no mark: none)", format: power_of_ten };
+    charts.push(lines("large-spheres", "Wrong decisions of rays that leave a sphere", [x, y], points));
     let times: Vec<StepTime> = read(&folder.join("step-times.csv"))?;
     for object in ["sphere", "cylinder"] {
-        let mut series = Vec::new();
-        for row in times.iter().filter(|row| row.object == object) {
-            add(&mut series, &row.step, row.difficulty, row.nanoseconds);
-        }
-        charts.push(Chart {
-            name: format!("{object}-steps"),
-            title: format!("Time of an intersection with a {object}, by the step that decides"),
-            x: Axis { label: "condition number of the discriminant", format: power_of_ten },
-            y: Axis { label: "ns a ray", format: short },
-            series,
-            rows: Vec::new(),
-        });
+        let its = times.iter().filter(|row| row.object == object);
+        let points = its.map(|row| (&*row.step, row.difficulty, row.nanoseconds));
+        let title = format!("Time of an intersection with a {object}, by the step that decides");
+        let x = Axis { label: "condition number of the discriminant", format: power_of_ten };
+        let y = Axis { label: "ns a ray", format: short };
+        charts.push(lines(&format!("{object}-steps"), &title, [x, y], points));
     }
     let shares: Vec<StepShare> = read(&folder.join("step-shares.csv"))?;
     let shares = shares.iter().map(|row| (&*row.scene, &*row.step, row.share));
     let title = "Intersections that each step decides (no mark: none)".to_owned();
     charts.push(by_regime("step-shares".to_owned(), title, "share of intersections", shares));
     Ok(charts)
+}
+
+/// Returns a chart with a line for each implementation or step.
+fn lines<'a>(name: &str, title: &str, [x, y]: [Axis; 2], points: impl Iterator<Item = (&'a str, f64, f64)>) -> Chart {
+    let mut series = Vec::new();
+    points.for_each(|(name, x, y)| add(&mut series, name, x, y));
+    Chart { name: name.to_owned(), title: title.to_owned(), x, y, series, rows: Vec::new() }
 }
 
 /// Returns a chart with a row for each regime or scene, and a dot for each implementation or step that has a positive

@@ -23,14 +23,18 @@ const GROUND: Material = Material::Matte { reflectance: Vec3::new(0.5, 0.47, 0.4
 
 /// The way in which the objects are placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Arrangement {
-    /// Random places in the cube. The sizes are from 3 % to 20 % of the extent.
+    /// Anywhere in the cube
+    ///
+    /// The sizes are from 3 % to 20 % of the extent.
     #[default]
     Scattered,
-    /// On a ground, one object on each square of a board. The ground is the first object.
+    /// On a ground, one on each square of a board
+    ///
+    /// The ground is the first object.
     Grid,
-    /// Places for which arithmetic is hard: copies, touching and nested objects, common axes and planes, huge objects
-    /// beside tiny ones.
+    /// Where arithmetic is hard: copies, touching and nested objects, the huge beside the tiny
     Degenerate,
 }
 

@@ -8,7 +8,7 @@ use cpu::internals::image::quantize::quantize;
 use cpu::{Config, Scene, Vec3};
 use serde::{Deserialize, Serialize};
 
-use crate::difference::of_pixels;
+use crate::difference::{Errors, of_pixels};
 use crate::engine::means;
 use crate::{Failure, interrupt};
 use measure::statistics::Median;
@@ -57,11 +57,6 @@ fn bytes(means: &[Vec3], gamma: f64) -> Vec<[u8; 3]> {
     means.iter().map(|mean| mean.to_array().map(|channel| quantize(channel, gamma))).collect()
 }
 
-fn course_rmse(first: &[[u8; 3]], second: &[[u8; 3]]) -> f64 {
-    let squares = first.iter().zip(second).map(|(&a, &b)| of_pixels(a, b).powi(2));
-    (squares.sum::<f64>() / first.len() as f64).sqrt()
-}
-
 /// Measures the error for each number in `samples`. It renders pictures with the seeds 1 to `seeds`, and compares them
 /// with a picture of `reference_samples` samples a pixel.
 ///
@@ -89,7 +84,9 @@ pub fn curve(
         for seed in 1..=seeds {
             let means = picture(samples, seed)?;
             linear.push(rmse(&means, &converged));
-            course.push(course_rmse(&bytes(&means, config.gamma), &converged_bytes));
+            let levels = bytes(&means, config.gamma);
+            let distances = levels.iter().zip(&converged_bytes).map(|(&a, &b)| of_pixels(a, b));
+            course.push(Errors::of(distances).rmse);
         }
         points.push(ErrorPoint { samples, linear: Median::of(&linear), course: Median::of(&course) });
     }
@@ -114,7 +111,7 @@ mod tests {
         let law = PowerLaw::through(&points).expect("four points");
         assert!((law.exponent + 0.5).abs() < 0.05, "{law:?}");
         // The error of the converged picture must be the one that the law predicts for its 4,096 samples.
-        let ratio = curve.reference_error / law.at(4096.0);
+        let ratio = curve.reference_error / (law.factor * 4096.0_f64.powf(law.exponent));
         assert!((0.7..1.4).contains(&ratio), "{ratio}");
         assert!(curve.points.is_sorted_by(|a, b| a.course.median > b.course.median), "{:?}", curve.points);
     }

@@ -38,11 +38,6 @@ impl PowerLaw {
             points: logs.len(),
         })
     }
-
-    /// Returns the `y` of the law at `x`.
-    pub fn at(&self, x: f64) -> f64 {
-        self.factor * x.powf(self.exponent)
-    }
 }
 
 /// Returns the `x` at which a curve through `points` falls to `y`, or `None` if `y` is not between the `y` of two
@@ -68,7 +63,6 @@ mod tests {
         let law = PowerLaw::through(&points).expect("four points");
         assert!((law.exponent + 0.5).abs() < 1e-12 && (law.factor - 3.0).abs() < 1e-12, "{law:?}");
         assert!(law.exponent_error.is_some_and(|error| error < 1e-12), "{law:?}");
-        assert!((law.at(4.0) - 1.5).abs() < 1e-12);
     }
 
     #[test]

@@ -2,15 +2,19 @@
 
 pub mod check;
 mod derived;
-mod files;
 mod merge;
 
+use std::path::Path;
+
 use indexmap::IndexMap;
+use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 
 use super::error::ErrorCurve;
 use super::fit::PowerLaw;
 use super::machine::Machine;
+use crate::{Failure, terminal};
+use check::Total;
 use measure::statistics::Median;
 
 /// Errors in linear light for which a [`TimeToError`] is computed.
@@ -105,6 +109,36 @@ pub struct Results {
 }
 
 impl Results {
+    /// Reads results from a JSON file; `-` is standard input.
+    ///
+    /// # Errors
+    /// The file cannot be read, does not hold valid results, or is larger than [`Total`] allows.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        Self::read_part(path, &mut Total::default())
+    }
+
+    /// Reads one of several files, and adds its size to `total`.
+    ///
+    /// # Errors
+    /// As [`Results::read`]; the limits hold for all files together.
+    pub fn read_part(path: &Path, total: &mut Total) -> Result<Self, Failure> {
+        let results: Self = total.read(path)?;
+        results.check().map_err(|error| format!("{}: {error}", terminal::name(path)))?;
+        Ok(results)
+    }
+
+    /// Writes the results into the JSON file `path`; `-` is standard output.
+    ///
+    /// # Errors
+    /// An error if the file cannot be written.
+    pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
+        let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
+        if path == Path::new("-") {
+            return terminal::print(&json);
+        }
+        Ok(Output::open(path, options)?.fill(|file| writeln!(file, "{json}"))?)
+    }
+
     /// Returns the lines of the charts of the suite `suite`.
     fn lines(&self, suite: &str) -> impl Iterator<Item = Line<'_>> {
         let mut lines: IndexMap<_, Vec<_>> = IndexMap::new();

@@ -11,20 +11,17 @@ use measure::turns::{in_turn, turns_of};
 use crate::engine::Engine;
 use crate::{Failure, interrupt};
 
-/// The times of several engines for one picture.
-#[derive(Clone, Debug)]
-pub struct Times {
-    /// Each engine, with the seconds of one picture in each repeat, in the order measured.
-    pub of: Vec<(Engine, Vec<f64>)>,
-    /// SHA-256 of the picture, which is the same for all engines.
-    pub digest: String,
-}
-
-/// Measures the user time of `engines` for one picture.
+/// Measures the user time of `engines` for one picture. Returns the seconds of one picture in each repeat, for each
+/// engine, and the SHA-256 of the picture, which is the same for all engines.
 ///
 /// # Errors
 /// An error of the renderer, an engine whose picture differs, or [`Failure::Interrupted`].
-pub fn measure(engines: &[Engine], repeats: usize, config: &Config, scene: &Scene) -> Result<Times, Failure> {
+pub fn measure(
+    engines: &[Engine],
+    repeats: usize,
+    config: &Config,
+    scene: &Scene,
+) -> Result<(Vec<Vec<f64>>, String), Failure> {
     let mut digest: Option<String> = None;
     let mut turns = Vec::new();
     for &engine in engines {
@@ -48,5 +45,5 @@ pub fn measure(engines: &[Engine], repeats: usize, config: &Config, scene: &Scen
         std::hint::black_box(engines[index].ppm(config, scene)?);
         Ok::<(), Failure>(())
     })?;
-    Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
+    Ok((times, digest.unwrap_or_default()))
 }

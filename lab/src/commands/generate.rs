@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use generator::{self, Arrangement, Options};
 
 use crate::numbers::number;
@@ -43,19 +43,7 @@ pub struct Arguments {
     extent: f64,
     /// Where objects are put
     #[arg(long, value_enum, default_value_t)]
-    arrangement: ArrangementName,
-}
-
-/// Where objects are put.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum ArrangementName {
-    /// Anywhere in the cube
-    #[default]
-    Scattered,
-    /// On a ground, one on each square of a board
-    Grid,
-    /// Where arithmetic is hard: copies, touching and nested objects, the huge beside the tiny
-    Degenerate,
+    arrangement: Arrangement,
 }
 
 /// Largest number of objects of a generated scene. A file with more objects would be too large to be read.
@@ -74,12 +62,7 @@ impl Arguments {
         if materials.iter().sum::<f64>() <= 0.0 {
             return Err("one of --matte, --metal and --refractive must be positive".to_owned());
         }
-        let arrangement = match self.arrangement {
-            ArrangementName::Scattered => Arrangement::Scattered,
-            ArrangementName::Grid => Arrangement::Grid,
-            ArrangementName::Degenerate => Arrangement::Degenerate,
-        };
-        let (seed, objects, cylinders, extent) = (self.seed, self.objects, self.cylinders, self.extent);
+        let Self { seed, objects, cylinders, extent, arrangement, .. } = *self;
         Ok(Options { seed, objects, cylinders, materials, extent, arrangement })
     }
 

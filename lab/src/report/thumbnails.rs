@@ -1,6 +1,5 @@
 //! Renders small pictures of the scenes that were measured, for the page.
 
-use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
 
 use crate::bench::results::Results;
@@ -28,7 +27,6 @@ pub fn of(results: &Results) -> Vec<(String, String)> {
 
 fn drawn(config: Config, scene: &Scene) -> Option<String> {
     let config = Config { image_width: WIDTH, samples_per_pixel: SAMPLES, ..config };
-    let prepared = Prepared::<Aos>::new(&config, scene, Scatter::Statement).ok()?;
-    let picture = Picture::of(&cpu::internals::render_with(&prepared, InstructionSet::chosen()).ok()?).ok()?;
-    picture.address().ok()
+    let image = cpu::render::<Aos>(&config, scene, Scatter::Statement).ok()?;
+    Picture::of(&image).ok()?.address().ok()
 }

@@ -77,7 +77,7 @@ fn complaints_name_the_file_and_the_remedy() {
         ("animate empty empty same", "same: it is a file, and a folder is needed"),
         ("check same", "; name the program ./same"),
         ("grade grades", "grade.toml: it is not a regular file"),
-        ("compare pipe ./pipe", "./pipe: a pipe can be only one of the files"),
+        ("compare pipe ./pipe", "./pipe: a pipe or standard input (-) can be only one of the files"),
         ("convert pipe empty o.xml", "cannot be standard input (-) or pipes"),
         ("render empty empty o.ppm --checkpoint -", "a checkpoint has no standard output (-)"),
         ("man -", "a folder has no standard output (-)"),

@@ -19,6 +19,8 @@ use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::time::Duration;
 
+use nix::errno::Errno;
+
 pub use answer::Answer;
 use answer::HEADERS;
 use budget::{Budget, Share};
@@ -218,18 +220,9 @@ impl Server {
 /// Whether the error is temporary, so that accepting connections may work again: a client closed its connection, or
 /// file descriptors or memory are short.
 fn may_pass(error: &io::Error) -> bool {
-    #[cfg(unix)]
-    {
-        use nix::errno::Errno;
-        let short = [Errno::EMFILE, Errno::ENFILE, Errno::ENOBUFS, Errno::ENOMEM].map(|errno| Some(errno as i32));
-        if short.contains(&error.raw_os_error()) {
-            return true;
-        }
-    }
-    matches!(
-        error.kind(),
-        io::ErrorKind::ConnectionAborted | io::ErrorKind::ConnectionReset | io::ErrorKind::Interrupted
-    )
+    let short = [Errno::EMFILE, Errno::ENFILE, Errno::ENOBUFS, Errno::ENOMEM].map(|errno| Some(errno as i32));
+    let passing = [io::ErrorKind::ConnectionAborted, io::ErrorKind::ConnectionReset, io::ErrorKind::Interrupted];
+    short.contains(&error.raw_os_error()) || passing.contains(&error.kind())
 }
 
 /// Reads for a moment what a refused client still sends. If the connection were closed at once, the client might lose

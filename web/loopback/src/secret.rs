@@ -10,8 +10,6 @@
 //!   a cookie to all ports of a host, and so to servers of other users. So the cookie is a second secret, which opens
 //!   nothing but the files of the page.
 
-use std::fmt::Write;
-
 use crate::request::Head;
 
 /// What a request may do.
@@ -80,12 +78,7 @@ impl Secret {
 fn random() -> std::io::Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes).map_err(std::io::Error::other)?;
-    let mut text = String::with_capacity(32);
-    for byte in bytes {
-        // Writing to a string never fails.
-        let _ = write!(text, "{byte:02x}");
-    }
-    Ok(text)
+    Ok(digest::hexadecimal(&bytes))
 }
 
 /// Whether two texts are the same. The time does not depend on the number of equal leading bytes. So it reveals nothing

@@ -71,19 +71,12 @@ pub extern "C" fn fault_at(index: usize) {
 /// images, 0 for the statement's. `is_portable` is 1 to render without the module's 128-bit lanes.
 #[unsafe(no_mangle)]
 pub extern "C" fn render(layout: u32, is_published: u32, is_portable: u32) -> u32 {
-    let mut state = state();
     let scatter = if is_published == 0 { Scatter::Statement } else { Scatter::Published };
     let set = if is_portable == 0 { InstructionSet::best() } else { InstructionSet::Portable };
-    let file = match layout {
-        0 => picture::file::<Aos>(&state, scatter, set),
-        _ => picture::file::<Soa>(&state, scatter, set),
-    };
-    let status = u32::from(file.is_err());
-    match file {
-        Ok(file) => state.result = file,
-        Err(fault) => state.store(fault),
-    }
-    status
+    with_state(|state| match layout {
+        0 => picture::file::<Aos>(state, scatter, set),
+        _ => picture::file::<Soa>(state, scatter, set),
+    })
 }
 
 /// Replaces the result by its SHA-256 digest, in lower-case hexadecimal digits.
@@ -117,7 +110,7 @@ pub extern "C" fn result_length() -> usize {
     state().result.len()
 }
 
-/// Makes the place and the hints of the last fault the result, as JSON: the fields of [`fault::Place`], and `hints`.
+/// Makes the place and the hints of the last fault the result, as JSON: `text`, `line`, `column`, `length` and `hints`.
 #[unsafe(no_mangle)]
 pub extern "C" fn fault() {
     let mut state = state();

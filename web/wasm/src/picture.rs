@@ -1,6 +1,5 @@
 //! Renders the picture of the two texts, and tells the caller about each row.
 
-use std::io::{self, Write};
 use std::ops::ControlFlow;
 
 use cpu::internals::image::Image;
@@ -40,23 +39,10 @@ fn ppm<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec
         page::row(rows - 1, row.as_ptr());
         ControlFlow::Continue(())
     })?;
-    let mut bytes = Checked(Vec::new());
-    // The only reason for which this writer fails is too little memory.
-    cpu::write_ppm(&image, &mut bytes).map_err(|_| Error::OutOfMemory { what: FILE })?;
-    Ok(bytes.0)
-}
-
-/// A list of bytes that can be written to. If memory is short, writing fails instead of ending the module.
-struct Checked(Vec<u8>);
-
-impl Write for Checked {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.try_reserve(bytes.len()).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
-        self.0.extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
+    let short = || Error::OutOfMemory { what: FILE };
+    let mut bytes = Vec::new();
+    // A pixel has at most twelve bytes in the file, and the header has less than a hundred.
+    bytes.try_reserve_exact(prepared.size.pixels().saturating_mul(12).saturating_add(100)).map_err(|_| short())?;
+    cpu::write_ppm(&image, &mut bytes).map_err(|_| short())?;
+    Ok(bytes)
 }

@@ -38,11 +38,11 @@ impl Plan {
                 let reason = format!("a picture would take about {:.1} s", expected(engine));
                 results.omitted.push(Omitted { setting: setting(value, engine), reason });
             }
-            let times = timing::measure(&wanted, self.repeats, &config, &scene)?;
-            for (engine, seconds) in times.of {
+            let (times, digest) = timing::measure(&wanted, self.repeats, &config, &scene)?;
+            for (engine, seconds) in wanted.into_iter().zip(times) {
                 let median = Median::of(&seconds);
                 last.push((engine, value, median.median));
-                let (setting, digest) = (setting(value, engine), times.digest.clone());
+                let (setting, digest) = (setting(value, engine), digest.clone());
                 results.timings.push(Timing { setting, seconds, median, digest });
             }
         }

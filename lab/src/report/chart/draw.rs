@@ -37,13 +37,7 @@ impl Chart {
         let ends = || self.series.iter().flat_map(|series| &series.points).flat_map(Point::ends);
         let x = range(ends().map(|(x, _)| x), 1.25);
         let y = range(ends().map(|(_, y)| y), 1.35);
-        let mut chart = ChartBuilder::on(area)
-            .margin_left(12)
-            .margin_right(36)
-            .margin_top(6)
-            .x_label_area_size(48)
-            .y_label_area_size(78)
-            .build_cartesian_2d(Logarithmic(x), Logarithmic(y))?;
+        let mut chart = builder(area, 78).build_cartesian_2d(Logarithmic(x), Logarithmic(y))?;
         self.draw_mesh(&mut chart)?;
         for series in &self.series {
             let style = color(series);
@@ -70,13 +64,7 @@ impl Chart {
         let longest = self.rows.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         // The names of the report's rows fit in 150 pixels.
         let names = 150.max(LETTER * longest as i32);
-        let mut chart = ChartBuilder::on(area)
-            .margin_left(12)
-            .margin_right(36)
-            .margin_top(6)
-            .x_label_area_size(48)
-            .y_label_area_size(names)
-            .build_cartesian_2d(Logarithmic(x), count + 0.5..0.5)?;
+        let mut chart = builder(area, names).build_cartesian_2d(Logarithmic(x), count + 0.5..0.5)?;
         self.draw_mesh(&mut chart)?;
         for (index, name) in self.rows.iter().enumerate() {
             let (_, y) = relative(chart.backend_coord(&(1.0, index as f64 + 1.0)), area);
@@ -125,6 +113,13 @@ impl Chart {
         }
         Ok(mesh.draw()?)
     }
+}
+
+/// Returns the builder of a chart, whose labels at the left have `left` pixels.
+fn builder<'a, 'b>(area: &'a Area<'b>, left: i32) -> ChartBuilder<'a, 'b, SVGBackend<'b>> {
+    let mut builder = ChartBuilder::on(area);
+    builder.margin_left(12).margin_right(36).margin_top(6).x_label_area_size(48).y_label_area_size(left);
+    builder
 }
 
 /// Converts a point's pixel coordinates in the whole picture to its pixel coordinates in one area of the picture.
