@@ -80,7 +80,8 @@ impl<B: Boxes> Node<B> {
         Self { has_bounding_spheres: true, ..node }
     }
 
-    /// Returns a node with `counts` children of each kind in the lanes of `boxes`; `first` has the first number of each kind.
+    /// Returns a node with `counts` children of each kind in the lanes of `boxes`. `first` has the first number of each
+    /// kind.
     fn with_bounds(boxes: B, counts: [usize; 3], first: [u32; 3]) -> Self {
         debug_assert!(counts.iter().sum::<usize>() <= WIDTH);
         let mut node = Self { boxes, ..Self::EMPTY };
