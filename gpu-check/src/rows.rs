@@ -8,8 +8,9 @@ use crate::{Error, Float, Gpu, Pipeline};
 /// Largest number of cases in one run. The device's limit on a binding may be lower.
 const BATCH: u64 = 1 << 18;
 
-/// Returns the results for `cases`, row after row, and the time of the device without the transfers. A case has
-/// `inputs` numbers, and a result has `outputs` numbers. The buffers of each run are as large as the device can bind.
+/// Runs a kernel for `cases`. Returns all results in one list, in the order of the cases, and how long the device
+/// computed, without the transfers. A case has `inputs` numbers, and a result has `outputs` numbers. The buffers of
+/// each run are as large as the device can bind.
 ///
 /// # Errors
 /// The errors of [`Pipeline::run`].

@@ -114,8 +114,8 @@ pub fn check_outputs(outs: &[&Path], inputs: &[&Path], json: bool) -> Result<(),
     Ok(outs.iter().try_for_each(|out| output::refuse_inputs(out, inputs))?)
 }
 
-/// Returns the numbers that tell a pipe or standard input from others, because it gives its content once. Returns
-/// `None` for an input that can be read again.
+/// Returns the numbers of the device and of the file, if the input is a pipe or standard input. Such an input gives its
+/// content only once. Returns `None` for every other input.
 pub fn read_once(path: &Path) -> Option<(u64, u64)> {
     const STDIN: [&str; 3] = ["/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"];
     let path = input(path);

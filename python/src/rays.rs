@@ -78,8 +78,8 @@ pub fn normals<'py>(py: Python<'py>, config: &Config, scene: &Scene) -> PyResult
     PyArray1::from_vec(py, hits.normal).reshape([size.height(), size.width(), 3])
 }
 
-/// Returns the size of the picture, and what the rays through the middles of its pixels hit. The directions of these
-/// rays count as vectors of length one, so each lambda is the distance from the camera.
+/// Returns the size of the picture, and what the rays through the middles of its pixels hit. A lambda is
+/// multiplied by the length of its ray's direction, so that it is the distance from the camera.
 fn pixels(py: Python<'_>, config: &Config, scene: &Scene) -> PyResult<(Size, Hits)> {
     let (config, scene, stop) = (&config.0, scene.scene(), AtomicBool::new(false));
     worker::run(py, &stop, || {

@@ -21,7 +21,7 @@ pub type ExactKernel = (RowKernel<f64>, fn(usize, u64) -> Vec<f64>);
 const REPORT: &[&str] =
     &["step", "some", "lambda", "part", "plain", "plain lambda", "compensated", "compensated lambda"];
 
-/// The multiply-add that rounds once, and the products with their rounding errors.
+/// The product and sum with one rounding (fused multiply-add), and products with their rounding errors.
 pub const MUL_ADD: ExactKernel =
     (kernel("kernels/mul_add", 3, &["product", "error", "mul_add"], formulas::mul_add), rays::products);
 /// The exact intersection of a ray with a sphere.
