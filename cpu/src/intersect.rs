@@ -15,8 +15,8 @@ mod tests {
 
     use super::{CylinderPart, CylinderRecord, SphereRecord};
     use crate::exact::cylinder::SideLanes;
-    use crate::exact::cylinder_decision::PlainCaps;
     use crate::exact::cylinder_parts::is_long;
+    use crate::exact::cylinder_parts::{PlainCaps, PlainSide};
     use crate::exact::error_bound::{Decision, in_scale};
     use crate::exact::{cylinder, sphere};
     use crate::{geometry::ray::Ray, math::vec3::Vec3};
@@ -65,7 +65,7 @@ mod tests {
             (ray([0.0, 3.0, -3.0], [0.0, 0.0, 1.0]), None, true),
             (ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0]), Some((2.0, CylinderPart::Side)), false),
         ] {
-            let side = SideLanes::new(&upright, &upright.seen_from(ray.origin), &ray, false);
+            let side = SideLanes::new(&PlainSide::new(&upright, &upright.seen_from(ray.origin), &ray, false));
             let lanes = side.with_caps(&upright, &ray, &PlainCaps);
             assert_eq!(lanes.certain, is_clear, "{ray:?}");
             if is_clear {

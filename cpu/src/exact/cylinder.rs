@@ -10,12 +10,12 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
-use crate::exact::cylinder_decision::{
-    CapFormulas, Hit, PlainCaps, PlainSide, SideFacts, SideFormulas, decide, with_caps,
+use crate::exact::cylinder_decision::{Hit, decide, with_caps};
+use crate::exact::cylinder_parts::{
+    CapFormulas, Crossing, PlainCaps, PlainSide, SideFacts, SideFormulas, is_inside, is_long,
 };
-use crate::exact::cylinder_parts::{Crossing, is_inside, is_long};
 use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite};
-use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::{SimdF64, fused::run_fused};
 
@@ -78,15 +78,14 @@ pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -
 pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<f64>> {
     run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<f64>> {
         let caps = CompensatedCaps(*axis);
-        let inside = is_inside(&record.seen_from(ray.origin));
         // If a cylinder is not long, most uncertain rays from inside are uncertain only because of a cap.
-        if !is_long(record) && inside && in_scale(ray.direction.dot(ray.direction)) {
+        if !is_long(record) && is_inside(&record.seen_from(ray.origin)) && in_scale(ray.direction.dot(ray.direction)) {
             let decision = with_caps(record, ray, &caps, Decision::Uncertain);
             if decision != Decision::Uncertain {
                 return decision;
             }
         }
-        decide(record, ray, &CompensatedSide::new(record, *axis, ray, inside), &caps)
+        decide(record, ray, &CompensatedSide::new(record, *axis, ray), &caps)
     })
 }
 
@@ -153,22 +152,9 @@ impl<V: SimdF64> SideLanes<V> {
 }
 
 impl<T: Rounding> SideLanes<T> {
-    /// Intersects the rays with the side by the plain formulas. `view` has the cylinder's terms for the rays' origin.
+    /// Intersects the rays with the side, by its plain or its compensated formulas.
     #[inline(always)]
-    pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>, is_long: bool) -> Self {
-        Self::of(&PlainSide::new(record, view, ray, is_long))
-    }
-
-    /// Intersects the rays with the side by the [compensated](crate::exact::cylinder_compensated) formulas. `axis` is
-    /// the axis of the scene file.
-    #[inline(always)]
-    pub fn compensated(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self {
-        let inside = is_inside(&record.seen_from(ray.origin));
-        Self::of(&CompensatedSide::new(record, axis, ray, inside))
-    }
-
-    #[inline(always)]
-    fn of(side: &impl SideFormulas<T>) -> Self {
+    pub fn new(side: &impl SideFormulas<T>) -> Self {
         let (entry, exit) = (side.crossing(false), side.crossing(true));
         let SideFacts { misses, inside, .. } = side.facts();
         let nothing = misses | (entry.fails() & entry.passes_by(&exit));

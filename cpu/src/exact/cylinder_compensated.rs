@@ -12,8 +12,7 @@
 //! `V.V (a r^2 - ((O - C).p)^2)`, whose terms do not grow with the distance along the axis.
 
 use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
-use crate::exact::cylinder_decision::{CapFormulas, SideFacts, SideFormulas};
-use crate::exact::cylinder_parts::{Crossing, Plane, magnitude};
+use crate::exact::cylinder_parts::{CapFormulas, Crossing, Plane, SideFacts, SideFormulas, is_inside, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::error_free::{cross, cross_with_error, difference, dot_with_error, two_product};
@@ -75,38 +74,34 @@ pub struct CompensatedSide<'a, T: Rounding> {
     terms: Terms<T>,
     /// What is certain about the two roots, if the numbers are in scale.
     roots: Roots<T>,
-    /// The ray's line certainly misses the infinite cylinder.
-    misses: T::Mask,
-    /// The ray certainly starts inside the infinite cylinder.
-    inside: T::Mask,
+    facts: SideFacts<T>,
     /// The large root is where the line enters, and it is negative. Otherwise it is where the line leaves.
     backward: T::Mask,
 }
 
 impl<'a, T: Rounding> CompensatedSide<'a, T> {
-    /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file, and
-    /// `inside` says whether the ray certainly starts inside the infinite cylinder.
+    /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file.
     #[inline(always)]
-    pub(crate) fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>, inside: T::Mask) -> Self {
+    pub fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>) -> Self {
         let terms = Terms::new(record, axis, ray);
         let (near, far) = (terms.quadratic.near(), &terms.far);
         let is_near = near.size.less(far.size);
         let [value, size] = [(near.value, far.value), (near.size, far.size)].map(|(a, b)| T::select(is_near, a, b));
         let roots = terms.quadratic.roots(Discriminant { value, size });
-        let misses = terms.in_scale & roots.misses;
-        let accurate = terms.in_scale & roots.accurate;
+        let [misses, is_accurate] = [roots.misses, roots.accurate].map(|is_certain| terms.in_scale & is_certain);
         let [small_is_ahead, small_fails, large_fails] =
-            [roots.small_is_ahead, roots.small_fails, roots.large_fails].map(|is_certain| accurate & is_certain);
-        let roots = Roots { accurate, small_is_ahead, small_fails, large_fails, ..roots };
+            [roots.small_is_ahead, roots.small_fails, roots.large_fails].map(|is_certain| is_accurate & is_certain);
+        let roots = Roots { accurate: is_accurate, small_is_ahead, small_fails, large_fails, ..roots };
+        let facts = SideFacts { misses, is_accurate, inside: is_inside(&record.seen_from(ray.origin)) };
         let backward = terms.quadratic.h.less(T::of(0.0));
-        Self { record, ray, terms, roots, misses, inside, backward }
+        Self { record, ray, terms, roots, facts, backward }
     }
 }
 
 impl<T: Rounding> SideFormulas<T> for CompensatedSide<'_, T> {
     #[inline(always)]
     fn facts(&self) -> SideFacts<T> {
-        SideFacts { misses: self.misses, is_accurate: self.roots.accurate, inside: self.inside }
+        self.facts
     }
 
     #[inline(always)]
@@ -184,7 +179,7 @@ impl<T: Rounding> CapFormulas<T> for CompensatedCaps<T> {
 pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
     let (center, to_cap) = match part {
         CylinderPart::Side => {
-            let side = CompensatedSide::new(record, axis, ray, false);
+            let side = CompensatedSide::new(record, axis, ray);
             let (entry, exit) = (side.crossing(false), side.crossing(true));
             let crossing = if entry.hits { entry } else { exit };
             return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error));

@@ -45,26 +45,33 @@ pub(crate) fn is_inside<T: Rounding>(view: &CylinderView<T>) -> T::Mask {
     ErrorBound::of_size(LIMITS, view.squares * T::of(HEADROOM)).misses(view.c)
 }
 
-/// The quadratic of one ray and an infinite cylinder, with its error bound.
-pub struct Side<T: Real> {
-    /// The bound of its rounding errors.
-    pub bound: ErrorBound<T>,
-    /// Whether the ray certainly starts inside the infinite cylinder.
-    pub inside: T::Mask,
-    /// With `h`, the coefficients of `a lambda^2 + 2 h lambda + c`.
-    pub a: T,
-    /// Whether the relative error of `a` is smaller than that of an accepted lambda.
-    pub(super) a_is_accurate: T::Mask,
-    /// See `a`.
-    pub h: T,
-    /// A quarter of the quadratic's discriminant. If it is negative, the ray's line misses the infinite cylinder, and
-    /// so it misses the caps too.
-    pub discriminant: T,
-    /// The distance of the ray's origin, along the axis, from the plane halfway between the caps. It is positive on the
-    /// side of the top cap.
-    pub along: T,
-    /// The distance, along the axis, that the ray's point moves if lambda grows by one.
-    pub slope: T,
+/// What is certain about a ray and an infinite cylinder before a crossing is computed.
+#[derive(Clone, Copy)]
+pub struct SideFacts<T: Real> {
+    /// The ray's line misses the infinite cylinder, and so it misses the caps too.
+    pub(super) misses: T::Mask,
+    /// The crossings can be accurate. Elsewhere no crossing is certain.
+    pub(super) is_accurate: T::Mask,
+    /// The ray starts inside the infinite cylinder.
+    pub(super) inside: T::Mask,
+}
+
+/// A way to compute where a ray crosses an infinite cylinder.
+pub trait SideFormulas<T: Rounding> {
+    /// Returns what is certain before a crossing is computed.
+    fn facts(&self) -> SideFacts<T>;
+    /// Whether lambda certainly is below the least lambda where the line enters. This is cheaper than the crossing.
+    fn enters_behind(&self) -> bool
+    where
+        T: Rounding<Mask = bool>;
+    /// Returns the point where the line leaves the infinite cylinder if `leaves` holds, and where it enters otherwise.
+    fn crossing(&self, leaves: bool) -> Crossing<T>;
+}
+
+/// A way to compute the plane of a cap. It is a trait and no closure; see [`crate::simd::Kernel::call`].
+pub trait CapFormulas<T: Rounding> {
+    /// Returns the plane of the cap around `center`.
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T>;
 }
 
 /// What is certain about a point where the ray's line crosses the infinite cylinder. If no mask holds, nothing is
@@ -89,8 +96,8 @@ pub struct Crossing<T: Real> {
 
 impl<T: Rounding> Crossing<T> {
     /// Returns the crossing at `lambda`. `error` is twice the bound of its error, or more. `accurate` and `behind` tell
-    /// whether lambda certainly is in range and accurate, or certainly below the smallest lambda. The other parameters
-    /// are those of [`Side`].
+    /// whether lambda certainly is in range and accurate, or certainly below the smallest lambda. `start` and `slope` are
+    /// those of [`PlainSide`].
     #[inline(always)]
     pub(super) fn new(
         record: &CylinderRecord<T>,
@@ -146,35 +153,65 @@ fn size<T: Rounding>(record: &CylinderRecord<T>, view: &CylinderView<T>, a: T, l
     (product + product).sqrt() * T::of(HEADROOM) + whole * T::of(SHARE_OF_WHOLE) + T::of(LEAST_SIZE * HEADROOM)
 }
 
-impl<T: Rounding> Side<T> {
-    /// Returns what the rays of a view with this direction need to find the side, with the bound of its error.
+/// The side by the plain formulas: the quadratic `a lambda^2 + 2 h lambda + c` of a ray and an infinite cylinder, with
+/// the bound of its rounding errors.
+pub struct PlainSide<'a, T: Real> {
+    record: &'a CylinderRecord<T>,
+    ray: &'a Ray<T>,
+    bound: ErrorBound<T>,
+    inside: T::Mask,
+    a: T,
+    /// Whether the relative error of `a` is smaller than that of an accepted lambda.
+    a_is_accurate: T::Mask,
+    h: T,
+    /// `h^2 - a c`, and its square root.
+    discriminant: T,
+    root: T,
+    /// The distance of the ray's origin, along the axis, from the plane halfway between the caps, and the distance that
+    /// the ray's point moves along the axis if lambda grows by one.
+    start_and_slope: [T; 2],
+}
+
+impl<'a, T: Rounding> PlainSide<'a, T> {
+    /// Computes the quadratic. `view` has the cylinder's terms for the ray's origin.
     #[inline(always)]
-    pub(super) fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>, is_long: bool) -> Self {
-        let length_squared = direction.dot(direction);
-        let (a, h, discriminant) = record.quadratic(view, direction);
+    pub fn new(record: &'a CylinderRecord<T>, view: &CylinderView<T>, ray: &'a Ray<T>, is_long: bool) -> Self {
+        let length_squared = ray.direction.dot(ray.direction);
+        let (a, h, discriminant) = record.quadratic(view, ray.direction);
         let bound = ErrorBound::of_size(LIMITS, size(record, view, a, length_squared, is_long));
         let inside = is_inside(view);
-        let slope = direction.dot(record.axis);
+        let start_and_slope = [view.along, ray.direction.dot(record.axis)];
         // If a ray is nearly parallel to the axis, the terms of `a` cancel.
         let condition = LIMITS.condition_limit;
         let a_is_accurate = length_squared.less_equal(a * T::of(STEEPNESS * condition * condition));
-        Self { bound, inside, a, a_is_accurate, h, discriminant, along: view.along, slope }
+        let root = discriminant.sqrt();
+        Self { record, ray, bound, inside, a, a_is_accurate, h, discriminant, root, start_and_slope }
+    }
+}
+
+impl<T: Rounding> SideFormulas<T> for PlainSide<'_, T> {
+    #[inline(always)]
+    fn facts(&self) -> SideFacts<T> {
+        let &Self { inside, a_is_accurate, discriminant, .. } = self;
+        SideFacts { misses: self.bound.misses(discriminant), is_accurate: a_is_accurate, inside }
     }
 
-    /// Whether the lambda `numerator / a` certainly is below the smallest lambda in range. `root` is the square root of
-    /// the discriminant.
     #[inline(always)]
-    pub(crate) fn is_behind(&self, numerator: T, root: T) -> T::Mask {
-        self.a_is_accurate & self.bound.is_too_small(self.a, numerator, root)
+    fn enters_behind(&self) -> bool
+    where
+        T: Rounding<Mask = bool>,
+    {
+        self.a_is_accurate & self.bound.is_too_small(self.a, -self.h - self.root, self.root)
     }
 
-    /// Returns the crossing at the lambda `numerator / a`. `root` is the square root of the discriminant.
     #[inline(always)]
-    pub(crate) fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
-        let Outcome { lambda, hits, fails } = self.bound.root(self.a, numerator, root);
+    fn crossing(&self, leaves: bool) -> Crossing<T> {
+        let &Self { record, ray, a, h, root, .. } = self;
+        let numerator = if leaves { -h + root } else { -h - root };
+        let Outcome { lambda, hits, fails } = self.bound.root(a, numerator, root);
         let error = lambda * T::of(2.0 * LIMITS.lambda_error());
         let [accurate, behind] = [hits, fails].map(|mask| self.a_is_accurate & mask);
-        Crossing::new(record, ray, [self.along, self.slope], (lambda, error), accurate, behind)
+        Crossing::new(record, ray, self.start_and_slope, (lambda, error), accurate, behind)
     }
 }
 
@@ -283,5 +320,15 @@ impl<T: Rounding> Plane<T> {
         let margin = margin(record, ray, lambda * self.error);
         let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
         Outcome { lambda, hits: self.steep & in_range & within, fails: self.fails | (self.steep & in_range & beyond) }
+    }
+}
+
+/// Planes by the plain formula.
+pub struct PlainCaps;
+
+impl<T: Rounding> CapFormulas<T> for PlainCaps {
+    #[inline(always)]
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, _: T::Mask) -> Plane<T> {
+        Plane::new(record, ray, center)
     }
 }

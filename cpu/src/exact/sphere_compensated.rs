@@ -40,12 +40,6 @@ impl<T: Rounding> Terms<T> {
         Self { direction, r_c, error, radius_squared: record.radius_squared, quadratic }
     }
 
-    /// Returns the discriminant of [`Quadratic::near`].
-    #[inline(always)]
-    pub(crate) fn near(&self) -> Discriminant<T> {
-        self.quadratic.near()
-    }
-
     /// Returns `a r^2 - |(C - O) x d|^2`, which is accurate if the ray starts far away.
     #[inline(always)]
     pub fn far(&self) -> Discriminant<T> {
@@ -111,7 +105,7 @@ pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     if in_scale(terms.quadratic.a) && terms.quadratic.leaves() {
         return Decision::Certain(None);
     }
-    match terms.hit(terms.near()) {
+    match terms.hit(terms.quadratic.near()) {
         Decision::Uncertain => terms.hit(terms.far()),
         decision => decision,
     }
@@ -121,7 +115,7 @@ pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
 #[inline(always)]
 pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
     let terms = Terms::new(record, ray);
-    let (near, far) = (terms.near(), terms.far());
+    let (near, far) = (terms.quadratic.near(), terms.far());
     let roots = terms.quadratic.roots(if near.size < far.size { near } else { far });
     let [small, large] = roots.magnitudes(&terms.quadratic);
     let small_hits = roots.small_is_ahead && is_in_range(small.0);
@@ -276,10 +270,10 @@ mod tests {
             };
             let record = SphereRecord::new(at(0), S::F64::load(&values[9]));
             let terms = Terms::new(&record, &Ray { origin: at(3), direction: at(6) });
-            let both = [terms.hits(terms.near()), terms.hits(terms.far())];
+            let both = [terms.hits(terms.quadratic.near()), terms.hits(terms.far())];
             for (lane, (record, ray)) in cases.iter().enumerate() {
                 let terms = Terms::new(record, ray);
-                for (lanes, one) in both.iter().zip([terms.hit(terms.near()), terms.hit(terms.far())]) {
+                for (lanes, one) in both.iter().zip([terms.hit(terms.quadratic.near()), terms.hit(terms.far())]) {
                     let mut lambdas = [0.0; 8];
                     lanes.lambda.store(&mut lambdas);
                     let lambda = (lambdas[lane] < f64::INFINITY).then_some(lambdas[lane]);

@@ -2,7 +2,8 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder::{SideLanes, precise};
-use crate::exact::{cylinder_compensated::CompensatedCaps, error_bound::in_scale};
+use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
+use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
 use crate::math::{real::Real as _, vec3::Vec3};
 use crate::render::fallback::{for_each_lane, precise_lane_by_lane};
@@ -55,7 +56,7 @@ impl Kernel for Compensated<'_> {
         while at < MOST_LANES {
             let [x, y, z, dx, dy, dz, ..] = lanes.load::<S::F64>(at);
             let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-            let side = SideLanes::compensated(&record, axis, &ray);
+            let side = SideLanes::new(&CompensatedSide::new(&record, axis, &ray));
             let hits = side.with_needed_caps(&record, &ray, &CompensatedCaps(axis), uncertain >> at);
             let certain = S::F64::bits(hits.certain & in_scale(ray.direction.dot(ray.direction))) << at & uncertain;
             let found = Columns::<2, MOST_LANES>::of_lanes([hits.lambda, hits.part()]);

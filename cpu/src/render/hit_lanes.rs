@@ -1,6 +1,7 @@
 //! The closest hits of several rays, which are found at once.
 
-use crate::exact::{cylinder::SideLanes, cylinder_decision::PlainCaps};
+use crate::exact::cylinder::SideLanes;
+use crate::exact::cylinder_parts::{PlainCaps, PlainSide, is_long};
 use crate::render::compensated_lanes::{Cylinder, uncertain_cylinder};
 use crate::render::{fallback::closer_of_near, fallback::precise, lane_numbers::ObjectNumber};
 use crate::{
@@ -150,7 +151,7 @@ impl<V: SimdF64> HitLanes<V> {
                 return self.update(id, precise(ray, hits, uncertain, &intersect), certain, rays);
             }
             let terms = Terms::new(&record.lanes(), ray);
-            let near = terms.hits(terms.near());
+            let near = terms.hits(terms.quadratic.near());
             hits.0 = V::select(certain, hits.0, near.lambda);
             certain = certain | near.certain;
             if rays.uncertain(certain) != 0 {
@@ -197,7 +198,7 @@ impl<V: SimdF64> HitLanes<V> {
         let (record, axis) = cylinder;
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
-        let side = SideLanes::new(&lanes_record, view, ray, exact::cylinder_parts::is_long(record));
+        let side = SideLanes::new(&PlainSide::new(&lanes_record, view, ray, is_long(record)));
         let lanes = side.with_needed_caps(&lanes_record, ray, &PlainCaps, valid);
         let mut hits = (lanes.lambda, lanes.part());
         let certain = lanes.certain & in_scale(a);

@@ -180,7 +180,7 @@ fn no_order_of_surfaces_is_decided_wrongly() {
                     assert!(is_right(hit), "{hit:?} for {expected:?}: {order:?}, {facts:?}");
                     certain += 1;
                 }
-                let lanes = SideLanes::of(&known);
+                let lanes = SideLanes::new(&known);
                 for hits in [lanes.without_caps(), lanes.with_caps(&record, &ray, &known)] {
                     let part = match (hits.bottom, hits.top) {
                         (true, _) => CylinderPart::Bottom,

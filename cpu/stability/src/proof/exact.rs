@@ -3,7 +3,7 @@
 use cpu::internals::exact::compensated_roots::{ACCURACY_OF_C, CONDITION_LIMIT, ERROR_OF_C, ERROR_OF_ROOT};
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_compensated::ERROR_OF_CAP;
-use cpu::internals::exact::cylinder_parts::{self, SHARE_OF_WHOLE};
+use cpu::internals::exact::cylinder_parts::{self, PlainSide, SHARE_OF_WHOLE};
 use cpu::internals::exact::error_bound::{HEADROOM, Limits, NUMERATOR_WEIGHT, UNDERFLOW};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
@@ -269,6 +269,6 @@ pub fn cylinder(is_long: bool) -> [Bounded; 4] {
     is(ray.direction.perpendicular_to(record.axis), DIRECTION_ACROSS);
     let view = record.seen_from(ray.origin);
     let (a, h, discriminant) = record.quadratic(&view, ray.direction);
-    _ = SideLanes::new(&record, &view, &ray, is_long);
+    _ = SideLanes::new(&PlainSide::new(&record, &view, &ray, is_long));
     [a, -h, view.c, discriminant]
 }

@@ -5,7 +5,7 @@ use std::slice;
 use cpu::Vec3;
 use cpu::internals::accel::isolated::SEPARATION;
 use cpu::internals::exact::cylinder::SideLanes;
-use cpu::internals::exact::cylinder_parts::{LEAST_EXTENT, LIMITS, Plane};
+use cpu::internals::exact::cylinder_parts::{LEAST_EXTENT, LIMITS, PlainSide, Plane};
 use cpu::internals::exact::order::{ERROR_OF_CAPS, is_certainly_closer};
 use cpu::internals::geometry::{cylinder::CylinderRecord, ray::LAMBDA_MIN};
 use cpu::internals::math::real::Real;
@@ -199,7 +199,7 @@ fn height(of_side: f64) -> [[f64; 2]; 2] {
         for numerator in [-h - root, -h + root] {
             accepted(numerator / a, of_side);
         }
-        _ = SideLanes::new(&record, &view, &ray, false);
+        _ = SideLanes::new(&PlainSide::new(&record, &view, &ray, false));
         // One comparison of `c` and four of the root come first. Entry and exit have four of the height each.
         let [[along, within]] = first(5);
         (8, along.bounds().error.plus(&within.bounds().error))

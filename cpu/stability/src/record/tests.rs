@@ -2,8 +2,8 @@
 //! formulas.
 
 use cpu::internals::exact::{
-    cylinder::SideLanes, cylinder_compensated::CompensatedCaps, cylinder_decision::PlainCaps, cylinder_parts::is_long,
-    error_bound::in_scale,
+    cylinder::SideLanes, cylinder_compensated::CompensatedCaps, cylinder_compensated::CompensatedSide,
+    cylinder_parts::PlainCaps, cylinder_parts::PlainSide, cylinder_parts::is_long, error_bound::in_scale,
 };
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::simd::{Simd, SimdF64};
@@ -53,10 +53,13 @@ fn in_lanes(cases: [Case; LANES], formulas: Formulas) -> [Decision<Found>; LANES
         let axis = vectors(parts.map(|(_, axis)| axis));
         let record = CylinderRecord::new(center, radius, axis);
         let hits = match formulas {
-            Formulas::Plain { is_long } => SideLanes::new(&record, &record.seen_from(ray.origin), &ray, is_long)
-                .with_caps(&record, &ray, &PlainCaps),
+            Formulas::Plain { is_long } => {
+                let side = PlainSide::new(&record, &record.seen_from(ray.origin), &ray, is_long);
+                SideLanes::new(&side).with_caps(&record, &ray, &PlainCaps)
+            }
             Formulas::Compensated => {
-                SideLanes::compensated(&record, axis, &ray).with_caps(&record, &ray, &CompensatedCaps(axis))
+                let side = CompensatedSide::new(&record, axis, &ray);
+                SideLanes::new(&side).with_caps(&record, &ray, &CompensatedCaps(axis))
             }
         };
         (hits.lambda, hits.certain, hits.bottom, hits.top)
