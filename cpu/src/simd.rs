@@ -84,9 +84,6 @@ pub trait SimdF64: Rounding {
     /// # Panics
     /// If `place` has fewer numbers.
     fn store(self, place: &mut [f64]);
-    /// Joins these lanes and the lanes of `next` to one list, and returns the numbers at its even places, then those at
-    /// its odd places.
-    fn unzip(self, next: Self) -> (Self, Self);
     /// Returns the result of a comparison as bits. Lane 0 is the lowest bit, and bits beyond the last lane are 0.
     fn bits(mask: Self::Mask) -> u32;
     /// Stores the lanes that `bits` selects, in their order, in the first numbers of `place`. The numbers behind these

@@ -102,7 +102,7 @@ impl BackgroundPixels {
     /// Returns the bytes of the pixel at index `at` of the span, or `None` if the bounds do not give them. After `None`
     /// the batch holds the pixel's samples, which must be traced.
     #[inline(always)]
-    pub(super) fn find<V: SimdF64, L: Layout>(
+    pub(super) fn find<L: Layout>(
         &mut self,
         prepared: &Prepared<L>,
         (span, at): (&Span, usize),
@@ -114,7 +114,7 @@ impl BackgroundPixels {
             pixel_jitter.pass_over(prepared.samples);
             return Some(bytes);
         }
-        batch.draw::<V, L>(prepared, &span.pixel(at, prepared.samples), pixel_jitter);
+        batch.draw(prepared, &span.pixel(at, prepared.samples), pixel_jitter);
         let [right, down] = &batch.offset.0;
         let offset = [right, down].map(|offsets| sum(&offsets[..batch.count]) / batch.count as f64);
         self.bytes_within(&prepared.quantizer, intervals(prepared, derivative.at(offset), self.rounding), &derivative)

@@ -6,7 +6,7 @@ use crate::render::{
 };
 use crate::{
     input::error::Error, layout::Layout, sampling::draw_order::DRAWS_OF_OFFSET, sampling::draw_order::PixelJitter,
-    sampling::scatter_vectors::Scatter, simd::SimdF64, simd::columns::Columns,
+    sampling::scatter_vectors::Scatter, simd::columns::Columns,
 };
 
 /// The samples of a span, with an array for each of their numbers.
@@ -52,18 +52,13 @@ impl Batch {
 
     /// Replaces the samples by those of `span`, and draws their offsets. In deterministic mode all offsets stay 0.
     #[inline(always)]
-    pub(crate) fn draw<V: SimdF64, L: Layout>(
-        &mut self,
-        prepared: &Prepared<L>,
-        span: &Span,
-        pixel_jitter: &mut PixelJitter,
-    ) {
+    pub(crate) fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, pixel_jitter: &mut PixelJitter) {
         self.count = span.count;
         for (column, samples) in span.pixels(prepared.samples) {
             self.column[samples].fill(column as f64);
         }
         if prepared.scatter != Scatter::Deterministic {
-            pixel_jitter.draw::<V, ROOM>(span.count, &mut self.draws, &mut self.offset);
+            pixel_jitter.draw(span.count, &mut self.draws, &mut self.offset);
         }
     }
 }

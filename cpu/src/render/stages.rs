@@ -13,7 +13,7 @@ impl<L: Layout> Kernel for DrawSamples<'_, '_, L> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let SpanState { prepared, batch, pixel_jitter, .. } = self.0;
-        batch.draw::<S::F64, L>(prepared, self.1, pixel_jitter);
+        batch.draw(prepared, self.1, pixel_jitter);
     }
 }
 
@@ -42,7 +42,7 @@ impl<L: Layout> Kernel for FindBytes<'_, '_, L> {
             background_pixels.begin::<S::F64, L>(prepared, *row, span);
         }
         for at in done..span.width() {
-            match background_pixels.find::<S::F64, L>(prepared, (span, at), pixel_jitter, batch) {
+            match background_pixels.find(prepared, (span, at), pixel_jitter, batch) {
                 Some(bytes) => background_pixels.bytes[at] = bytes,
                 None => return at,
             }

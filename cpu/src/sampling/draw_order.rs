@@ -21,7 +21,7 @@
 //! (`sampling/scatter_vectors.rs`).
 
 use crate::sampling::block::BlockUniform;
-use crate::{counters::Counter, counters::add, geometry::camera::HALF_PIXEL, simd::SimdF64, simd::columns::Columns};
+use crate::{counters::Counter, counters::add, geometry::camera::HALF_PIXEL, simd::columns::Columns};
 
 /// Number of random numbers for the position of one sample in its pixel: one to the right, one down.
 pub const DRAWS_OF_OFFSET: usize = 2;
@@ -59,22 +59,21 @@ impl PixelJitter {
     }
 
     /// Draws the offsets of the next `count` samples, in pixels, each in `[-1/2, 1/2)`. `draws` is memory for the
-    /// random numbers of these samples, rounded up to whole lanes. Offsets beyond the last sample have no meaning.
+    /// random numbers of these samples.
     #[inline(always)]
-    pub(crate) fn draw<V: SimdF64, const LENGTH: usize>(
+    pub(crate) fn draw<const LENGTH: usize>(
         &mut self,
         count: usize,
         draws: &mut [f64],
         offsets: &mut Columns<DRAWS_OF_OFFSET, LENGTH>,
     ) {
         add(Counter::RayDraws, (DRAWS_OF_OFFSET * count) as u64);
-        self.next_draws(&mut draws[..DRAWS_OF_OFFSET * count]);
+        let draws = &mut draws[..DRAWS_OF_OFFSET * count];
+        self.next_draws(draws);
         // By the specification a draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor 1 changes nothing.
-        let half = V::of(HALF_PIXEL);
-        for at in (0..count).step_by(V::LANES) {
-            let next = &draws[DRAWS_OF_OFFSET * at..];
-            let (right, down) = V::load(next).unzip(V::load(&next[V::LANES..]));
-            offsets.store(at, [right - half, down - half]);
+        let [rights, downs] = &mut offsets.0;
+        for (&[x, y], (right, down)) in draws.as_chunks().0.iter().zip(rights.iter_mut().zip(downs)) {
+            (*right, *down) = (x - HALF_PIXEL, y - HALF_PIXEL);
         }
     }
 
@@ -92,8 +91,6 @@ impl PixelJitter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::Simd;
-    use crate::simd::portable::Portable;
 
     #[test]
     fn draws_passed_over_are_skipped_before_the_next_is_made() {
@@ -111,7 +108,7 @@ mod tests {
     fn a_sample_is_placed_to_the_right_and_then_down() {
         let (mut jitter, mut stream) = (PixelJitter::new(7), BlockUniform::new(7));
         let (mut draws, mut offsets) = ([0.0; 32], Columns::<2, 16>::ZERO);
-        jitter.draw::<<Portable as Simd>::F64, 16>(11, &mut draws, &mut offsets);
+        jitter.draw(11, &mut draws, &mut offsets);
         for at in 0..11 {
             let mut expected = [0.0; 2];
             stream.fill(&mut expected);

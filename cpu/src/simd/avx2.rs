@@ -96,11 +96,6 @@ impl SimdF64 for F64 {
             let order = _mm256_load_si256(COMPRESSING[bits as usize % 16].0.as_ptr().cast());
             Self(_mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order))).store(place);
         }
-        fn unzip(self, next: Self) -> (Self, Self) {
-            // The first two instructions work in each half of the lanes. Then the two middle lanes are swapped.
-            let (even, odd) = (_mm256_unpacklo_pd(self.0, next.0), _mm256_unpackhi_pd(self.0, next.0));
-            (Self(_mm256_permute4x64_pd::<0b11_01_10_00>(even)), Self(_mm256_permute4x64_pd::<0b11_01_10_00>(odd)))
-        }
     }
 }
 

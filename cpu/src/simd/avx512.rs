@@ -111,14 +111,6 @@ impl SimdF64 for F64 {
         fn store_selected(self, bits: u32, place: &mut [f64]) {
             _mm512_storeu_pd(place[..Self::LANES].as_mut_ptr(), _mm512_maskz_compress_pd(bits as __mmask8, self.0))
         }
-        fn unzip(self, next: Self) -> (Self, Self) {
-            let even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
-            let odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);
-            (
-                Self(_mm512_permutex2var_pd(self.0, even, next.0)),
-                Self(_mm512_permutex2var_pd(self.0, odd, next.0)),
-            )
-        }
     }
 }
 

@@ -109,10 +109,6 @@ impl SimdF64 for F64 {
             vst1q_f64(place[2..].as_mut_ptr(), self.0[1]);
         }
         fn bits(mask: Mask) -> u32 { bits(vcombine_u32(vmovn_u64(mask.0[0]), vmovn_u64(mask.0[1]))) }
-        fn unzip(self, next: Self) -> (Self, Self) {
-            let ([a, b], [c, d]) = (self.0, next.0);
-            (Self([vuzp1q_f64(a, b), vuzp1q_f64(c, d)]), Self([vuzp2q_f64(a, b), vuzp2q_f64(c, d)]))
-        }
     }
 }
 

@@ -93,10 +93,6 @@ impl SimdF64 for Array<f64> {
         fn load(values: &[f64]) -> Self { Self::first(values) }
         fn store(self, place: &mut [f64]) { place[..4].copy_from_slice(&self.0) }
         fn bits(mask: Array<bool>) -> u32 { (0..4).map(|lane| u32::from(mask.0[lane]) << lane).sum() }
-        fn unzip(self, next: Self) -> (Self, Self) {
-            let ([a, b, c, d], [e, f, g, h]) = (self.0, next.0);
-            (Self([a, c, e, g]), Self([b, d, f, h]))
-        }
     }
 }
 

@@ -90,9 +90,6 @@ impl SimdF64 for F64 {
         fn load(values: &[f64]) -> Self { Self(v128_load(values[..Self::LANES].as_ptr().cast())) }
         fn store(self, place: &mut [f64]) { v128_store(place[..Self::LANES].as_mut_ptr().cast(), self.0) }
         fn bits(mask: Mask) -> u32 { u32::from(i64x2_bitmask(mask.0)) }
-        fn unzip(self, next: Self) -> (Self, Self) {
-            (Self(i64x2_shuffle::<0, 2>(self.0, next.0)), Self(i64x2_shuffle::<1, 3>(self.0, next.0)))
-        }
     }
 }
 

@@ -80,11 +80,6 @@ impl Kernel for Doubles {
             }
             assert!(place[S::F64::LANES..].iter().all(|&number| number == 7.0), "stored beyond the lanes");
         }
-        let (these, next) = (some(&AWKWARD, 0), some(&AWKWARD, 5));
-        let (even, odd) = S::F64::load(&these).unzip(S::F64::load(&next));
-        let at = |place: usize| if place < S::F64::LANES { these[place] } else { next[place - S::F64::LANES] };
-        same(even, |lane| at(2 * lane));
-        same(odd, |lane| at(2 * lane + 1));
         S::F64::LANES
     }
 }
