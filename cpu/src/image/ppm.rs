@@ -4,24 +4,12 @@ use std::io::{self, Write};
 
 use crate::image::Image;
 
-/// For every byte, its text and the length of the text. The text is the byte's decimal digits and a blank. The
-/// characters after the text are not used.
-const DECIMAL: [([u8; 4], u8); 256] = {
-    let mut table = [([b' '; 4], 0); 256];
-    let mut value = 0;
-    while value < 256 {
-        let digits = [b'0' + (value / 100) as u8, b'0' + (value / 10 % 10) as u8, b'0' + (value % 10) as u8];
-        let skipped = (value < 100) as usize + (value < 10) as usize;
-        let mut at = skipped;
-        while at < 3 {
-            table[value].0[at - skipped] = digits[at];
-            at += 1;
-        }
-        table[value].1 = (4 - skipped) as u8;
-        value += 1;
-    }
-    table
-};
+/// Returns the decimal digits of a byte and a blank, and their number. The characters after these are not used.
+fn digits_of(byte: usize) -> ([u8; 4], usize) {
+    let (digits, mut text) = (byte.to_string(), [b' '; 4]);
+    text[..digits.len()].copy_from_slice(digits.as_bytes());
+    (text, digits.len() + 1)
+}
 
 /// Length of a pixel's longest line in bytes: three times three digits and a blank or line end.
 const MAX_LINE: usize = 12;
@@ -37,6 +25,7 @@ pub fn write_ppm(image: &impl Image, mut out: impl Write) -> io::Result<()> {
     let size = image.size();
     // The header is written in one piece, so that it is one system call.
     out.write_all(format!("P3\n{} {}\n255\n", size.width(), size.height()).as_bytes())?;
+    let texts: [_; 256] = std::array::from_fn(digits_of);
     let mut chunk = [0; CHUNK];
     let mut length = 0;
     for index in 0..size.pixels() {
@@ -46,9 +35,9 @@ pub fn write_ppm(image: &impl Image, mut out: impl Write) -> io::Result<()> {
         }
         let color = image.pixel(index);
         for channel in [color.red, color.green, color.blue] {
-            let (digits, count) = DECIMAL[usize::from(channel)];
-            chunk[length..length + 4].copy_from_slice(&digits);
-            length += usize::from(count);
+            let (text, count) = texts[usize::from(channel)];
+            chunk[length..length + 4].copy_from_slice(&text);
+            length += count;
         }
         chunk[length - 1] = b'\n';
     }

@@ -4,7 +4,7 @@
 //! that needs an input twice keeps the bytes of that input.
 
 use std::fs::File;
-use std::io::{self, BufReader, Read};
+use std::io::{self, BufReader, Read, Take};
 use std::path::Path;
 
 use crate::input::{error::Error, text::MAX_FILE_BYTES, text::too_large};
@@ -13,10 +13,8 @@ use crate::input::{error::Error, text::MAX_FILE_BYTES, text::too_large};
 /// is an error, and not the end of the file.
 #[derive(Debug)]
 pub struct Input {
-    file: File,
+    file: Take<File>,
     limit: u64,
-    /// Bytes that may still be read.
-    left: u64,
 }
 
 impl Input {
@@ -25,7 +23,7 @@ impl Input {
     /// # Errors
     /// The error of the operating system, if it does not open the file.
     pub fn open(path: &Path, limit: u64) -> io::Result<Self> {
-        Ok(Self { file: File::open(path)?, limit, left: limit })
+        Ok(Self { file: File::open(path)?.take(limit), limit })
     }
 }
 
@@ -33,17 +31,11 @@ impl Read for Input {
     /// Reads bytes of the file. If the file has a byte beyond the limit, the read that reaches it fails with
     /// [`io::ErrorKind::FileTooLarge`].
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        if self.left == 0 {
-            // At the limit, only the end of the file may follow.
-            return match self.file.read(&mut [0; 1])? {
-                0 => Ok(0),
-                _ => Err(too_large(self.limit)),
-            };
+        // At the limit, only the end of the file may follow.
+        if self.file.limit() == 0 && self.file.get_mut().read(&mut [0; 1])? > 0 {
+            return Err(too_large(self.limit));
         }
-        let room = usize::try_from(self.left).unwrap_or(usize::MAX).min(buffer.len());
-        let length = self.file.read(&mut buffer[..room])?;
-        self.left -= length as u64;
-        Ok(length)
+        self.file.read(buffer)
     }
 }
 
