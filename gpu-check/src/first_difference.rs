@@ -1,6 +1,6 @@
 //! Finds the first function in which WGSL leaves Rust.
 //!
-//! A picture or a kernel runs once with a trace of all its calls ([`shaders::call_trace`]): one pixel, or one case.
+//! One pixel of a picture runs once with a trace of all its calls ([`shaders::call_trace`]).
 //! Rust repeats every call with the arguments that WGSL had ([`twins`]). A call comes after the calls inside it, so the
 //! first call with another result is the innermost one: its own statements are wrong, or those of a function inside it
 //! that has no twin. If every call has Rust's result, the difference is in what stands around the calls.
@@ -18,7 +18,7 @@ use crate::reader::Reader;
 use crate::{Error, Float, Gpu, Picture};
 use calls::{Call, Tracer};
 
-/// The first difference of a pixel or a case.
+/// The first difference of a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FirstDifference<T> {
     /// A call with another result than in Rust.
@@ -54,24 +54,6 @@ pub struct Unequal<T> {
     pub wgsl: T,
 }
 
-/// Returns the first difference of one case of a kernel from the expected result, or `None` if there is none.
-///
-/// # Errors
-/// The errors of [`crate::Pipeline::run`].
-pub fn of_case<T: Float>(
-    gpu: &Gpu,
-    library: &Library,
-    kernel: &'static str,
-    [case, expected]: [&[T]; 2],
-) -> Result<Option<Located<T>>, Error> {
-    let tracer = Tracer::new(gpu, library, kernel, &[])?;
-    let (calls, result) = tracer.case(case, expected.len())?;
-    let found = first_wrong_call(None, &tracer, &calls);
-    let is_same = expected.iter().zip(&result).all(|(one, other)| one.same(*other));
-    let found = found.or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
-    Ok(found.map(|found| (tracer.into_trace(), found)))
-}
-
 /// Returns the first difference of the pixel at `index` in deterministic mode, or `None` if there is none. `own` has
 /// the names and values of constants that a replaced module declares.
 ///
@@ -90,7 +72,7 @@ pub fn of_pixel<T: Float>(
     let (calls, color) = tracer.pixel(&picture, index)?;
     let expected = picture.color(index).to_array();
     let is_same = expected.iter().zip(&color).all(|(one, other)| one.same(*other));
-    let found = first_wrong_call(Some(&picture), &tracer, &calls).or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
+    let found = first_wrong_call(&picture, &tracer, &calls).or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
     Ok(found.map(|found| (tracer.into_trace(), found)))
 }
 
@@ -107,13 +89,13 @@ fn rest<T: Float>(tracer: &Tracer<'_, T>, calls: &[Call<T>]) -> FirstDifference<
 
 /// Returns the first call whose result is not that of its twin.
 fn first_wrong_call<T: Float>(
-    picture: Option<&Picture<T>>,
+    picture: &Picture<T>,
     tracer: &Tracer<'_, T>,
     calls: &[Call<T>],
 ) -> Option<FirstDifference<T>> {
     calls.iter().enumerate().find_map(|(at, call)| {
         let function = &tracer.trace().functions[call.function];
-        let expected = tracer.twin(call.function)?(picture, Reader(&call.arguments))?;
+        let expected = tracer.twin(call.function)?(Some(picture), Reader(&call.arguments))?;
         let place = expected
             .iter()
             .zip(&call.results)

@@ -77,14 +77,19 @@ impl<T: Real<Mask = bool>> Record<T> {
     }
 }
 
+/// Returns a sphere's hit as that of its only part.
+fn on_the_side<T>(decision: Decision<Option<T>>) -> Decision<Found<T>> {
+    match decision {
+        Decision::Certain(lambda) => Decision::Certain(lambda.map(|lambda| (lambda, CylinderPart::Side))),
+        Decision::Uncertain => Decision::Uncertain,
+    }
+}
+
 impl<T: Rounding<Mask = bool>> Record<T> {
     /// Returns the hit by the plain formulas with their error bounds.
     pub fn filtered(&self, ray: &Ray<T>) -> Decision<Found<T>> {
         match self {
-            Self::Sphere(record) => match exact::sphere::filtered(record, ray) {
-                Decision::Certain(lambda) => Decision::Certain(lambda.map(|lambda| (lambda, CylinderPart::Side))),
-                Decision::Uncertain => Decision::Uncertain,
-            },
+            Self::Sphere(record) => on_the_side(exact::sphere::filtered(record, ray)),
             Self::Cylinder(record, _) => exact::cylinder::filtered(record, ray),
         }
     }
@@ -97,16 +102,19 @@ impl Record {
         self.by(ray, exact::sphere::intersect, exact::cylinder::intersect)
     }
 
+    /// Returns the hit by the compensated formulas with their error bounds.
+    #[must_use]
+    pub fn compensated(&self, ray: &Ray) -> Decision<Found> {
+        match self {
+            Self::Sphere(record) => on_the_side(exact::sphere_compensated::compensated(record, ray)),
+            Self::Cylinder(record, axis) => exact::cylinder::compensated(record, axis, ray),
+        }
+    }
+
     /// Whether dyadic arithmetic answers, because the plain and the compensated formulas are uncertain.
     #[must_use]
     pub fn needs_dyadic(&self, ray: &Ray) -> bool {
-        match self {
-            Self::Sphere(record) => exact::sphere::filtered_or_compensated(record, ray) == Decision::Uncertain,
-            Self::Cylinder(record, axis) => {
-                self.filtered(ray) == Decision::Uncertain
-                    && exact::cylinder::compensated(record, axis, ray) == Decision::Uncertain
-            }
-        }
+        [self.filtered(ray), self.compensated(ray)] == [Decision::Uncertain; 2]
     }
 }
 

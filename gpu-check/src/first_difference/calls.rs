@@ -1,4 +1,4 @@
-//! Runs one pixel or one case with a trace of its calls, and reads the calls.
+//! Runs one pixel with a trace of its calls, and reads the calls.
 
 use std::marker::PhantomData;
 
@@ -76,15 +76,6 @@ impl<'a, T: Float> Tracer<'a, T> {
     /// Returns the twin of the function at this index of the list of the trace, or `None` if it has none.
     pub fn twin(&self, function: usize) -> Option<Twin<T>> {
         self.twins[function]
-    }
-
-    /// Runs one case of the kernel, and returns its calls and its result of `outputs` numbers.
-    ///
-    /// # Errors
-    /// The errors of [`Pipeline::run`].
-    pub fn case(&self, case: &[T], outputs: usize) -> Result<(Vec<Call<T>>, Vec<T>), Error> {
-        let output = (outputs * size_of::<T>()) as u64;
-        self.run(&[Content::Input(bytemuck::cast_slice(case)), Content::Output(output)])
     }
 
     /// Traces the path of the pixel at `index` in deterministic mode, and returns its calls and its linear colour.

@@ -4,13 +4,11 @@
 use std::fs;
 use std::path::Path;
 
-use cpu::internals::input::scene::{Cylinder, Object, Scene, Shape, Sphere};
-use cpu::internals::sampling::uniform::Uniform;
-use cpu::{Config, Material, Vec3};
-
+use cpu::{Config, Scene, Vec3};
+use generator::{Arrangement, Options};
+use stability::random::Random;
 use test_support::project_root;
 
-use crate::kernels::special;
 pub use crate::sampled::Case;
 
 /// Returns all scenes in a folder of the repository, in the order of their names. A scene is a subfolder with
@@ -84,49 +82,24 @@ pub fn edges() -> Vec<Case> {
         .collect()
 }
 
-/// Returns a random scene with all materials, all shapes and a maximum depth of up to 50. Equal seeds give equal
-/// scenes.
+/// Returns a random scene with all materials, all shapes and a maximum depth of up to 50, scattered or on a ground.
+/// Equal seeds give equal scenes.
 pub fn random(seed: u64) -> Case {
-    let mut draws = Uniform::new(seed);
-    let draws = &mut draws;
-    let materials = (0..12).map(|_| material(draws)).collect::<Vec<_>>();
-    let count = draws.draw(1.0, 60.0) as usize;
-    let mut objects: Vec<_> = (0..count).map(|_| object(draws, materials.len())).collect();
-    if special::once_in(draws, 1.5) {
-        let shape = Shape::Sphere(Sphere { center: Vec3::new(0.0, -1004.0, 0.0), radius: 1000.0 });
-        objects.push(Object { shape, material: 0 });
-    }
+    let mut random = Random::new(seed);
+    let arrangement = [Arrangement::Scattered, Arrangement::Grid][random.below(2)];
+    let objects = 1 + random.below(60);
+    let scene = generator::scene(&Options { seed, objects, extent: 5.0, arrangement, ..Options::default() });
+    let color = |random: &mut Random| Vec3::from([(); 3].map(|()| random.uniform(0.0, 1.0)));
     let config = Config {
-        image_width: draws.draw(48.0, 96.0) as u64,
-        camera_position: special::direction(draws) * draws.draw(2.0, 14.0),
-        camera_target: special::in_cube(draws, 1.0),
-        camera_north: special::direction(draws),
-        field_of_view: draws.draw(20.0, 110.0),
-        max_depth: [1, 2, 5, 12, 50][(draws.canonical() * 5.0) as usize],
-        background_dark_color: Vec3::from([(); 3].map(|()| draws.canonical())),
-        background_light_color: Vec3::from([(); 3].map(|()| draws.canonical())),
+        image_width: 48 + random.below(48) as u64,
+        camera_position: random.unit() * random.uniform(2.0, 14.0),
+        camera_target: random.cube(1.0),
+        camera_north: random.unit(),
+        field_of_view: random.uniform(20.0, 110.0),
+        max_depth: [1, 2, 5, 12, 50][random.below(5)],
+        background_dark_color: color(&mut random),
+        background_light_color: color(&mut random),
         ..Config::default()
     };
-    Case { name: format!("random scene {seed}"), config, scene: Scene { materials, objects } }
-}
-
-fn material(draws: &mut Uniform) -> Material {
-    let reflectance = Vec3::from([(); 3].map(|()| draws.canonical()));
-    match draws.canonical() {
-        kind if kind < 0.35 => Material::Matte { reflectance },
-        kind if kind < 0.65 => Material::Metal { reflectance, diffusion: draws.canonical() },
-        _ => Material::Refractive { index: draws.draw(0.5, 2.5) },
-    }
-}
-
-fn object(draws: &mut Uniform, materials: usize) -> Object {
-    let center = special::in_cube(draws, 5.0);
-    let radius = draws.draw(0.1, 1.5);
-    let axis = special::direction(draws) * draws.draw(0.1, 4.0);
-    let shape = if draws.canonical() < 0.5 {
-        Shape::Sphere(Sphere { center, radius })
-    } else {
-        Shape::Cylinder(Cylinder { center, radius, axis })
-    };
-    Object { shape, material: (draws.canonical() * materials as f64) as u32 }
+    Case { name: format!("random scene {seed}"), config, scene }
 }

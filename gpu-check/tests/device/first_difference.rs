@@ -13,8 +13,8 @@ use crate::mutants::examiner::Examiner;
 use crate::mutants::mutant::{Mutant, of_modules};
 use crate::scenes;
 
-/// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a case or a
-/// pixel that differs takes seconds.
+/// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a pixel that
+/// differs takes seconds.
 const STEP: usize = 8;
 
 /// The aim for the time of a search. It is printed and not checked, because the machine may be busy.
@@ -76,7 +76,7 @@ fn the_function_of_nearly_every_mutant_is_named() {
         times[found - 1],
     );
     println!("{}", missed.join("\n"));
-    assert!(found * step >= 80, "{found}");
+    assert!(found * step >= 48, "{found}");
     assert!(missed.len() * 8 <= found, "{} of {found}", missed.len());
 }
 

@@ -6,17 +6,19 @@ use gpu_check::conformance::verdict::Verdict;
 use gpu_check::conformance::{native, probes};
 use gpu_check::pipeline::{Content, Pipeline};
 use gpu_check::rows::results;
-use gpu_check::{Error, Form, Gpu, Picture, Renderer};
+use gpu_check::{Error, Float, Form, Gpu, Picture, Renderer};
 use shaders::{Composition, Features, Library, Precision};
 
 use crate::common;
-use crate::kernels::KERNELS;
-use crate::kernels::kernel::{Formulas, Kernel};
+use crate::kernels;
 
-fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
-    let kernel = &KERNELS[0];
-    let pipeline = kernel.rows::<f64>().compile(gpu, &Library::standard());
-    (kernel, pipeline.unwrap_or_else(|error| panic!("{error}")))
+/// Returns the pipeline of `kernels/sphere`, which turns 10 numbers into 10, and a case for it.
+fn sphere_pipeline(gpu: &Gpu) -> (Pipeline, Vec<f64>) {
+    let [sphere, ..] = kernels::all::<f64>();
+    (
+        sphere.compile(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}")),
+        sphere.rows(0, 1)[..10].to_vec(),
+    )
 }
 
 /// Runs the test `name` of this file in a new process, with these environment variables. Returns whether it passes, and
@@ -52,17 +54,16 @@ fn without_a_driver_the_suite_fails_with_the_line_that_says_what_to_install() {
 #[test]
 fn a_lost_device_is_an_error() {
     let gpu = common::gpu();
-    let (kernel, pipeline) = sphere_pipeline(&gpu);
+    let (pipeline, case) = sphere_pipeline(&gpu);
     gpu.close();
-    let error = results::<f64>(&gpu, &pipeline, [kernel.inputs, kernel.outputs.len()], &kernel.edge_cases())
-        .expect_err("it is closed");
+    let error = results(&gpu, &pipeline, [10, 10], &case).expect_err("it is closed");
     assert!(matches!(error, Error::DeviceLost { .. }), "{error}");
 }
 
 #[test]
 fn a_buffer_beyond_the_limit_is_an_error_that_says_so() {
     let gpu = common::gpu();
-    let (_, pipeline) = sphere_pipeline(&gpu);
+    let (pipeline, _) = sphere_pipeline(&gpu);
     let contents = [Content::Input(&[0; 160]), Content::Output(gpu.binding_limit() + 8)];
     let error = pipeline.run(&gpu, &contents, 1).expect_err("it is too large");
     assert!(error.to_string().starts_with("an output takes 134217736 bytes and the device binds at most 134217728"));
@@ -78,21 +79,17 @@ fn a_buffer_beyond_the_limit_is_an_error_that_says_so() {
 #[test]
 fn numbers_that_a_kernel_does_not_write_are_noticed() {
     let gpu = common::gpu();
-    let (kernel, pipeline) = sphere_pipeline(&gpu);
-    let case = kernel.random_cases::<f64>(1, 1);
-    let row = (kernel.outputs.len() * size_of::<f64>()) as u64;
-    let contents = [Content::Input(bytemuck::cast_slice(&case)), Content::Output(3 * row)];
+    let (pipeline, case) = sphere_pipeline(&gpu);
+    let contents = [Content::Input(bytemuck::cast_slice(&case)), Content::Output(3 * 80)];
     let error = pipeline.run(&gpu, &contents, 3).expect_err("the kernel ends with its cases");
     assert_eq!(error.to_string(), "the kernel [kernels/sphere] did not write 20 of the numbers it should have written");
 }
 
 /// Returns the number of sums whose rounding error differs from Rust's.
-fn wrong_errors<T: Formulas>(gpu: &Gpu) -> usize {
-    let kernel = KERNELS.iter().find(|kernel| kernel.module == "kernels/two_sum").expect("it is listed");
-    let rows = kernel.rows::<T>();
-    let tally = rows
-        .compile(gpu, &Library::standard())
-        .and_then(|pipeline| rows.check(gpu, &pipeline, &kernel.random_cases(4096, 7)));
+fn wrong_errors<T: Float>(gpu: &Gpu) -> usize {
+    let [.., sums] = kernels::all::<T>();
+    let pipeline = sums.compile(gpu, &Library::standard());
+    let tally = pipeline.and_then(|pipeline| sums.check(gpu, &pipeline, &sums.rows(4096, 7)));
     let tally = tally.unwrap_or_else(|error| panic!("{error}"));
     println!("{} {}: {tally}", T::PRECISION, gpu.form(T::PRECISION));
     tally.differing

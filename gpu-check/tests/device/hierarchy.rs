@@ -1,21 +1,20 @@
-//! Compares the hierarchy in WGSL with the loop over all objects: all pictures and random rays must have equal bits.
+//! Compares the hierarchy in WGSL with the loop over all objects: random rays must have equal hits. Pictures with
+//! random numbers in the hierarchy are compared in `samples`.
 //!
-//! `RENDER_HIERARCHY=all` compares all pictures in full size and more rays, and renders a million objects, which
-//! tests/extensive does. `RENDER_HIERARCHY_RAYS` sets the number of random rays.
+//! `RENDER_HIERARCHY=all` compares more rays, and renders a million objects, which tests/extensive does.
+//! `RENDER_HIERARCHY_RAYS` sets the number of random rays.
 
 mod large;
 pub mod random;
 
 use cpu::Config;
-use cpu::internals::sampling::uniform::Uniform;
 use gpu_check::closest_hits::closest_hits;
-use gpu_check::difference::difference;
 use gpu_check::steps::{Follower, first_difference};
 use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::Library;
+use stability::random::Random;
 
 use crate::common::{self, Accuracy};
-use crate::pictures::on_device;
 use crate::scenes;
 
 /// Number of random rays, and their number if everything is compared, unless the variable sets another one.
@@ -23,54 +22,21 @@ const RAYS: usize = 1 << 17;
 const ALL_RAYS: usize = 1 << 20;
 /// Number of rays in each random scene.
 const RAYS_OF_A_SCENE: usize = 1 << 14;
-/// Largest number of pixels times objects of a picture; see [`Case::within`].
-const TESTS: usize = 8_000_000;
 
 /// Whether everything is rendered and compared, which tests/extensive does.
 fn is_everything() -> bool {
     std::env::var_os("RENDER_HIERARCHY").is_some_and(|value| value == "all")
 }
 
-fn pictures_have_the_same_bits<T: Float>() {
-    let gpu = common::gpu();
-    let (all, tree) = (Library::standard(), Library::standard().in_hierarchy());
-    let mut cases = scenes::edges();
-    for folder in ["scenes", "tests/cases"] {
-        cases.extend(scenes::in_folder(folder));
-    }
-    cases.extend((0..20).map(scenes::random));
-    let mut pixels = 0;
-    for case in cases.into_iter().map(|case| if is_everything() { case } else { case.within(TESTS) }) {
-        let (expected, actual) = (on_device::<T>(&gpu, &all, &case), on_device::<T>(&gpu, &tree, &case));
-        let found = difference(&actual.pixels, &expected.pixels);
-        println!("{}: {found}; {:.1?} in the hierarchy, {:.1?} without", case.name, actual.time, expected.time);
-        assert_eq!(found.differing, 0, "{}: {found}", case.name);
-        pixels += found.pixels;
-    }
-    println!("{pixels} pixels compared");
-    assert!(pixels > 100_000);
-}
-
-#[test]
-fn f64_pictures_have_the_bits_of_the_loop_over_all_objects() {
-    pictures_have_the_same_bits::<f64>();
-}
-
-#[test]
-fn f32_pictures_have_the_bits_of_the_loop_over_all_objects() {
-    pictures_have_the_same_bits::<f32>();
-}
-
 fn rays_have_the_same_hits<T: Float>() {
     let gpu = common::gpu();
     let usual = if is_everything() { ALL_RAYS } else { RAYS };
     let count = std::env::var("RENDER_HIERARCHY_RAYS").map_or(usual, |text| text.parse().expect("it is a number"));
-    let mut draws = Uniform::new(30);
+    let mut draws = Random::new(30);
     let config = Config { image_width: 8, ..Config::default() };
     let (mut hits, mut done) = (0, 0);
     for number in 0..count.div_ceil(RAYS_OF_A_SCENE) {
-        let scene = random::scene(&mut draws, number).expect("it is valid");
-        let picture = Picture::<T>::new(&config, &scene).expect("it is valid");
+        let picture = Picture::<T>::new(&config, &random::scene(number)).expect("it is valid");
         let rays: Vec<_> = (0..RAYS_OF_A_SCENE).map(|_| random::ray(&mut draws, &picture)).collect();
         let find =
             |library: &Library| closest_hits(&gpu, library, &picture, &rays).unwrap_or_else(|error| panic!("{error}"));

@@ -8,8 +8,8 @@ use gpu_check::{Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
 use crate::common::{self, Accuracy};
-use crate::kernels::running::{self, Running};
 use crate::pictures::{Compared, by_reference, on_device};
+use crate::running::{self, Running};
 use crate::scenes::{self, Case};
 
 const RANDOM_SCENES: u64 = 60;

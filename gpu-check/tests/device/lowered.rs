@@ -2,7 +2,6 @@
 //!
 //! The variable `LOWERED_CASES` sets the number of cases of each operation.
 
-pub mod comparison;
 pub mod operands;
 pub mod operations;
 
@@ -14,40 +13,56 @@ use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
 
 use crate::common::{self, Accuracy};
-use crate::kernels::KERNELS;
+use crate::kernels::kernel::{Tally, compare};
 use crate::pictures::Compared;
 use crate::scenes;
-use comparison::check;
+use operands::draw;
+use operations::{BASIC, COMPOSITE, Operation};
 
-/// Number of cases of each operation, unless `LOWERED_CASES` sets another.
-const CASES: usize = 1_000_000;
-/// Number of random cases of each formula.
-const FORMULA_CASES: usize = 1 << 16;
+/// Number of cases of each operation, unless `LOWERED_CASES` sets another, and the largest number of them in memory.
+const CASES: u64 = 1_000_000;
 /// Number of random scenes.
 const RANDOM_SCENES: u64 = 60;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 1_500_000;
 
-/// Returns the number of cases of each operation.
-fn cases() -> usize {
-    match std::env::var("LOWERED_CASES") {
-        Ok(text) => text.parse().expect("LOWERED_CASES is a number"),
-        Err(_) => CASES,
-    }
+/// Compares the results of `operation` for `cases` with Rust's. Integers calculate it, by `arithmetic`.
+///
+/// # Errors
+/// The errors of lowering, of [`Pipeline::new`] and of [`Pipeline::run`].
+pub fn check(gpu: &Gpu, operation: &Operation, arithmetic: &Arithmetic, cases: &[f64]) -> Result<Tally, Error> {
+    let (wgsl, truth) = operation;
+    let kernel = format!(
+        "struct Case {{ a: f64, b: f64, c: f64, word: u32, unused: u32 }}\n\
+         @group(0) @binding(0) var<storage, read> cases: array<Case>;\n\
+         @group(0) @binding(1) var<storage, read_write> results: array<f64>;\n\
+         @compute @workgroup_size(64)\n\
+         fn operation(@builtin(global_invocation_id) id: vec3<u32>) {{\n    \
+         if id.x >= arrayLength(&cases) {{ return; }}\n    \
+         let a = cases[id.x].a;\n    let b = cases[id.x].b;\n    let c = cases[id.x].c;\n    \
+         let word = cases[id.x].word;\n    results[id.x] = {wgsl};\n}}\n"
+    );
+    let composition = Composition::of_file(wgsl, kernel, Precision::F64).lowered(arithmetic)?;
+    let pipeline = Pipeline::new(gpu, &composition, &[])?;
+    compare(gpu, &pipeline, (wgsl, 4), cases, |case| {
+        let [numbers @ .., word] = case else { unreachable!("a case has four numbers") };
+        vec![Some(truth([numbers[0], numbers[1], numbers[2]], word.to_bits() as u32))]
+    })
 }
 
 #[test]
 fn every_operation_gives_the_bits_of_rust() {
     let gpu = common::gpu();
-    let count = cases();
+    let count = std::env::var("LOWERED_CASES").map_or(CASES, |text| text.parse().expect("LOWERED_CASES is a number"));
     let mut faults = Vec::new();
-    for operation in operations::all() {
-        let tally = check(&gpu, operation, count, 30).unwrap_or_else(|error| panic!("{}: {error}", operation.wgsl));
-        println!("{tally}");
-        assert_eq!(tally.cases, count);
-        assert!(tally.ordinary > count / 10, "too few ordinary results: {tally}");
-        if tally.differing > 0 {
-            faults.push(tally.to_string());
+    for first in (0..count).step_by(CASES as usize) {
+        let cases = (first..count.min(first + CASES)).flat_map(|index| draw(30, index)).collect::<Vec<_>>();
+        for operation in BASIC.iter().chain(&COMPOSITE) {
+            let tally = check(&gpu, operation, &Arithmetic::standard(), &cases);
+            let tally = tally.unwrap_or_else(|error| panic!("{}: {error}", operation.0));
+            println!("{tally}");
+            assert!(tally.ordinary > tally.cases / 10, "too few ordinary results: {tally}");
+            faults.extend((tally.differing > 0).then(|| tally.to_string()));
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
@@ -56,32 +71,9 @@ fn every_operation_gives_the_bits_of_rust() {
 /// The numbers of `everything.wgsl` that use conversions to f32, or `dot`, `length`, `normalize`, `cross` and `fract`.
 const OF_F32_OR_COMPOSITE: [usize; 6] = [6, 7, 9, 10, 11, 14];
 
-/// Opens the device, and lets integers calculate in the place of its f64.
-fn by_integers() -> Gpu {
-    common::gpu().with_form(Form::ByIntegers)
-}
-
-#[test]
-fn every_formula_gives_the_bits_of_cpu() {
-    let gpu = by_integers();
-    let mut compared = 0;
-    for kernel in &KERNELS {
-        let rows = kernel.rows::<f64>();
-        let pipeline = rows.compile(&gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
-        for cases in [kernel.edge_cases::<f64>(), kernel.random_cases::<f64>(FORMULA_CASES, 42)] {
-            let tally = rows.check(&gpu, &pipeline, &cases).unwrap_or_else(|error| panic!("{error}"));
-            println!("{tally}");
-            assert_eq!(tally.differing, 0, "{tally}");
-            compared += tally.numbers;
-        }
-    }
-    println!("{} kernels, {compared} numbers compared", KERNELS.len());
-    assert!(compared > 5_000_000);
-}
-
 #[test]
 fn every_picture_is_the_references_to_the_bit() {
-    let gpu = by_integers();
+    let gpu = common::gpu().with_form(Form::ByIntegers);
     let mut compared = Compared::default();
     let cases = scenes::all(RANDOM_SCENES, TESTS);
     assert!(cases.len() >= 16 + RANDOM_SCENES as usize + scenes::edges().len(), "the repository has scenes");
@@ -114,7 +106,7 @@ fn every_construct_gives_the_bits_of_the_devices_f64() {
     let gpu = common::gpu();
     // An item has 320 bytes. Numbers of moderate size stand at every place where one can be.
     let (size, count) = (320, 64 * 64);
-    let draws = (0..size / 8 * count).map(|index| operands::draw(33, index as u64).a);
+    let draws = (0..size / 8 * count).map(|index| draw(33, index as u64)[0]);
     let moderate =
         |number: f64| if number.is_nan() || number.abs() > 1e6 { number.to_bits() as f64 / 1e16 } else { number };
     let numbers: Vec<_> = draws.map(moderate).collect();

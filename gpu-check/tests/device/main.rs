@@ -3,18 +3,16 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod exact;
-mod features;
 mod first_difference;
 mod gpu;
-mod hard_rays;
 mod hierarchy;
 mod images;
-#[allow(dead_code, reason = "the program `kernels` compares their bounds")]
 #[path = "../kernels/mod.rs"]
 mod kernels;
 mod lowered;
 mod mutants;
 mod pictures;
+mod running;
 #[path = "../common/sampled.rs"]
 mod sampled;
 mod samples;

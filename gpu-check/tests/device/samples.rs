@@ -182,5 +182,5 @@ fn f32_pictures_are_near_the_reference_and_with_the_arithmetic_of_ieee_their_twi
         "f32 with random numbers: {pixels} pixels, RMSE {rmse:.1e}; {disagreeing} of {samples} paths take other words"
     );
     assert!(rmse > 0.0 && rmse < 0.02, "{rmse}");
-    assert!(disagreeing * 100 < samples as u64, "{disagreeing} of {samples}");
+    assert!(disagreeing * 30 < samples as u64, "{disagreeing} of {samples}");
 }

@@ -1,108 +1,116 @@
-//! A kernel: a formula in Rust, its module in WGSL, and the cases for which both are compared.
+//! A kernel, its twin in Rust, and the cases for which both are compared, bit by bit.
 //!
 //! A case is a row of numbers, and so is the result of a case. Flags are stored as numbers too, so that one function
 //! can compare all kernels.
 
-use cpu::internals::math::real::Real;
-use cpu::internals::sampling::uniform::Uniform;
-use gpu_check::Float;
+use std::fmt;
+
+use gpu_check::first_difference::twins::{Numbers, Twin};
 use gpu_check::reader::Reader;
+use gpu_check::rows::results;
+use gpu_check::{Error, Float, Gpu, Pipeline};
+use shaders::Library;
 
-use super::row_kernel::RowKernel;
-use super::running::Running;
-use super::special::Row;
+/// Largest number of differing cases that a tally stores as text.
+const SHOWN: usize = 5;
 
-/// A formula of `cpu`, and the kernel of `shaders` that should give its bits.
-pub trait Formula {
-    /// The name of the kernel's module.
-    const MODULE: &'static str;
-    /// Number of numbers in a case, which are the inputs of the formula.
-    const INPUTS: usize;
-    /// Names of the numbers in a result, which are the outputs of the formula.
-    const OUTPUTS: &'static [&'static str];
-
-    /// Computes the formula with the code of `cpu`. Reads the inputs from `case` and writes the outputs to `result`.
-    fn evaluate<T: Real<Mask = bool>>(case: Reader<'_, T>, result: &mut [T]);
-    /// Appends the edge cases to `rows`. At these a decision changes, or a number overflows or underflows.
-    fn edges(rows: &mut Row);
-    /// Appends random inputs of one case, from the generator `draws`, to `row`.
-    fn random(draws: &mut Uniform, row: &mut Row);
-}
-
-/// A [`Formula`] as a value, so that an array can list kernels.
+/// A kernel that turns each case, a row of inputs, into a row of outputs.
 #[derive(Clone, Copy, Debug)]
-pub struct Kernel {
+pub struct Kernel<T> {
     /// The name of the kernel's module in `shaders`.
     pub module: &'static str,
-    /// Number of numbers in a case, which are the inputs of the formula.
+    /// Number of numbers in a case, which are the inputs of the twin.
     pub inputs: usize,
-    /// Names of the numbers in a result, which are the outputs of the formula.
-    pub outputs: &'static [&'static str],
-    wide: fn(&[f64], &mut [f64]),
-    single: fn(&[f32], &mut [f32]),
-    /// Computes the formula with a bound of the error that `f32` has.
-    pub running: fn(&[Running], &mut [Running]),
-    edges: fn(&mut Row),
-    random: fn(&mut Uniform, &mut Row),
+    /// Computes the result in Rust.
+    pub twin: Twin<T>,
+    /// Returns the edge cases, and this number of random cases, row after row. At an edge case a decision changes, or a
+    /// number overflows or underflows. Equal seeds give equal cases.
+    pub cases: fn(usize, u64) -> Vec<f64>,
 }
 
-impl Kernel {
-    /// Returns the kernel of the formula `F`.
-    #[must_use]
-    pub const fn of<F: Formula>() -> Self {
-        Self {
-            module: F::MODULE,
-            inputs: F::INPUTS,
-            outputs: F::OUTPUTS,
-            wide: |case, result| F::evaluate(Reader(case), result),
-            single: |case, result| F::evaluate(Reader(case), result),
-            running: |case, result| F::evaluate(Reader(case), result),
-            edges: F::edges,
-            random: F::random,
+impl<T: Float> Kernel<T> {
+    /// Returns the cases of [`Kernel::cases`] in this precision.
+    pub fn rows(&self, count: usize, seed: u64) -> Vec<T> {
+        (self.cases)(count, seed).into_iter().map(T::of).collect()
+    }
+
+    /// Compiles the kernel from `library`.
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::new`].
+    pub fn compile(&self, gpu: &Gpu, library: &Library) -> Result<Pipeline, Error> {
+        Pipeline::new(gpu, &library.compose(self.module, T::PRECISION)?, &[])
+    }
+
+    /// Returns the result of one case by the twin.
+    pub fn expected(&self, case: &[T]) -> Numbers<T> {
+        (self.twin)(None, Reader(case)).expect("the twin needs no picture")
+    }
+
+    /// Runs the kernel for `cases`, and compares its results with those of the twin.
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::run`].
+    pub fn check(&self, gpu: &Gpu, pipeline: &Pipeline, cases: &[T]) -> Result<Tally, Error> {
+        compare(gpu, pipeline, (self.module, self.inputs), cases, |case| self.expected(case))
+    }
+}
+
+/// The result of a comparison: the numbers of compared and of differing cases.
+#[derive(Clone, Debug)]
+pub struct Tally {
+    /// The name of what was compared.
+    pub name: &'static str,
+    /// Number of compared cases.
+    pub cases: usize,
+    /// Number of compared results.
+    pub numbers: usize,
+    /// Number of cases whose first result is neither zero nor infinite nor NaN. For kernels that distinguish hits from
+    /// misses, these are the hits.
+    pub ordinary: usize,
+    /// Number of cases in which at least one result differs.
+    pub differing: usize,
+    /// Texts that describe the first differing cases, at most five.
+    shown: Vec<String>,
+}
+
+/// Runs a kernel for `cases`, rows of `inputs` numbers, and compares its results with the expected ones. `name` is for
+/// messages.
+///
+/// # Errors
+/// The errors of [`Pipeline::run`].
+pub fn compare<T: Float>(
+    gpu: &Gpu,
+    pipeline: &Pipeline,
+    (name, inputs): (&'static str, usize),
+    cases: &[T],
+    expected: impl Fn(&[T]) -> Numbers<T>,
+) -> Result<Tally, Error> {
+    let outputs = expected(&cases[..inputs]).len();
+    let (results, _) = results(gpu, pipeline, [inputs, outputs], cases)?;
+    let mut tally = Tally { name, cases: 0, numbers: 0, ordinary: 0, differing: 0, shown: Vec::new() };
+    for (case, actual) in cases.chunks(inputs).zip(results.chunks(outputs)) {
+        let expected = expected(case);
+        tally.cases += 1;
+        tally.numbers += actual.len();
+        tally.ordinary +=
+            usize::from(expected[0].is_some_and(|number| number.wide() != 0.0 && number.wide().is_finite()));
+        let is_same = |(expected, actual): (&Option<T>, &T)| expected.is_none_or(|expected| expected.same(*actual));
+        if !expected.iter().zip(actual).all(is_same) {
+            tally.differing += 1;
+            if tally.shown.len() < SHOWN {
+                tally.shown.push(format!("case {case:?}: {expected:?} in Rust, {actual:?} in WGSL"));
+            }
         }
     }
-
-    /// Returns the kernel in the precision of `T`.
-    #[must_use]
-    pub fn rows<T: Formulas>(&self) -> RowKernel<T> {
-        let Self { module, inputs, outputs, .. } = *self;
-        RowKernel { module, inputs, outputs, formula: T::formula(self) }
-    }
-
-    /// Returns the inputs of all edge cases: a row of [`Self::inputs`] numbers for each case.
-    #[must_use]
-    pub fn edge_cases<T: Float>(&self) -> Vec<T> {
-        let mut rows = Row::default();
-        (self.edges)(&mut rows);
-        rows.0.into_iter().map(T::of).collect()
-    }
-
-    /// Returns `count` random cases, row after row. Equal seeds give equal cases.
-    #[must_use]
-    pub fn random_cases<T: Float>(&self, count: usize, seed: u64) -> Vec<T> {
-        let (mut draws, mut rows) = (Uniform::new(seed), Row::default());
-        for _ in 0..count {
-            (self.random)(&mut draws, &mut rows);
-        }
-        assert_eq!(rows.0.len(), count * self.inputs, "{}", self.module);
-        rows.0.into_iter().map(T::of).collect()
-    }
+    Ok(tally)
 }
 
-/// A number type in which the formulas of kernels can calculate.
-pub trait Formulas: Float {
-    /// Returns the function that computes the kernel's formula in this precision.
-    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]);
-}
-
-impl Formulas for f32 {
-    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]) {
-        kernel.single
-    }
-}
-
-impl Formulas for f64 {
-    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]) {
-        kernel.wide
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, cases, numbers, ordinary, differing, shown } = self;
+        write!(f, "{name}: {cases} cases, {numbers} numbers, {ordinary} hits or ordinary first numbers, ")?;
+        write!(f, "{differing} cases differ")?;
+        shown.iter().try_for_each(|shown| write!(f, "\n{shown}"))
     }
 }

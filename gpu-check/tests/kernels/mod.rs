@@ -1,63 +1,88 @@
-//! The formulas that are compared: those of `cpu`, with a file for each of its modules, and the projected form of
-//! `stability`.
+//! The kernels that are compared: those of the formulas of `cpu`, and of the projected form of `stability`.
 
 mod background;
 mod camera;
 mod cylinder;
 pub mod kernel;
-pub mod row_kernel;
-pub mod running;
 mod scatter;
 pub mod special;
 mod sphere;
-mod two_sum;
 
-use cpu::Vec3;
+use cpu::Ray;
 use cpu::internals::Hit;
-use cpu::internals::math::real::Real;
+use gpu_check::Float;
+use gpu_check::first_difference::twins::{Numbers, twin};
+use gpu_check::reader::Reader;
+use stability::methods::projected;
+use stability::record::{Found, Record};
+use stability::regimes::Regime;
 
+pub use cylinder::{cases as cylinders, record as cylinder};
 use kernel::Kernel;
+use special::{NUMBERS, any_size, rows};
+pub use sphere::{cases as spheres, record as sphere};
 
-/// The intersection of a ray with a sphere, by the plain formula.
-pub const SPHERE: Kernel = Kernel::of::<sphere::Sphere<false>>();
-/// The intersection of a ray with a cylinder, by the plain formula.
-pub const CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder<false>>();
-/// The intersection of a ray with a sphere, in the projected form.
-pub const PROJECTED_SPHERE: Kernel = Kernel::of::<sphere::Sphere<true>>();
-/// The intersection of a ray with a cylinder, in the projected form.
-pub const PROJECTED_CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder<true>>();
-
-/// All kernels whose results must have the bits of their formulas.
-pub const KERNELS: [Kernel; 11] = [
-    SPHERE,
-    CYLINDER,
-    PROJECTED_SPHERE,
-    PROJECTED_CYLINDER,
-    Kernel::of::<camera::CameraRay>(),
-    Kernel::of::<background::Gradient>(),
-    Kernel::of::<scatter::Matte>(),
-    Kernel::of::<scatter::Reflection>(),
-    Kernel::of::<scatter::Metal>(),
-    Kernel::of::<scatter::Refraction>(),
-    Kernel::of::<two_sum::TwoSum>(),
-];
-
-/// Names of the numbers of a `HitReport`, in the order of `kernels/hit_report.wgsl`.
-const HIT_REPORT: &[&str] =
-    &["some", "lambda", "part", "front", "point.x", "point.y", "point.z", "normal.x", "normal.y", "normal.z"];
-
-/// Writes the report of a hit to `result`, or zeros for a miss.
-fn report<T: Real>(hit: Option<(T, u32, Hit<T>)>, result: &mut [T]) {
-    let Some((lambda, part, hit)) = hit else {
-        return result.fill(T::of(0.0));
-    };
-    let front = T::of(if hit.front { 1.0 } else { 0.0 });
-    result[..4].copy_from_slice(&[T::of(1.0), lambda, T::of(part.into()), front]);
-    store(hit.point, &mut result[4..]);
-    store(hit.normal, &mut result[7..]);
+/// Returns all kernels whose results must have the bits of their twins.
+pub fn all<T: Float>() -> [Kernel<T>; 11] {
+    let named = |module, inputs, name, cases| Kernel { module, inputs, twin: twin(name).expect("it has one"), cases };
+    [
+        Kernel {
+            module: "kernels/sphere",
+            inputs: 10,
+            twin: |_, row| report(row, sphere, Record::plain),
+            cases: spheres,
+        },
+        Kernel {
+            module: "kernels/cylinder",
+            inputs: 13,
+            twin: |_, row| report(row, cylinder, Record::plain),
+            cases: cylinders,
+        },
+        Kernel {
+            module: "kernels/projected_sphere",
+            inputs: 10,
+            twin: |_, row| report(row, sphere, by_projection),
+            cases: spheres,
+        },
+        Kernel {
+            module: "kernels/projected_cylinder",
+            inputs: 13,
+            twin: |_, row| report(row, cylinder, by_projection),
+            cases: cylinders,
+        },
+        named("kernels/camera", 16, "camera_ray", camera::cases),
+        named("kernels/background", 9, "background_color", background::cases),
+        named("kernels/matte", 6, "scatter_matte", scatter::matte),
+        named("kernels/reflection", 6, "scatter_reflect", scatter::reflection),
+        named("kernels/metal", 9, "scatter_metal", scatter::metal),
+        named("kernels/refraction", 7, "scatter_refract", scatter::refraction),
+        named("kernels/two_sum", 2, "exact_two_sum", |count, seed| {
+            let edges = |row: &mut special::Row| {
+                NUMBERS.iter().for_each(|a| NUMBERS.iter().for_each(|b| row.0.extend([a, b])));
+            };
+            rows(count, seed, edges, |random, row| row.0.extend([(); 2].map(|()| any_size(random, -12.0, 12.0))))
+        }),
+    ]
 }
 
-/// Writes a vector to the first three numbers of `result`.
-fn store<T: Copy>(vector: Vec3<T>, result: &mut [T]) {
-    result[..3].copy_from_slice(&vector.to_array());
+fn by_projection<T: Float>(record: &Record<T>, ray: &Ray<T>) -> Found<T> {
+    record.by(ray, projected::sphere, |record, _, ray| projected::cylinder(record, ray))
+}
+
+/// Returns the numbers of a `HitReport`, in the order of `kernels/hit_report.wgsl`, for a row with a ray and an object.
+fn report<T: Float>(
+    mut row: Reader<'_, T>,
+    record: fn(&mut Reader<'_, T>) -> Record<T>,
+    intersect: fn(&Record<T>, &Ray<T>) -> Found<T>,
+) -> Option<Numbers<T>> {
+    let (ray, record) = (row.ray(), record(&mut row));
+    let Some((lambda, part)) = intersect(&record, &ray) else { return Some(vec![Some(T::of(0.0)); 10]) };
+    let hit = Hit::facing(ray.direction, ray.at(lambda), record.outward(part, ray.at(lambda)));
+    let head = [T::of(1.0), lambda, part.number(), T::of(f64::from(u8::from(hit.front)))];
+    Some([&head[..], &hit.point.to_array(), &hit.normal.to_array()].concat().into_iter().map(Some).collect())
+}
+
+/// Returns `count` cases of each of `regimes` as rows.
+pub fn of_regimes<'a>(regimes: impl IntoIterator<Item = &'a Regime>, count: usize, seed: u64) -> Vec<f64> {
+    regimes.into_iter().flat_map(|regime| gpu_check::methods::rows::<f64>(&regime.cases(seed, count))).collect()
 }

@@ -1,22 +1,9 @@
-//! The directions in which surfaces scatter rays: matte, reflection, metal and refraction.
+//! The cases of the directions in which surfaces scatter rays: matte, reflection, metal and refraction.
 
 use cpu::Vec3;
-use cpu::internals::materials::{reflection, refraction, scatter};
-use cpu::internals::math::real::Real;
-use cpu::internals::math::vec3::NEGLIGIBLE;
-use cpu::internals::sampling::uniform::Uniform;
-use gpu_check::reader::Reader;
+use stability::random::Random;
 
-use super::kernel::Formula;
-use super::special::{self, DIRECTIONS, NUMBERS, Row};
-use super::store;
-
-pub enum Matte {}
-pub enum Reflection {}
-pub enum Metal {}
-pub enum Refraction {}
-
-const VECTOR: &[&str] = &["x", "y", "z"];
+use super::special::{DIRECTIONS, NUMBERS, Row, any_size, direction, once_in, rows};
 
 /// Normals for edge cases: of length 1, of the length of a cylinder's radius, tiny ones and huge ones.
 const NORMALS: [[f64; 3]; 10] = [
@@ -33,21 +20,14 @@ const NORMALS: [[f64; 3]; 10] = [
 ];
 
 /// Returns a random normal. Its length is 1, or any length, as on the side of a cylinder.
-fn normal(draws: &mut Uniform) -> Vec3 {
-    let length = if special::once_in(draws, 3.0) { special::of_any_size(draws, -3.0, 3.0).abs() } else { 1.0 };
-    special::direction(draws) * length
+fn normal(random: &mut Random) -> Vec3 {
+    let length = if once_in(random, 3.0) { any_size(random, -3.0, 3.0).abs() } else { 1.0 };
+    direction(random) * length
 }
 
-impl Formula for Matte {
-    const MODULE: &'static str = "kernels/matte";
-    const INPUTS: usize = 6;
-    const OUTPUTS: &'static [&'static str] = VECTOR;
-
-    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
-        store(scatter::scatter_around(case.vector(), case.vector(), T::of(NEGLIGIBLE)), result);
-    }
-
-    fn edges(rows: &mut Row) {
+/// Returns a normal and a vector for each case.
+pub fn matte(count: usize, seed: u64) -> Vec<f64> {
+    let edges = |rows: &mut Row| {
         for normal in NORMALS.map(Vec3::from) {
             for vector in DIRECTIONS.into_iter().chain(NORMALS) {
                 rows.vector(normal).vector(vector);
@@ -65,29 +45,21 @@ impl Formula for Matte {
                 }
             }
         }
-    }
-
-    fn random(draws: &mut Uniform, row: &mut Row) {
-        let normal = normal(draws);
-        let mut vector = special::in_cube(draws, 1.0);
-        if special::once_in(draws, 4.0) {
-            let size = special::of_any_size(draws, -10.0, -6.0);
-            vector = special::in_cube(draws, size) - normal;
+    };
+    rows(count, seed, edges, |random, row| {
+        let normal = normal(random);
+        let mut vector = random.cube(1.0);
+        if once_in(random, 4.0) {
+            let size = any_size(random, -10.0, -6.0);
+            vector = random.cube(size) - normal;
         }
         row.vector(normal).vector(vector);
-    }
+    })
 }
 
-impl Formula for Reflection {
-    const MODULE: &'static str = "kernels/reflection";
-    const INPUTS: usize = 6;
-    const OUTPUTS: &'static [&'static str] = VECTOR;
-
-    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
-        store(reflection::reflect(case.vector(), case.vector()), result);
-    }
-
-    fn edges(rows: &mut Row) {
+/// Returns a direction and a normal for each case.
+pub fn reflection(count: usize, seed: u64) -> Vec<f64> {
+    let edges = |rows: &mut Row| {
         for normal in NORMALS {
             for direction in DIRECTIONS {
                 rows.vector(direction).vector(normal);
@@ -98,24 +70,16 @@ impl Formula for Reflection {
                 rows.vector([number, -1.0, 0.0]).vector([0.0, other, 0.0]);
             }
         }
-    }
-
-    fn random(draws: &mut Uniform, row: &mut Row) {
-        let size = special::of_any_size(draws, -6.0, 6.0);
-        row.vector(special::direction(draws) * size).vector(normal(draws));
-    }
+    };
+    rows(count, seed, edges, |random, row| {
+        let size = any_size(random, -6.0, 6.0);
+        row.vector(direction(random) * size).vector(normal(random));
+    })
 }
 
-impl Formula for Metal {
-    const MODULE: &'static str = "kernels/metal";
-    const INPUTS: usize = 9;
-    const OUTPUTS: &'static [&'static str] = VECTOR;
-
-    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
-        store(reflection::mirror(case.vector(), case.vector()) + case.vector(), result);
-    }
-
-    fn edges(rows: &mut Row) {
+/// Returns a direction, a normal and a vector for each case.
+pub fn metal(count: usize, seed: u64) -> Vec<f64> {
+    let edges = |rows: &mut Row| {
         for normal in NORMALS {
             for direction in DIRECTIONS {
                 for vector in [[0.0; 3], [-0.0; 3], [0.1, -0.2, 0.3], [1e-8, 0.0, 1e9]] {
@@ -123,26 +87,18 @@ impl Formula for Metal {
                 }
             }
         }
-    }
-
-    fn random(draws: &mut Uniform, row: &mut Row) {
-        let size = special::of_any_size(draws, -6.0, 6.0);
-        let diffusion = if special::once_in(draws, 4.0) { 0.0 } else { draws.canonical() };
-        row.vector(special::direction(draws) * size).vector(normal(draws));
-        row.vector(special::in_cube(draws, 1.0) * diffusion);
-    }
+    };
+    rows(count, seed, edges, |random, row| {
+        let size = any_size(random, -6.0, 6.0);
+        let diffusion = if once_in(random, 4.0) { 0.0 } else { random.uniform(0.0, 1.0) };
+        row.vector(direction(random) * size).vector(normal(random));
+        row.vector(random.cube(1.0) * diffusion);
+    })
 }
 
-impl Formula for Refraction {
-    const MODULE: &'static str = "kernels/refraction";
-    const INPUTS: usize = 7;
-    const OUTPUTS: &'static [&'static str] = VECTOR;
-
-    fn evaluate<T: Real<Mask = bool>>(mut case: Reader<'_, T>, result: &mut [T]) {
-        store(refraction::refract(case.vector(), case.vector(), case.number()), result);
-    }
-
-    fn edges(rows: &mut Row) {
+/// Returns a direction, a normal and a ratio of indices for each case.
+pub fn refraction(count: usize, seed: u64) -> Vec<f64> {
+    let edges = |rows: &mut Row| {
         let ratios = [1.0, 1.5, 1.0 / 1.5, 0.5, 2.0, 1e-9, 1e9, 5e-324, 1e-40];
         for normal in NORMALS {
             for direction in DIRECTIONS {
@@ -166,19 +122,18 @@ impl Formula for Refraction {
                 ratio = ratio.next_up();
             }
         }
-    }
-
-    fn random(draws: &mut Uniform, row: &mut Row) {
-        let normal = normal(draws);
-        let direction = special::direction(draws);
-        let mut ratio = if special::once_in(draws, 2.0) { draws.draw(1.0, 3.0) } else { draws.draw(0.3, 1.0) };
-        if special::once_in(draws, 3.0) {
+    };
+    rows(count, seed, edges, |random, row| {
+        let normal = normal(random);
+        let direction = direction(random);
+        let mut ratio = if once_in(random, 2.0) { random.uniform(1.0, 3.0) } else { random.uniform(0.3, 1.0) };
+        if once_in(random, 3.0) {
             // The case is near the critical angle.
             let cosine = direction.dot(normal);
             let sine = (1.0 - cosine * cosine).max(1e-6).sqrt();
-            ratio = (1.0 / sine) * (1.0 + special::of_any_size(draws, -17.0, -3.0));
+            ratio = (1.0 / sine) * (1.0 + any_size(random, -17.0, -3.0));
         }
-        let size = special::of_any_size(draws, -3.0, 3.0).abs();
+        let size = any_size(random, -3.0, 3.0).abs();
         row.vector(direction * size).vector(normal).number(ratio);
-    }
+    })
 }

@@ -1,8 +1,7 @@
 //! Numbers and vectors that are hard for floating-point formulas, and random ones of all magnitudes.
 
 use cpu::Vec3;
-use cpu::internals::sampling::uniform::Uniform;
-pub use gpu_check::conformance::inputs::of_any_size;
+use stability::random::Random;
 
 /// Numbers for edge cases: zeros, subnormal, very small and very large numbers of f64 and of f32, ordinary numbers, and
 /// infinity.
@@ -57,29 +56,23 @@ pub const DIRECTIONS: [[f64; 3]; 22] = [
     [f64::NAN, 1.0, 0.0],
 ];
 
-/// Returns a random vector in the cube around the origin with sides of length `2 * extent`.
-pub fn in_cube(draws: &mut Uniform, extent: f64) -> Vec3 {
-    Vec3::from([(); 3].map(|()| draws.draw(-extent, extent)))
+/// Returns a random direction. In one of eight, a component is zero.
+pub fn direction(random: &mut Random) -> Vec3 {
+    let mut components = random.unit().to_array();
+    if random.below(8) == 0 {
+        components[random.below(3)] = 0.0;
+    }
+    components.into()
 }
 
-/// Returns a random unit vector. About one in seven lies in the xy plane or in the yz plane.
-pub fn direction(draws: &mut Uniform) -> Vec3 {
-    loop {
-        let mut vector = in_cube(draws, 1.0);
-        if draws.canonical() < 0.125 {
-            let kept = draws.canonical();
-            vector = Vec3::new(vector.x * f64::from(kept < 0.6), vector.y, vector.z * f64::from(kept > 0.4));
-        }
-        let length = vector.length();
-        if length > 1e-3 && length <= 1.0 {
-            return vector / length;
-        }
-    }
+/// Returns a random number of either sign with a magnitude between `10^low` and `10^high`.
+pub fn any_size(random: &mut Random, low: f64, high: f64) -> f64 {
+    random.sign() * random.decades(low, high)
 }
 
 /// Returns a random bool that is true with the probability `1 / times`.
-pub fn once_in(draws: &mut Uniform, times: f64) -> bool {
-    draws.canonical() * times < 1.0
+pub fn once_in(random: &mut Random, times: f64) -> bool {
+    random.uniform(0.0, times) < 1.0
 }
 
 /// One or more rows of numbers, to which vectors and numbers are appended.
@@ -98,4 +91,12 @@ impl Row {
         self.0.push(number);
         self
     }
+}
+
+/// Returns the rows that `edges` appends, and `count` random ones, of which `random` appends each.
+pub fn rows(count: usize, seed: u64, edges: fn(&mut Row), random: fn(&mut Random, &mut Row)) -> Vec<f64> {
+    let (mut rows, mut generator) = (Row::default(), Random::new(seed));
+    edges(&mut rows);
+    (0..count).for_each(|_| random(&mut generator, &mut rows));
+    rows.0
 }

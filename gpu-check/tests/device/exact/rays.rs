@@ -1,16 +1,15 @@
 //! The cases of the exact kernels: those of the plain formulas, and the hard rays of `stability`.
 
 use cpu::internals::input::scene::{Cylinder, Shape};
-use cpu::internals::sampling::uniform::Uniform;
 use gpu_check::methods;
 use stability::case::Case;
 use stability::random::Random;
 use stability::regimes::near::{self, NearCase};
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, Regime, SPHERES};
 
-use crate::kernels::kernel::Kernel;
-use crate::kernels::special::{self, Row};
-use crate::kernels::{CYLINDER, SPHERE};
+use crate::kernels;
+use crate::kernels::of_regimes;
+use crate::kernels::special::{Row, any_size, rows};
 
 /// Numbers for edge cases of products. The last one overflows if WGSL splits it without scaling it first.
 const FACTORS: [f64; 13] = [
@@ -29,21 +28,25 @@ const FACTORS: [f64; 13] = [
     1e302,
 ];
 
-/// Returns cases of spheres; see [`super::ExactKernel::cases`].
-pub fn spheres(count: usize, seed: u64) -> Vec<f64> {
-    let extremes = EXTREMES.iter().chain(&LIMITS).filter(|regime| regime.name.starts_with("spheres"));
-    all(&SPHERE, SPHERES.iter().chain(extremes), count, seed)
+/// Returns the extreme regimes of spheres, or those of cylinders.
+fn extremes(of_spheres: bool) -> impl Iterator<Item = &'static Regime> {
+    EXTREMES.iter().chain(&LIMITS).filter(move |regime| regime.name.starts_with("spheres") == of_spheres)
 }
 
-/// Returns cases of cylinders; see [`super::ExactKernel::cases`].
+/// Returns `count` cases of each regime of spheres, and the edge cases.
+pub fn spheres(count: usize, seed: u64) -> Vec<f64> {
+    [kernels::spheres(SPHERES.len() * count, seed), of_regimes(extremes(true), count, seed)].concat()
+}
+
+/// Returns `count` cases of each regime of cylinders, and the edge cases.
 pub fn cylinders(count: usize, seed: u64) -> Vec<f64> {
-    let extremes = EXTREMES.iter().chain(&LIMITS).filter(|regime| !regime.name.starts_with("spheres"));
-    all(&CYLINDER, CYLINDERS.iter().chain(extremes).chain(&COMPENSATED), count, seed)
+    let others = of_regimes(extremes(false).chain(&COMPENSATED), count, seed);
+    [kernels::cylinders(CYLINDERS.len() * count, seed), others].concat()
 }
 
 /// Long, wide and far cylinders. The plain formula is uncertain about many of their rays, and the compensated formula
 /// decides most of those.
-pub const COMPENSATED: [Regime; 3] = [
+const COMPENSATED: [Regime; 3] = [
     Regime { name: "nearly along a long cylinder", draw: along_a_long_one },
     Regime { name: "near the side of a wide cylinder", draw: near_a_wide_side },
     Regime { name: "from far away", draw: far_away },
@@ -97,45 +100,30 @@ pub fn two_spheres(count: usize, seed: u64) -> Vec<f64> {
     rows
 }
 
-/// Returns the cases of the plain formula's kernel, and of the regimes.
-fn all<'a>(plain: &Kernel, regimes: impl Iterator<Item = &'a Regime>, count: usize, seed: u64) -> Vec<f64> {
-    let mut rows = [plain.edge_cases::<f64>(), plain.random_cases(count, seed)].concat();
-    for regime in regimes {
-        rows.extend(methods::rows::<f64>(&regime.cases(seed, count)));
-    }
-    rows
-}
-
 /// Returns two factors and a term for each case. Half of the terms nearly cancel the product. In a quarter the product
 /// has 54 bits and lies in the middle between two numbers of f64, so that a tiny term decides the rounding.
 pub fn products(count: usize, seed: u64) -> Vec<f64> {
-    let mut rows = Row::default();
-    for a in FACTORS {
-        for b in FACTORS {
+    let edges = |rows: &mut Row| {
+        for (a, b) in FACTORS.into_iter().flat_map(|a| FACTORS.map(|b| (a, b))) {
             // Neither a product nor its error may leave the range of f64.
             if (a * b).is_finite() {
-                for c in FACTORS.into_iter().chain([-a * b]) {
-                    rows.number(a).number(b).number(c);
-                }
+                FACTORS.into_iter().chain([-a * b]).for_each(|c| rows.0.extend([a, b, c]));
             }
         }
-    }
-    let mut draws = Uniform::new(seed);
-    for number in 0..count {
-        let mut any = |low: f64, high: f64| special::of_any_size(&mut draws, low, high);
-        let (mut a, mut b) = (any(-12.0, 12.0), any(-12.0, 12.0));
-        let c = match number % 4 {
-            0 => any(-30.0, 30.0),
-            1 => -a * b,
-            2 => -a * b * (1.0 + any(-17.0, 0.0)),
-            _ => {
+    };
+    rows(count, seed, edges, |random, row| {
+        let (mut a, mut b) = (any_size(random, -12.0, 12.0), any_size(random, -12.0, 12.0));
+        let c = match random.below(8) {
+            0 | 1 => any_size(random, -30.0, 30.0),
+            2 | 3 => -a * b,
+            4 | 5 => -a * b * (1.0 + any_size(random, -17.0, 0.0)),
+            kind => {
                 // Odd numbers of 27 bits.
-                let mut odd = || (draws.draw(f64::from(1 << 25), f64::from(1 << 26)) as u32 * 2 + 1).into();
+                let mut odd = || ((random.below(1 << 25) + (1 << 25)) * 2 + 1) as f64;
                 (a, b) = (odd(), odd());
-                if number % 8 == 3 { 0.0 } else { special::of_any_size(&mut draws, -40.0, 2.0) }
+                if kind == 6 { 0.0 } else { any_size(random, -40.0, 2.0) }
             }
         };
-        rows.number(a).number(b).number(c);
-    }
-    rows.0
+        row.0.extend([a, b, c]);
+    })
 }

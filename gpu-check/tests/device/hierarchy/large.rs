@@ -23,36 +23,29 @@ pub fn ten_thousand(width: u64) -> Case {
     case
 }
 
-fn ten_thousand_objects_are_rendered<T: Float>(form: Form) {
-    let gpu = crate::common::gpu().with_form(form);
+#[test]
+fn ten_thousand_objects_are_rendered_in_the_hierarchy() {
     let case = ten_thousand(480);
     let features = features_of(&case.config, &case.scene).expect("it is valid");
-    let picture = Picture::<T>::new(&case.config, &case.scene).expect("it is valid");
-    let renderer = Renderer::new(&gpu, &Library::standard().in_hierarchy(), &features, &[]).expect("it compiles");
-    // The time of the first picture has that of bringing the program to the device.
-    let [_, tree] = [(); 2].map(|()| renderer.render(&picture).expect("it is not deep"));
-    assert_eq!((tree.size.width(), tree.size.height()), (480, 270));
-    println!("ten-thousand, 480 x 270, {}, {form}: {:.2?} in the hierarchy", T::PRECISION, tree.time);
-    if is_everything() && form == Form::AsWritten {
-        let all = on_device::<T>(&gpu, &Library::standard(), &case);
-        let found = difference(&tree.pixels, &all.pixels);
-        println!("ten-thousand, 480 x 270, {}: {found}; {:.1?} without the hierarchy", T::PRECISION, all.time);
+    let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+    let library = Library::standard().in_hierarchy();
+    let forms = if is_everything() { &Form::ALL[..] } else { &[Form::AsWritten] };
+    let pictures = forms.iter().map(|form| {
+        let gpu = crate::common::gpu().with_form(*form);
+        let renderer = Renderer::new(&gpu, &library, &features, &[]).expect("it compiles");
+        // The time of the first picture has that of bringing the program to the device.
+        let [_, tree] = [(); 2].map(|()| renderer.render(&picture).expect("it is not deep"));
+        println!("ten-thousand, 480 x 270, f64, {form}: {:.2?} in the hierarchy", tree.time);
+        tree
+    });
+    let pictures: Vec<_> = pictures.collect();
+    assert_eq!((pictures[0].size.width(), pictures[0].size.height()), (480, 270));
+    if is_everything() {
+        let all = on_device::<f64>(&crate::common::gpu(), &Library::standard(), &case);
+        let found = difference(&pictures[0].pixels, &all.pixels);
+        println!("ten-thousand, 480 x 270: {found}; {:.1?} without the hierarchy", all.time);
         assert_eq!(found.differing, 0, "{found}");
     }
-}
-
-#[test]
-fn ten_thousand_objects_are_rendered_in_f64() {
-    ten_thousand_objects_are_rendered::<f64>(Form::AsWritten);
-    if is_everything() {
-        ten_thousand_objects_are_rendered::<f64>(Form::AsDriverLikes);
-        ten_thousand_objects_are_rendered::<f64>(Form::ByIntegers);
-    }
-}
-
-#[test]
-fn ten_thousand_objects_are_rendered_in_f32() {
-    ten_thousand_objects_are_rendered::<f32>(Form::AsWritten);
 }
 
 #[test]

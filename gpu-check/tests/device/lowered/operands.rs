@@ -1,25 +1,5 @@
 //! Operands that are hard for an implementation of f64: near ties, with close exponents, subnormal, or special.
 
-/// The operands of a case.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Operands {
-    /// The first number.
-    pub a: f64,
-    /// The second number.
-    pub b: f64,
-    /// The third number.
-    pub c: f64,
-    /// A word, for conversions from numbers of 32 bits.
-    pub word: u32,
-}
-
-impl Operands {
-    /// Returns the bytes that the kernels read, as words of 64 bits.
-    pub fn packed(&self) -> [u64; 4] {
-        [self.a.to_bits(), self.b.to_bits(), self.c.to_bits(), self.word.into()]
-    }
-}
-
 /// Numbers at which an operation changes its way.
 const SPECIAL: [f64; 24] = [
     0.0,
@@ -99,8 +79,9 @@ impl Draws {
     }
 }
 
-/// Returns the case number `index` of the sequence `seed`.
-pub fn draw(seed: u64, index: u64) -> Operands {
+/// Returns the case number `index` of the sequence `seed`: three numbers, and one whose lower half is a word, for
+/// conversions from numbers of 32 bits.
+pub fn draw(seed: u64, index: u64) -> [f64; 4] {
     let mut draws = Draws(seed.wrapping_mul(0x6a09_e667_f3bc_c909) ^ index.wrapping_mul(0xd134_2543_de82_ef95));
     let word = match draws.below(4) {
         0 => SPECIAL_WORDS[draws.below(12) as usize],
@@ -108,7 +89,7 @@ pub fn draw(seed: u64, index: u64) -> Operands {
         _ => draws.next() as u32,
     };
     let [a, b, c] = numbers(&mut draws, index % 12);
-    Operands { a, b, c, word }
+    [a, b, c, f64::from_bits(word.into())]
 }
 
 /// Returns three numbers of the kind number `kind`.

@@ -2,24 +2,24 @@
 
 use std::time::{Duration, Instant};
 
-use cpu::internals::sampling::uniform::Uniform;
-use cpu::{Config, Ray, Scatter, Vec3, reference};
+use cpu::{Config, Ray, Vec3};
 use gpu_check::closest_hits::closest_hits;
 use gpu_check::difference::{Difference, difference};
 use gpu_check::first_difference::{self, Located};
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use gpu_check::{Error, Float, Gpu, Picture, Renderer, features_of};
 use shaders::{Features, Library, Precision};
+use stability::random::Random;
 
 use super::crafted::{self, Crafted};
 use super::mutant::Mutant;
 use crate::common::{self, Accuracy};
-use crate::exact::kernels::EXACT_KERNELS;
 use crate::hierarchy::random;
-use crate::kernels::KERNELS;
-use crate::kernels::kernel::Kernel;
-use crate::kernels::row_kernel::{RowKernel, Tally};
+use crate::kernels::kernel::{Kernel, Tally};
+use crate::pictures::by_reference;
+use crate::sampled::record;
 use crate::scenes::{self, Case};
+use crate::{exact, kernels};
 
 /// Number of random cases of each kernel.
 const RANDOM_CASES: usize = 1 << 14;
@@ -50,8 +50,7 @@ const HIERARCHY: &str = "hierarchy";
 #[derive(Debug)]
 pub struct Examiner<'a> {
     gpu: &'a Gpu,
-    kernels: Vec<(RowKernel<f64>, Vec<f64>)>,
-    exact: Vec<(RowKernel<f64>, Vec<f64>)>,
+    kernels: Vec<(Kernel<f64>, Vec<f64>)>,
     pictures: Vec<(Case, Vec<Vec3>)>,
     sampled: Vec<(Case, Recording)>,
     crafted: Vec<Crafted>,
@@ -68,14 +67,20 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// [`Error::Scene`] if a scene cannot be rendered.
     pub fn new(gpu: &'a Gpu) -> Result<Self, Error> {
-        let cases = |kernel: &Kernel| [kernel.edge_cases(), kernel.random_cases(RANDOM_CASES, 44)].concat();
-        let kernels = KERNELS.iter().map(|kernel| (kernel.rows(), cases(kernel))).collect();
-        let exact = EXACT_KERNELS.iter().map(|(kernel, cases)| (*kernel, cases(EXACT_CASES, 44))).collect();
+        let plain = kernels::all().map(|kernel| (kernel, kernel.rows(RANDOM_CASES, 44)));
+        let exact = exact::all().map(|kernel| (kernel, kernel.rows(EXACT_CASES, 44)));
+        let kernels = plain.into_iter().chain(exact).collect();
         let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
-        let pictures = scenes.map(|case| expected(case.within(TESTS))).collect::<Result<_, _>>()?;
-        let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
-        let sampled = recorded.collect::<Result<_, _>>()?;
-        let mut draws = Uniform::new(45);
+        let pictures = scenes.map(|case| case.within(TESTS)).map(|case| (by_reference(&case), case));
+        let pictures = pictures.map(|(means, case)| (case, means)).collect();
+        let sampled = (0..SAMPLED_SCENES).flat_map(|seed| {
+            let mut case = scenes::random(seed);
+            (case.config.samples_per_pixel, case.config.max_depth) = (7, SAMPLED_DEPTH.into());
+            let case = case.within(SAMPLED_TESTS / 7);
+            Convention::ALL.map(|convention| (case.clone(), record(&case, convention)))
+        });
+        let sampled = sampled.collect();
+        let mut draws = Random::new(45);
         let accuracy = common::accuracy(gpu);
         let rays = (0..RAY_SCENES).map(|number| {
             let (picture, rays, hits) = random_rays(&mut draws, number)?;
@@ -86,7 +91,7 @@ impl<'a> Examiner<'a> {
             Ok::<_, Error>((picture, rays, hits))
         });
         let rays = rays.collect::<Result<_, _>>()?;
-        Ok(Self { gpu, kernels, exact, pictures, sampled, crafted: crafted::all()?, rays })
+        Ok(Self { gpu, kernels, pictures, sampled, crafted: crafted::all()?, rays })
     }
 
     /// Returns a description of the first check that notices `mutant`, or `None` if no check does.
@@ -107,11 +112,13 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// An error of the device or of the library's WGSL.
     pub fn examine(&self, library: &Library, module: &str) -> Result<Option<String>, Error> {
-        for kernels in [&self.kernels, &self.exact] {
-            if let Some((_, Tally { kernel, differing, cases, .. })) =
-                self.differing_kernel(kernels, library, module)?
-            {
-                return Ok(Some(format!("{kernel}, {differing} of {cases} cases")));
+        for (kernel, cases) in &self.kernels {
+            if runs(kernel.module, module)? {
+                let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
+                if tally.differing > 0 {
+                    let Tally { name, differing, cases, .. } = tally;
+                    return Ok(Some(format!("{name}, {differing} of {cases} cases")));
+                }
             }
         }
         let library = if module == HIERARCHY { &library.clone().in_hierarchy() } else { library };
@@ -131,48 +138,20 @@ impl<'a> Examiner<'a> {
         Ok(None)
     }
 
-    /// Returns the first difference that `library` has in a case of a kernel, or else in a pixel of a picture in
-    /// deterministic mode. Only kernels that need `module` are run. Returns `None` if there is no difference.
+    /// Returns the first difference that `library` has in a pixel of a picture in deterministic mode, or `None` if
+    /// there is none.
     ///
     /// # Errors
     /// An error of the device or of the library's WGSL.
     pub fn first_difference(&self, library: &Library, module: &str) -> Result<Option<Timed>, Error> {
-        let timed = |located: Result<Option<Located<f64>>, Error>, start: Instant| {
-            Ok(located?.map(|located| (located, start.elapsed())))
-        };
-        if let Some((at, Tally { first: Some(index), .. })) = self.differing_kernel(&self.kernels, library, module)? {
-            let (kernel, cases) = &self.kernels[at];
-            let case = &cases[index * kernel.inputs..][..kernel.inputs];
-            let start = Instant::now();
-            let rows = [case, &kernel.expected(case)];
-            return timed(first_difference::of_case(self.gpu, library, kernel.module, rows), start);
-        }
         if runs("kernels/image", module)?
             && let Some((case, Difference { first: Some(index), .. })) = self.differing_picture(library)?
         {
             let (features, picture) =
                 (features_of(&case.config, &case.scene)?, Picture::new(&case.config, &case.scene)?);
             let start = Instant::now();
-            let constants = (&features, &[][..]);
-            return timed(first_difference::of_pixel(self.gpu, library, constants, &picture, index), start);
-        }
-        Ok(None)
-    }
-
-    /// Returns the index of the first of `kernels` that needs `module` and whose results differ, with its comparison.
-    fn differing_kernel(
-        &self,
-        kernels: &[(RowKernel<f64>, Vec<f64>)],
-        library: &Library,
-        module: &str,
-    ) -> Result<Option<(usize, Tally)>, Error> {
-        for (at, (kernel, cases)) in kernels.iter().enumerate() {
-            if runs(kernel.module, module)? {
-                let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
-                if tally.differing > 0 {
-                    return Ok(Some((at, tally)));
-                }
-            }
+            let located = first_difference::of_pixel(self.gpu, library, (&features, &[]), &picture, index)?;
+            return Ok(located.map(|located| (located, start.elapsed())));
         }
         Ok(None)
     }
@@ -233,9 +212,9 @@ impl<'a> Examiner<'a> {
 }
 
 /// Returns a random scene, rays in it, and lambda, order and part of their closest hits in Rust.
-fn random_rays(draws: &mut Uniform, number: usize) -> Result<Rays, Error> {
+fn random_rays(draws: &mut Random, number: usize) -> Result<Rays, Error> {
     let config = Config { image_width: 8, ..Config::default() };
-    let picture = Picture::<f32>::new(&config, &random::scene(draws, number)?)?;
+    let picture = Picture::<f32>::new(&config, &random::scene(number))?;
     let rays: Vec<_> = (0..RAYS).map(|_| random::ray(draws, &picture)).collect();
     let hit = |ray: &Ray<f32>| {
         let found = picture.closest_hit(ray);
@@ -243,23 +222,6 @@ fn random_rays(draws: &mut Uniform, number: usize) -> Result<Rays, Error> {
     };
     let hits = rays.iter().map(hit).collect();
     Ok((picture, rays, hits))
-}
-
-/// Returns a random scene with few pixels and 7 samples for each, and its recording.
-fn record(seed: u64, convention: Convention) -> Result<(Case, Recording), Error> {
-    let mut case = scenes::random(seed);
-    case.config.samples_per_pixel = 7;
-    case.config.max_depth = SAMPLED_DEPTH.into();
-    let case = case.within(SAMPLED_TESTS / 7);
-    let recording = Recording::new(&case.config, &case.scene, convention)?;
-    Ok((case, recording))
-}
-
-/// Returns the case, and the linear colours of its picture by the reference.
-fn expected(case: Case) -> Result<(Case, Vec<Vec3>), Error> {
-    let mut means = Vec::new();
-    reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| means.push(mean))?;
-    Ok((case, means))
 }
 
 /// Whether the kernel `kernel` needs the module `module`.
