@@ -4,7 +4,6 @@
 //! [`fault`]s. [`Report`] is the result, and [`page`] shows it.
 
 pub mod cases;
-pub mod drawn;
 pub mod fault;
 pub mod judge;
 pub mod page;

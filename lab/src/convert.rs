@@ -4,7 +4,6 @@
 //! it, and [`write`](mod@write) writes both formats. [`mod@matches`] is the table of what has a match, and [`notes`]
 //! collects what has none. Begin with [`world::World`].
 
-pub mod caps;
 pub mod complete;
 pub mod matches;
 pub mod materials;

@@ -7,15 +7,17 @@ pub mod charts;
 pub mod findings;
 pub mod html;
 pub mod style;
-pub mod thumbnails;
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use cpu::{Aos, Config, Scatter, Scene};
 use output::{Options, Output};
 
 use crate::bench::results::Results;
+use crate::bench::{matrix, scenes};
 use crate::format::hint::Language;
+use crate::picture::Picture;
 use crate::{Failure, sources};
 use chart::Chart;
 
@@ -48,6 +50,31 @@ pub fn write(
         output.fill(|file| file.write_all(text.as_bytes()))?;
     }
     Ok(())
+}
+
+/// Width in pixels, which is twice the width on the page, because some screens have two pixels for each pixel of CSS.
+const WIDTH: u64 = 448;
+const SAMPLES: u64 = 24;
+
+/// Renders thumbnails of those scenes in `results` that the program contains, and of the generated scene `board`. Other
+/// scenes, such as the course's cases, get none. Each has the scene's name, and the `data:` address of a PNG.
+pub fn thumbnails(results: &Results) -> Vec<(String, String)> {
+    let mut names: Vec<&str> = results.timings.iter().map(|timing| timing.setting.scene.as_str()).collect();
+    names.extend(results.curves.iter().map(|curve| curve.scene.as_str()));
+    names.sort_unstable();
+    names.dedup();
+    let thumbnail = |name: &str| {
+        let (config, scene) =
+            if name == matrix::BOARD { matrix::board(matrix::BOARD_OBJECTS, WIDTH) } else { scenes::named(name)? };
+        Some((name.to_owned(), drawn(config, &scene)?))
+    };
+    names.into_iter().filter_map(thumbnail).collect()
+}
+
+fn drawn(config: Config, scene: &Scene) -> Option<String> {
+    let config = Config { image_width: WIDTH, samples_per_pixel: SAMPLES, ..config };
+    let image = cpu::render::<Aos>(&config, scene, Scatter::Statement).ok()?;
+    Picture::of(&image).ok()?.address().ok()
 }
 
 /// Returns the files of a report in the order in which they are written: one for each chart, the findings, the page.

@@ -1,7 +1,6 @@
 //! Computes quantities of each pixel other than its colour: what the ray through its middle hits, and what its samples
 //! cost.
 
-mod counted;
 mod draw;
 
 use std::cell::Cell;
@@ -11,17 +10,18 @@ use clap::ValueEnum;
 use cpu::internals::accel::closest_hit::ClosestHit;
 use cpu::internals::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use cpu::internals::accel::stack::Stack;
-use cpu::internals::geometry::cylinder::CylinderPart;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::layout::{Objects, Placed};
 use cpu::internals::math::vec3::Vec3;
 use cpu::internals::render::surface_hit::SurfaceHit;
 use cpu::internals::sampling::scatter_stream::ScatterSamples;
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::{InstructionSet, Prepared};
-use cpu::{Error, Layout, Ray, Scatter};
+use cpu::{Error, Layout, Ray, Scatter, Scene};
 
 use crate::picture::floats::Floats;
-use counted::Counted;
 
 /// A quantity of each pixel. What the ray through the middle hits is not a number (NaN) where it hits no object. The
 /// variance of one sample is NaN too.
@@ -205,6 +205,54 @@ impl<'a, L: Layout> Tracer<'a, L> {
         }
         Ok(self.reflectances.iter().rev().fold(color, |color, &reflectance| color.attenuate(reflectance)))
     }
+}
+
+/// Objects that count how often one of them is read to intersect it with a ray.
+struct Counted<'a, O> {
+    /// The objects.
+    objects: &'a O,
+    /// How often one of them was read.
+    reads: Cell<u64>,
+}
+
+impl<O> Counted<'_, O> {
+    fn count(&self) {
+        self.reads.set(self.reads.get() + 1);
+    }
+}
+
+impl<O: Objects> Objects for Counted<'_, O> {
+    fn build(_: &Scene) -> Result<Self, Error> {
+        Err(Error::OutOfMemory { what: "objects that are borrowed" })
+    }
+
+    fn sphere_count(&self) -> usize {
+        self.objects.sphere_count()
+    }
+
+    fn cylinder_count(&self) -> usize {
+        self.objects.cylinder_count()
+    }
+
+    fn sphere(&self, index: usize) -> Placed<SphereRecord> {
+        self.count();
+        self.objects.sphere(index)
+    }
+
+    fn prefetch_sphere(&self, index: usize) {
+        self.objects.prefetch_sphere(index);
+    }
+
+    fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
+        self.count();
+        self.objects.cylinder(index)
+    }
+
+    fn axis(&self, index: usize) -> Vec3 {
+        self.objects.axis(index)
+    }
+
+    fn reorder(&mut self, _: &mut [u32], _: &mut [u32]) {}
 }
 
 #[cfg(test)]

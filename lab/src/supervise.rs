@@ -4,8 +4,6 @@
 //! [`Limits::watch`]. This second process starts no other program, so the time that the system reports about its
 //! children is that of the program alone.
 
-mod processes;
-
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::Read;
@@ -19,12 +17,12 @@ use measure::clock::{peak_memory, peak_memory_of_children, seconds_of_children};
 use measure::energy::Meter;
 use nix::sys::resource::{Resource, getrlimit, setrlimit};
 use nix::sys::signal::{Signal, kill, killpg};
+use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
 use nix::unistd::Pid;
 use serde::{Deserialize, Serialize};
 
 use crate::numbers::above_zero;
 use crate::{Failure, interrupt};
-use processes::{end_all, memory_below};
 
 /// The limits of one run.
 #[derive(Clone, Copy, Debug, PartialEq, clap::Args)]
@@ -212,5 +210,36 @@ impl Limits {
         let by_itself = || status.code().map_or_else(|| End::Signal(status.signal().unwrap_or(0)), End::Status);
         let end = broken.or((memory > self.memory).then_some(End::OverMemory)).unwrap_or_else(by_itself);
         Ok(Run { end, user: seconds_of_children(), wall, memory, joules })
+    }
+}
+
+/// Returns the processes that the process `id` has started or adopted, where the system tells them.
+fn children(id: Pid) -> Vec<Pid> {
+    let threads = fs::read_dir(format!("/proc/{id}/task")).into_iter().flatten().flatten();
+    let lists = threads.filter_map(|thread| fs::read_to_string(thread.path().join("children")).ok());
+    lists
+        .flat_map(|list| list.split(' ').filter_map(|id| id.parse().ok().map(Pid::from_raw)).collect::<Vec<_>>())
+        .collect()
+}
+
+/// Returns the resident memory of all processes below the process `id`, in MB.
+fn memory_below(id: Pid) -> f64 {
+    let memory = |id: Pid| {
+        let text = fs::read_to_string(format!("/proc/{id}/status")).unwrap_or_default();
+        let own = text.lines().find_map(|line| line.strip_prefix("VmRSS:")?.strip_suffix("kB")?.trim().parse().ok());
+        own.map_or(0.0, |kilobytes: f64| kilobytes * 1024e-6) + memory_below(id)
+    };
+    children(id).into_iter().map(memory).sum()
+}
+
+/// Ends all processes below this one, and waits for them.
+fn end_all() {
+    while let Ok(status) = waitpid(None, Some(WaitPidFlag::WNOHANG)) {
+        if status == WaitStatus::StillAlive {
+            for id in children(Pid::this()) {
+                let _ = kill(id, Signal::SIGKILL);
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
     }
 }

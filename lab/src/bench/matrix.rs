@@ -1,7 +1,5 @@
 //! Lists everything that `bench all` measures, as tasks that different nodes of a cluster can run.
 
-mod times;
-
 use cpu::{Config, Scene};
 use generator::{self, Arrangement, Options};
 
@@ -70,7 +68,7 @@ impl Plan {
 
     /// Returns the longest time in seconds that one picture may take. A picture with a longer predicted time is left
     /// out.
-    const fn patience(&self) -> f64 {
+    pub(super) const fn patience(&self) -> f64 {
         if self.quick { 0.7 } else { 4.0 }
     }
 

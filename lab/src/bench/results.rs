@@ -1,7 +1,6 @@
 //! The measured data, and the figures that are derived from them.
 
 pub mod check;
-mod derived;
 mod merge;
 
 use std::path::Path;
@@ -11,7 +10,7 @@ use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 
 use super::error::ErrorCurve;
-use super::fit::PowerLaw;
+use super::fit::{PowerLaw, reaches};
 use super::machine::Machine;
 use crate::{Failure, terminal};
 use check::Total;
@@ -139,6 +138,30 @@ impl Results {
         Ok(Output::open(path, options)?.fill(|file| writeln!(file, "{json}"))?)
     }
 
+    /// Sorts `timings`, and computes `growth` and `times_to_error` from the measured data.
+    pub fn complete(&mut self) {
+        self.timings.sort_by(|a, b| a.setting.partial_cmp(&b.setting).unwrap_or(std::cmp::Ordering::Equal));
+        let growth = self.lines("scale").filter_map(|([scene, parameter, engine], points)| {
+            let [scene, parameter, engine] = [scene, parameter, engine].map(String::clone);
+            Some(Growth { law: PowerLaw::through(&points)?, scene, parameter, engine })
+        });
+        self.growth = growth.collect();
+        let mut times_to_error = Vec::new();
+        for ([scene, _, engine], points) in self.lines("error") {
+            let Some(curve) = self.curves.iter().find(|curve| curve.scene == *scene) else { continue };
+            let error_at = |samples: f64| curve.points.iter().find(|point| point.samples as f64 == samples);
+            let points: Vec<_> = points
+                .iter()
+                .filter_map(|&(samples, seconds)| Some((seconds, error_at(samples)?.linear.median)))
+                .collect();
+            times_to_error.extend(TARGETS.map(|error| {
+                let (scene, engine, seconds) = (scene.clone(), engine.clone(), reaches(&points, error));
+                TimeToError { scene, engine, error, seconds }
+            }));
+        }
+        self.times_to_error = times_to_error;
+    }
+
     /// Returns the lines of the charts of the suite `suite`.
     fn lines(&self, suite: &str) -> impl Iterator<Item = Line<'_>> {
         let mut lines: IndexMap<_, Vec<_>> = IndexMap::new();
@@ -154,16 +177,4 @@ impl Results {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
-    use super::*;
-
-    pub fn timing(engine: &str, value: u64, seconds: &[f64]) -> Timing {
-        let [suite, scene, parameter, engine] = ["scale", "grid", "samples", engine].map(str::to_owned);
-        let setting = Setting { suite, scene, parameter, value, engine };
-        Timing { setting, seconds: seconds.to_vec(), median: Median::of(seconds), digest: "d".to_owned() }
-    }
-
-    pub fn results(timings: Vec<Timing>) -> Results {
-        Results { timings, machines: vec![Machine::here()], ..Results::default() }
-    }
-}
+pub(crate) mod tests;

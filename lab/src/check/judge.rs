@@ -4,8 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
-use super::cases::{Case, Expected};
-use super::drawn::Drawn;
+use super::cases::{Case, Drawn, Expected};
 use super::fault::{Fault, Kind};
 use crate::Failure;
 use crate::bench::commands::Job;

@@ -12,6 +12,7 @@ use cpu::{Aos, Config, Error, Scene, Size};
 use indicatif::ProgressBar;
 use output::{Options, Output};
 use serde::Serialize;
+use serde_json::json;
 
 use crate::checkpoint::Origin;
 use crate::convert::transform::turned;
@@ -52,15 +53,6 @@ pub struct Arguments {
     /// Say nothing but errors
     #[arg(long)]
     quiet: bool,
-}
-
-/// What an animation took.
-#[derive(Debug, Default, Serialize)]
-struct Taken {
-    frames: u32,
-    /// Number of frames that were rendered. The folder had the others.
-    rendered: usize,
-    seconds: f64,
 }
 
 /// What decides the frames in a folder. The folder has it in the file [`ABOUT`].
@@ -108,12 +100,13 @@ impl Arguments {
             film.write_folder(&self.out, &about, options)?
         };
         film.bar.finish_and_clear();
-        let taken = Taken { frames: self.frames, rendered, seconds: start.elapsed().as_secs_f64() };
+        let (frames, seconds) = (self.frames, start.elapsed().as_secs_f64());
         if self.json {
-            super::print_json(&taken)?;
+            // The folder had the frames that were not rendered.
+            super::print_json(&json!({ "frames": frames, "rendered": rendered, "seconds": seconds }))?;
         }
         if !self.quiet {
-            let (name, Taken { frames, seconds, .. }) = (terminal::name(&self.out), taken);
+            let name = terminal::name(&self.out);
             terminal::note(&format!("{name}: {frames} frames, {rendered} of them rendered in {seconds:.1} s"));
         }
         Ok(())

@@ -1,17 +1,20 @@
 //! `render-lab bench`: measures, and writes the results to files.
 
-mod diff;
-mod measure;
-
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::{Args, Subcommand};
 use output::Options;
 
-use crate::bench::matrix::{PARAMETERS, Task, tasks};
-use crate::bench::results::Results;
+use crate::bench::diff::{Change, Changes, Times};
+use crate::bench::machine::Machine;
+use crate::bench::matrix::{PARAMETERS, Plan, Task, tasks};
+use crate::bench::progress;
 use crate::bench::results::check::Total;
-use crate::{Failure, sources, terminal};
+use crate::bench::results::{Growth, Results};
+use crate::numbers::above_zero;
+use crate::report::style::{seconds, short};
+use crate::{Failure, interrupt, sources, terminal};
 
 /// Options of `bench`.
 #[derive(Debug, Args)]
@@ -63,7 +66,19 @@ enum What {
         parts: Vec<PathBuf>,
     },
     /// Say what became faster or slower between two records
-    Diff(diff::Arguments),
+    #[command(after_help = include_str!("../../help/bench-diff.txt").trim_ascii_end())]
+    Diff {
+        /// The older record
+        old: PathBuf,
+        /// The newer record
+        new: PathBuf,
+        /// Smaller changes, in percent, do not count
+        #[arg(long, value_name = "PERCENT", default_value_t = 2.0, value_parser = above_zero)]
+        least: f64,
+        /// Print the changes as JSON
+        #[arg(long)]
+        json: bool,
+    },
 }
 
 /// How it is measured, and where to.
@@ -107,8 +122,44 @@ impl Arguments {
                 terminal::print(&names.join("\n"))
             }
             What::Merge { out, parts } => merge(out, parts, options),
-            What::Diff(arguments) => arguments.run(),
+            What::Diff { old, new, least, json } => diff([old, new], least / 100.0, *json),
         }
+    }
+}
+
+impl How {
+    /// Measures `tasks` one after the other, and writes the results to the file of `--out`.
+    ///
+    /// # Errors
+    /// An error of a file or a task, or an interruption.
+    fn run<'a>(&self, options: Options, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
+        interrupt::listen();
+        // Checked first, because a measurement takes minutes and its results would be lost.
+        drop(sources::open(&self.out, options)?);
+        let plan = Plan { quick: self.quick, repeats: usize::from(self.repeats) };
+        let machine = Machine::here();
+        let say = |text: String| (!self.quiet).then(|| terminal::note(&text));
+        measure::busy::warning(machine.load).map(say);
+        let mut results = Results { quick: self.quick, machines: vec![machine], ..Results::default() };
+        let (tasks, start): (Vec<_>, _) = (tasks.collect(), Instant::now());
+        for (done, task) in tasks.iter().enumerate() {
+            say(progress::announcement(done, tasks.len(), task, start));
+            plan.run(task, &mut results)?;
+        }
+        results.complete();
+        progress::spread_warning(&results).map(say);
+        for Growth { parameter, engine, law, .. } in &results.growth {
+            let error = law.exponent_error.map_or_else(String::new, |error| format!(" +- {error:.2}"));
+            say(format!("{engine}: time grows with {parameter} to the power {:.2}{error}", law.exponent));
+        }
+        results.write(&self.out, options)?;
+        say(format!(
+            "{}: {} times in {:.0} s",
+            sources::output_name(&self.out),
+            results.timings.len(),
+            start.elapsed().as_secs_f64()
+        ));
+        Ok(())
     }
 }
 
@@ -116,14 +167,53 @@ fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure>
     let inputs: Vec<&Path> = parts.iter().map(PathBuf::as_path).collect();
     sources::refuse_inputs_in_one(&inputs)?;
     output::refuse_inputs(out, &inputs)?;
-    let (mut all, mut total) = (Results::default(), Total::default());
-    for (index, path) in parts.iter().enumerate() {
+    let (mut all, mut total) = (None, Total::default());
+    for path in parts {
         let part = Results::read_part(path, &mut total)?;
         // The limits are checked after each file, so that all files together stay within them.
-        all = if index == 0 { Results::merge(vec![part])? } else { Results::merge(vec![all, part])? };
-        all.check().map_err(|reason| format!("the parts together: {reason}"))?;
+        let joined = Results::merge(all.into_iter().chain([part]))?;
+        joined.check().map_err(|reason| format!("the parts together: {reason}"))?;
+        all = Some(joined);
     }
-    all.write(out, options)
+    all.ok_or("there is nothing to join")?.write(out, options)
+}
+
+/// Compares two records and prints the changes of more than `least`.
+///
+/// # Errors
+/// [`Failure::Rejected`] if a case became slower, or an error of a file.
+fn diff([old, new]: [&PathBuf; 2], least: f64, json: bool) -> Result<(), Failure> {
+    sources::refuse_inputs_in_one(&[old, new])?;
+    let changes = Changes::between(&Times::read(old)?, &Times::read(new)?, least);
+    if !changes.has_common_cases() {
+        return Err("the two records have no case in common".into());
+    }
+    if changes.other_processor {
+        terminal::note("warning: the records come from different processors, so their times say little");
+    }
+    super::print_as(json, &[], &changes, || text(&changes))?;
+    if changes.slower.is_empty() { Ok(()) } else { Err(Failure::Rejected) }
+}
+
+fn text(changes: &Changes) -> String {
+    let row = |word: &str, change: &Change| {
+        let [low, high] = change.bounds.map(short);
+        let [old, new] = change.seconds.map(seconds);
+        let ratio = format!("{} ({low} to {high})", short(change.ratio));
+        vec![word.to_owned(), ratio, old, new, terminal::escape_lines(&change.case)]
+    };
+    let slower = changes.slower.iter().map(|change| row("slower", change));
+    let faster = changes.faster.iter().map(|change| row("faster", change));
+    let head = ["change", "ratio", "old", "new", "case"].map(str::to_owned).to_vec();
+    let rows: Vec<_> = std::iter::once(head).chain(slower).chain(faster).collect();
+    let table = if rows.len() > 1 { terminal::table(&rows) + "\n\n" } else { String::new() };
+    let Changes { unchanged, unknown, only_old, only_new, .. } = changes;
+    format!(
+        "{table}{} slower, {} faster, {unchanged} within their spread; {unknown} measured too few times, {only_old} \
+         only in the old record, {only_new} only in the new one",
+        changes.slower.len(),
+        changes.faster.len(),
+    )
 }
 
 #[cfg(test)]
@@ -135,18 +225,6 @@ mod tests {
         assert_eq!(parse_part("3/10"), Ok((3, 10)));
         for text in ["", "0/3", "4/3", "1", "a/b", "1/0"] {
             assert!(parse_part(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn parts_have_every_task_once() {
-        let all = tasks();
-        for parts in [1, 3, all.len(), all.len() + 5] {
-            let mut joined: Vec<_> =
-                (1..=parts).flat_map(|part| all.iter().skip(part - 1).step_by(parts)).cloned().collect();
-            assert_eq!(joined.len(), all.len());
-            joined.retain(|task| !all.contains(task));
-            assert!(joined.is_empty());
         }
     }
 }

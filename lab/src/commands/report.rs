@@ -30,7 +30,7 @@ impl Arguments {
     /// # Errors
     /// An error of the data or the folder.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        let (results, pictures) = (Results::read(&self.data)?, report::thumbnails::of);
+        let (results, pictures) = (Results::read(&self.data)?, report::thumbnails);
         report::write(&results, &self.data, &self.out, self.language, options, pictures)
     }
 }

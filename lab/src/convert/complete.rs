@@ -1,11 +1,13 @@
-//! Completes a scene that has been read: the sky, the size of the picture and the camera.
+//! Completes a scene that has been read: the caps of cylinders, the sky, the size of the picture and the camera.
 
 use cpu::internals::Camera;
 use cpu::{Config, Shape, Vec3};
 
-use super::caps;
 use super::notes::{Fault, Place};
 use super::world::{View, World};
+
+/// Largest error of a length, as a part of the cylinder's size and distance: files have numbers of `f32`.
+const ERROR: f64 = 1e-5;
 
 /// Sets the values of the configuration that depend on several plugins, and notes what is missing.
 ///
@@ -16,7 +18,7 @@ pub fn complete(world: &mut World) -> Result<(), Fault> {
     if world.scene.objects.is_empty() && world.view.is_none() && world.sky.is_none() {
         return Err((START, "nothing in this file has a match: no camera, sky, sphere or cylinder".to_owned()));
     }
-    caps::close_cylinders(world);
+    close_cylinders(world);
     set_size(&mut world.config, world.film);
     if let Some([dark, light]) = world.sky {
         (world.config.background_dark_color, world.config.background_light_color) = (dark, light);
@@ -87,5 +89,39 @@ fn set_size(config: &mut Config, [width, height]: [u64; 2]) {
         if config.image_size().is_ok_and(|size| (size.width() as u64, size.height() as u64) == (width, height)) {
             return;
         }
+    }
+}
+
+/// Notes cylinders that two disks do not close, and disks that close none. Cylinders of pbrt and Mitsuba are open, and
+/// ours are closed.
+fn close_cylinders(world: &mut World) {
+    let disks = &mut world.disks;
+    // The disks near a place are found along a direction that no rows of a scene are likely to have.
+    let along = |place: Vec3| place.dot(Vec3::new(0.6, 0.53, 0.59));
+    disks.sort_by(|one, other| along(one.center).total_cmp(&along(other.center)));
+    let mut closes = vec![false; disks.len()];
+    let cylinders = world.scene.objects.iter().filter_map(|object| match object.shape {
+        Shape::Cylinder(cylinder) => Some((cylinder, object.material)),
+        Shape::Sphere(_) => None,
+    });
+    for ((cylinder, material), &place) in cylinders.zip(&world.cylinders) {
+        let near = ERROR * (cylinder.radius + cylinder.axis.length() + cylinder.center.length());
+        let mut is_cap = |half: f64| {
+            let end = cylinder.center + cylinder.axis * half;
+            let first = disks.partition_point(|disk| along(disk.center) < along(end) - near);
+            let cap = (first..disks.len()).take_while(|&at| along(disks[at].center) <= along(end) + near).find(|&at| {
+                let disk = &disks[at];
+                let is_there = !closes[at] && (disk.center - end).length() <= near && disk.material == material;
+                let cosine = disk.normal.unit().dot(cylinder.axis.unit()).abs();
+                is_there && (disk.radius / cylinder.radius - 1.0).abs() < ERROR && cosine > 1.0 - ERROR
+            });
+            cap.is_some_and(|at| !std::mem::replace(&mut closes[at], true))
+        };
+        if [is_cap(0.5), is_cap(-0.5)] != [true; 2] {
+            world.notes.add(place, "an open cylinder has no match; ours, with two caps, takes its place");
+        }
+    }
+    for (disk, _) in world.disks.iter().zip(&closes).filter(|(_, closes)| !**closes) {
+        world.notes.add(disk.place, "a disk that closes no cylinder has no match; left out");
     }
 }

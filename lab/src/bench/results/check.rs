@@ -90,32 +90,3 @@ impl Results {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::{results, timing};
-    use super::*;
-
-    #[test]
-    fn a_list_of_exactly_the_limit_is_taken_and_one_entry_more_refused() {
-        let with = |count| results(vec![timing("a", 1, &[1.0]); count]).check();
-        assert_eq!(with(MAX_ENTRIES), Ok(()));
-        assert_eq!(with(MAX_ENTRIES + 1), Err("the list \"timings\" has 4097 entries, more than 4096".to_owned()));
-    }
-
-    #[test]
-    fn values_are_counted_in_lists_objects_and_the_file_itself() {
-        for (json, expected) in [("1", 1), ("[]", 2), ("[1, 2]", 3), (r#"{"a": [1, {"b": 2}], "c": 3}"#, 6)] {
-            let count = values(json.as_bytes());
-            assert_eq!(count, expected, "{json}");
-        }
-    }
-
-    #[test]
-    fn what_was_measured_without_a_time_is_named() {
-        let mut without = timing("a", 1, &[1.0]);
-        without.seconds.clear();
-        let message = results(vec![without]).check().expect_err("there is no time");
-        assert_eq!(message, "the list \"seconds\" of a for grid is empty; measure it again");
-    }
-}
