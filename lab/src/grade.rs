@@ -2,7 +2,6 @@
 
 pub mod file;
 pub mod page;
-mod points;
 
 use std::fs;
 use std::path::Path;
@@ -10,15 +9,16 @@ use std::path::Path;
 use cpu::Config;
 use cpu::internals::input::reader::read;
 use cpu::internals::input::text::MAX_FILE_BYTES;
+use measure::statistics::Median;
 use serde::Serialize;
 
 use crate::bench::commands::{Job, Rounds, Timed};
 use crate::bench::scenes;
 use crate::check::Report;
 use crate::check::cases::{Case, Group, picture};
-use crate::supervise::{self, End, Limits, PRINTED};
+use crate::supervise::{self, Limits};
 use crate::{Failure, sources, terminal};
-use file::File;
+use file::{File, Weights};
 
 /// The longest time of a build, in seconds.
 const BUILD: f64 = 600.0;
@@ -111,7 +111,7 @@ impl Grades {
                 graded.times.push(timed.flatten());
             }
         }
-        points::add(&mut programs, &file);
+        add_points(&mut programs, &file);
         Ok(Self { scenes: scenes.iter().map(|scene| scene_name(scene).to_owned()).collect(), programs })
     }
 }
@@ -124,12 +124,8 @@ fn scene_name(scene: &Case) -> &str {
 /// Builds a program.
 fn built(build: &Job, printed: &Path) -> Result<(), Failure> {
     fs::create_dir_all(printed)?;
-    let run = supervise::run(&build.words, &build.place, printed, &Limits { seconds: BUILD, ..supervise::NONE })?;
-    if run.end == End::Status(0) {
-        return Ok(());
-    }
-    let said = supervise::start_of(&printed.join(PRINTED[1]));
-    Err(format!("it cannot be built: {}\n{}", run.end, String::from_utf8_lossy(&said)).trim_end().into())
+    let limits = Limits { seconds: BUILD, ..supervise::NONE };
+    build.run(printed, &limits).map(drop).map_err(|failure| failure.about("it cannot be built"))
 }
 
 /// Returns the scenes whose time is measured: those of the file, or two small ones.
@@ -175,4 +171,68 @@ fn timed_job(
     let outcome = scene.run(program, &place, limits).map_err(|error| error.about(scene_name(scene)))?;
     let is_right = outcome.is_ok_and(|compared| compared[report.convention].difference.accepted);
     Ok(is_right.then(|| Job { words: scene.command(program, &place), ..program.clone() }))
+}
+
+/// Computes the points of all programs.
+fn add_points(programs: &mut [Graded], file: &File) {
+    let given: Vec<_> = file.scene.iter().map(|scene| [scene.reference, scene.zero]).collect();
+    let times = means(programs, &given, |timed| Some(timed.median.median)).unwrap_or(vec![0.0; programs.len()]);
+    let energies = means(programs, &[], |timed| Some(timed.joules?.median));
+    let Weights { messages, pictures, time, energy } = file.points;
+    for (index, graded) in programs.iter_mut().enumerate() {
+        let share = |[passed, all]: [usize; 2]| Some(10.0 * passed as f64 / all.max(1) as f64);
+        let checks = GROUPS.map(|groups| share(graded.passed(groups)));
+        graded.points = [checks[0], checks[1], Some(times[index]), energies.as_ref().map(|energies| energies[index])];
+        let weights = [messages, pictures, time, energy];
+        let parts = || graded.points.iter().zip(weights).filter_map(|(points, weight)| Some(((*points)?, weight)));
+        let total: f64 = parts().map(|(_, weight)| weight).sum();
+        graded.total = parts().map(|(points, weight)| points * weight).sum::<f64>() / total;
+    }
+}
+
+/// Returns the mean points of each program for a figure of its scenes, or `None` if no program has the figure. `given`
+/// has the figures of each scene with 5 points and with none, where they are given.
+fn means(programs: &[Graded], given: &[[Option<f64>; 2]], figure: fn(&Timed) -> Option<f64>) -> Option<Vec<f64>> {
+    let scenes = programs.first()?.times.len();
+    let mut means = vec![0.0; programs.len()];
+    let mut is_known = false;
+    for scene in 0..scenes {
+        let figures: Vec<_> = programs.iter().map(|graded| figure(graded.times[scene].as_ref()?)).collect();
+        let known: Vec<f64> = figures.iter().copied().flatten().collect();
+        if known.is_empty() {
+            continue;
+        }
+        is_known = true;
+        let [reference, zero] = given.get(scene).copied().unwrap_or_default();
+        let reference = reference.unwrap_or_else(|| Median::of(&known).median);
+        let zero = zero.unwrap_or(4.0 * reference);
+        for (mean, figure) in means.iter_mut().zip(figures) {
+            *mean += figure.map_or(0.0, |figure| scaled(figure, reference, zero)) / scenes as f64;
+        }
+    }
+    is_known.then_some(means)
+}
+
+/// Returns the points of a time or an energy: 5 for the reference, 0 for `zero`, and equally many more each time that
+/// it is divided by the same factor. At most 10.
+fn scaled(value: f64, reference: f64, zero: f64) -> f64 {
+    /// The clock of user time may count nothing for a tiny picture.
+    const LEAST: f64 = 1e-6;
+    match (value.max(LEAST), reference.max(LEAST)) {
+        (value, _) if value >= zero => 0.0,
+        (_, reference) if reference >= zero => 10.0,
+        (value, reference) => (5.0 * (zero / value).ln() / (zero / reference).ln()).min(10.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_reference_has_half_the_points() {
+        let points = [0.01, 0.25, 0.5, 1.0, 2.0, 4.0, 9.0].map(|value| scaled(value, 1.0, 4.0));
+        assert_eq!(points, [10.0, 10.0, 7.5, 5.0, 2.5, 0.0, 0.0]);
+        assert_eq!([scaled(0.0, 0.0, 1.0), scaled(1.0, 3.0, 2.0), scaled(0.0, 0.0, 0.0)], [5.0, 10.0, 0.0]);
+    }
 }

@@ -6,7 +6,6 @@
 pub mod any;
 mod exr;
 pub mod floats;
-pub mod kind;
 mod ppm;
 
 use std::io::{self, Cursor, Write};

@@ -21,14 +21,6 @@ struct Row {
     lambda_max: f64,
 }
 
-/// The columns of `large-spheres.csv`.
-#[derive(Deserialize)]
-struct Large {
-    implementation: String,
-    radius: f64,
-    wrong_share: f64,
-}
-
 /// The columns of `step-times.csv` that are drawn.
 #[derive(Deserialize)]
 struct StepTime {
@@ -36,14 +28,6 @@ struct StepTime {
     step: String,
     difficulty: f64,
     nanoseconds: f64,
-}
-
-/// The columns of `step-shares.csv`.
-#[derive(Deserialize)]
-struct StepShare {
-    scene: String,
-    step: String,
-    share: f64,
 }
 
 /// Returns the eight charts of the tables in `folder`.
@@ -59,8 +43,9 @@ pub fn charts(folder: &Path) -> Result<Vec<Chart>, String> {
         let errors = its().map(|row| (&*row.regime, &*row.implementation, row.lambda_max));
         charts.push(by_regime(format!("{object}-lambda"), title, "relative error", errors));
     }
-    let large: Vec<Large> = read(&folder.join("large-spheres.csv"))?;
-    let points = large.iter().map(|row| (&*row.implementation, row.radius, row.wrong_share));
+    // The columns are the implementation, the radius and the share of wrong decisions.
+    let large: Vec<(String, f64, f64)> = read(&folder.join("large-spheres.csv"))?;
+    let points = large.iter().map(|(implementation, radius, share)| (&**implementation, *radius, *share));
     let x = Axis { label: "radius", format: power_of_ten };
     let y = Axis { label: "share of rays (no mark: none)", format: power_of_ten };
     charts.push(lines("large-spheres", "Wrong decisions of rays that leave a sphere", [x, y], points));
@@ -73,8 +58,9 @@ pub fn charts(folder: &Path) -> Result<Vec<Chart>, String> {
         let y = Axis { label: "ns a ray", format: short };
         charts.push(lines(&format!("{object}-steps"), &title, [x, y], points));
     }
-    let shares: Vec<StepShare> = read(&folder.join("step-shares.csv"))?;
-    let shares = shares.iter().map(|row| (&*row.scene, &*row.step, row.share));
+    // The columns are the scene, the step and its share.
+    let shares: Vec<(String, String, f64)> = read(&folder.join("step-shares.csv"))?;
+    let shares = shares.iter().map(|(scene, step, share)| (&**scene, &**step, *share));
     let title = "Intersections that each step decides (no mark: none)".to_owned();
     charts.push(by_regime("step-shares".to_owned(), title, "share of intersections", shares));
     Ok(charts)

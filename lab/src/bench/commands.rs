@@ -1,7 +1,7 @@
 //! Measures other programs in turn, by their command lines.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use measure::statistics::Median;
 use measure::turns::order;
@@ -21,6 +21,21 @@ pub struct Job {
     pub words: Vec<OsString>,
     /// The folder in which it runs.
     pub place: PathBuf,
+}
+
+impl Job {
+    /// Runs the command once. What it prints is in the files [`PRINTED`] of the folder `printed`.
+    ///
+    /// # Errors
+    /// The errors of [`supervise::run`], or how the command ended and what it said, unless its exit status is 0.
+    pub fn run(&self, printed: &Path, limits: &Limits) -> Result<Run, Failure> {
+        let run = supervise::run(&self.words, &self.place, printed, limits)?;
+        if run.end == End::Status(0) {
+            return Ok(run);
+        }
+        let said = supervise::start_of(&printed.join(PRINTED[1]));
+        Err(format!("{}\n{}", run.end, String::from_utf8_lossy(&said)).trim_end().into())
+    }
 }
 
 /// What the runs of a command took.
@@ -80,22 +95,16 @@ impl Rounds {
         for (number, index) in order(rounds, jobs.len()).enumerate() {
             bar.inc(1);
             let (job, Ok(done)) = (&jobs[index], &mut runs[index]) else { continue };
-            let message = match supervise::run(&job.words, &job.place, printed.path(), limits) {
+            match job.run(printed.path(), limits) {
+                Ok(run) if number >= warm_up => done.push(run),
+                Ok(_) => {}
                 Err(Failure::Interrupted) => return Err(Failure::Interrupted),
-                Err(failure) => format!("{}: {}", job.name, failure.message().unwrap_or_default()),
-                Ok(run) if run.end != End::Status(0) => {
-                    let errors = supervise::start_of(&printed.path().join(PRINTED[1]));
-                    format!("{}: {}\n{}", job.name, run.end, String::from_utf8_lossy(&errors))
+                Err(failure) => {
+                    let message = failure.about(&job.name).message().unwrap_or_default();
+                    on_failure(&message)?;
+                    runs[index] = Err(message);
                 }
-                Ok(run) => {
-                    if number >= warm_up {
-                        done.push(run);
-                    }
-                    continue;
-                }
-            };
-            on_failure(message.trim_end())?;
-            runs[index] = Err(message.trim_end().to_owned());
+            }
         }
         bar.finish_and_clear();
         Ok(jobs.iter().zip(runs).map(|(job, runs)| Ok(Timed::of(job, &runs?))).collect())

@@ -73,14 +73,10 @@ impl Plan {
     }
 
     fn values(&self, parameter: &str) -> Vec<u64> {
-        let powers = |from: u32, to: u32| (from..=to).map(|power| 1 << power).collect();
         match (parameter, self.quick) {
             ("width", true) => vec![32, 64, 128, 256],
             ("width", false) => vec![64, 128, 256, 512, 1024],
-            ("samples", true) => powers(0, 5),
-            ("samples", false) => powers(0, 8),
-            ("depth", true) => powers(0, 5),
-            ("depth", false) => powers(0, 8),
+            ("samples" | "depth", quick) => (0..=if quick { 5 } else { 8 }).map(|power| 1 << power).collect(),
             ("density", true) => vec![1000, 2000, 4000, 8000],
             ("density", false) => vec![1000, 3162, 10_000, 31_623, 100_000],
             (_, true) => vec![4, 16, 64, 256, 1024, 4096],

@@ -13,9 +13,8 @@ use crate::difference::{Difference, Errors, MAXIMUM_BOUND, RMSE_BOUND};
 use crate::heatmap::{Scale, color_at, heatmap};
 use crate::numbers::{LEAST, number};
 use crate::picture::Picture;
-use crate::picture::any::Any;
+use crate::picture::any::{Any, Kind};
 use crate::picture::floats::{Floats, GAMMA};
-use crate::picture::kind::Kind;
 use crate::template::filled;
 use crate::{Failure, sources, terminal};
 

@@ -18,9 +18,8 @@ use crate::convert::world::World;
 use crate::convert::write::{self, Source};
 use crate::convert::{mitsuba, pbrt};
 use crate::numbers::above_zero;
-use crate::picture::any::Any;
+use crate::picture::any::{Any, Kind};
 use crate::picture::floats::GAMMA;
-use crate::picture::kind::Kind;
 use crate::{Failure, sources, terminal};
 
 /// Options of `convert`.

@@ -61,17 +61,13 @@ enum Structure {
     /// The flat filter, for up to 64 spheres and 64 cylinders.
     FlatFilter,
     /// The bounding volume hierarchy, for more objects.
-    Bvh(Tree),
-}
-
-/// Numbers that describe a BVH.
-#[derive(Debug, PartialEq, Serialize)]
-struct Tree {
-    nodes: usize,
-    children_per_node: f64,
-    /// Expected number of boxes that a random line through the root's box hits: the sum of the surface areas of all
-    /// boxes, divided by the surface area of the root's box.
-    boxes_hit_by_a_line: f64,
+    Bvh {
+        nodes: usize,
+        children_per_node: f64,
+        /// Expected number of boxes that a random line through the root's box hits: the sum of the surface areas of all
+        /// boxes, divided by the surface area of the root's box.
+        boxes_hit_by_a_line: f64,
+    },
 }
 
 impl Arguments {
@@ -123,7 +119,7 @@ impl Inspection {
                 Accel::EveryObject(_) => Structure::EveryObject,
                 Accel::SmallScene(_) => Structure::SmallScene,
                 Accel::FlatFilter(_) => Structure::FlatFilter,
-                Accel::Bvh(_) | Accel::LargeBvh(_) => Structure::Bvh(Tree::of(&prepared.accel)),
+                Accel::Bvh(_) | Accel::LargeBvh(_) => tree(&prepared.accel),
             },
             picture: [prepared.size.width(), prepared.size.height()],
             samples: prepared.samples,
@@ -155,29 +151,28 @@ const fn kind(material: &Material) -> &'static str {
     }
 }
 
-impl Tree {
-    fn of(accel: &Accel) -> Self {
-        // `visit_boxes` calls its first function once for each child of a node: for every node except the root, and for
-        // every object.
-        let (mut boxes, mut surface, mut whole) = (0_usize, 0.0, Bounds::EMPTY);
-        // The second function gets every object of the tree, and the dominant sphere, which is not in the tree.
-        let (mut objects, mut outside) = (0_usize, 0_usize);
-        accel.visit_boxes(|_| false, |_| outside += 1);
-        accel.visit_boxes(
-            |bounds| {
-                boxes += 1;
-                surface += f64::from(bounds.half_area());
-                whole = whole.union(bounds);
-                true
-            },
-            |_| objects += 1,
-        );
-        let nodes = boxes - (objects - outside) + 1;
-        Self {
-            nodes,
-            children_per_node: boxes as f64 / nodes as f64,
-            boxes_hit_by_a_line: surface / f64::from(whole.half_area()),
-        }
+/// Returns the numbers that describe a BVH.
+fn tree(accel: &Accel) -> Structure {
+    // `visit_boxes` calls its first function once for each child of a node: for every node except the root, and for
+    // every object.
+    let (mut boxes, mut surface, mut whole) = (0_usize, 0.0, Bounds::EMPTY);
+    // The second function gets every object of the tree, and the dominant sphere, which is not in the tree.
+    let (mut objects, mut outside) = (0_usize, 0_usize);
+    accel.visit_boxes(|_| false, |_| outside += 1);
+    accel.visit_boxes(
+        |bounds| {
+            boxes += 1;
+            surface += f64::from(bounds.half_area());
+            whole = whole.union(bounds);
+            true
+        },
+        |_| objects += 1,
+    );
+    let nodes = boxes - (objects - outside) + 1;
+    Structure::Bvh {
+        nodes,
+        children_per_node: boxes as f64 / nodes as f64,
+        boxes_hit_by_a_line: surface / f64::from(whole.half_area()),
     }
 }
 
@@ -221,13 +216,14 @@ mod tests {
     #[test]
     fn a_tree_holds_every_object_once() {
         let options = Options { objects: 3000, arrangement: Arrangement::Grid, ..Options::default() };
-        let Structure::Bvh(tree) = inspect(&scene(&options)).structure else { panic!("many objects need a BVH") };
+        let tree = inspect(&scene(&options)).structure;
+        let Structure::Bvh { nodes, children_per_node, boxes_hit_by_a_line } = tree else { panic!("{tree:?}") };
         // With at most 16 children a node, 3000 objects need at least 200 nodes.
-        assert!((200..3000).contains(&tree.nodes), "{tree:?}");
-        assert!(tree.children_per_node > 1.0 && tree.children_per_node <= 16.0, "{tree:?}");
+        assert!((200..3000).contains(&nodes), "{tree:?}");
+        assert!(children_per_node > 1.0 && children_per_node <= 16.0, "{tree:?}");
         // The boxes of the root's children cover all objects. So the sum of their surface areas is about that of the
         // root's box, or larger. Rounding in f32 may make the quotient slightly less than 1.
-        assert!(tree.boxes_hit_by_a_line > 0.99, "{tree:?}");
+        assert!(boxes_hit_by_a_line > 0.99, "{tree:?}");
     }
 
     #[test]
@@ -237,7 +233,7 @@ mod tests {
             text += &format!("sphere: {} 0 {} .3 m\n", at % 20, at / 20);
         }
         let nodes = |text: &str| match inspect(&Scene::parse(text.as_bytes()).expect("the scene is valid")).structure {
-            Structure::Bvh(tree) => tree.nodes,
+            Structure::Bvh { nodes, .. } => nodes,
             structure => panic!("{structure:?}"),
         };
         let alone = nodes(&text);

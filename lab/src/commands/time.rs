@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use measure::statistics::Median;
 use measure::turns::ratio;
 
 use crate::bench::commands::{Job, Record, Rounds, Timed};
@@ -47,15 +48,15 @@ impl Arguments {
 }
 
 fn table(commands: &[Timed]) -> String {
-    let bounded = |median: f64, low: f64, high: f64, text: fn(f64) -> String| {
+    let bounded = |Median { median, low, high, .. }: Median, text: fn(f64) -> String| {
         format!("{} ({} to {})", text(median), text(low), text(high))
     };
     let row = |timed: &Timed| {
         // The system's clock of user time may count nothing for a short command.
         let ratio = Some(ratio(&timed.seconds, &commands[0].seconds)).filter(|ratio| ratio.high.is_finite());
         vec![
-            bounded(timed.median.median, timed.median.low, timed.median.high, seconds),
-            ratio.map_or_else(String::new, |ratio| bounded(ratio.median, ratio.low, ratio.high, short)),
+            bounded(timed.median, seconds),
+            ratio.map_or_else(String::new, |ratio| bounded(ratio, short)),
             seconds(timed.wall.median),
             format!("{:.1} MB", timed.memory),
             timed.joules.map_or_else(|| "no meter".to_owned(), |joules| format!("{} J", short(joules.median))),

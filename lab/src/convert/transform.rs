@@ -104,12 +104,10 @@ impl Transform {
         let units = self.columns.map(|column| column.unit_and_length().0);
         let product: f64 = lengths[..axes].iter().product();
         let is_same = lengths[..axes].iter().all(|&length| length == lengths[0]);
-        let mean = if is_same {
-            lengths[0]
-        } else if axes == 3 {
-            product.cbrt()
-        } else {
-            product.sqrt()
+        let mean = match (is_same, axes) {
+            (true, _) => lengths[0],
+            (false, 3) => product.cbrt(),
+            (false, _) => product.sqrt(),
         };
         let is_equal = lengths[..axes].iter().all(|length| (length / mean - 1.0).abs() < ERROR);
         let cosines = [units[0].dot(units[1]), units[1].dot(units[2]), units[2].dot(units[0])];

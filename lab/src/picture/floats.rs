@@ -173,8 +173,7 @@ fn from_numbers(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::any::Any;
-    use crate::picture::kind::Kind;
+    use crate::picture::any::{Any, Kind};
 
     #[test]
     fn every_format_gives_back_what_was_written() {

@@ -4,7 +4,7 @@ mod draw;
 
 use plotters::prelude::*;
 
-use crate::template::printable;
+use crate::template::{escape, printable};
 
 /// A chart: its texts, its axes and its data.
 #[derive(Clone, Debug)]
@@ -132,8 +132,8 @@ impl Chart {
         }
         // Without a fixed size, a browser scales the chart to its container. Screen readers read the label aloud.
         let size = format!("width=\"{WIDTH}\" height=\"{}\" ", head + body);
-        let title = self.title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-        Ok(svg.replacen(&size, "role=\"img\" ", 1).replacen("viewBox", &format!("aria-label=\"{title}\" viewBox"), 1))
+        let label = format!("aria-label=\"{}\" viewBox", escape(&self.title));
+        Ok(svg.replacen(&size, "role=\"img\" ", 1).replacen("viewBox", &label, 1))
     }
 
     /// Returns the position of each entry of the legend: the number of its row, and its left end in pixels.

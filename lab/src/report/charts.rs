@@ -48,8 +48,10 @@ fn scale(results: &Results, language: Language, parameter: &str) -> Option<Chart
     };
     let mut series: Vec<Series> = Vec::new();
     for timing in results.timings.iter().filter(|t| t.setting.suite == "scale" && t.setting.parameter == parameter) {
-        let point = timed(timing, timing.setting.value as f64);
-        push(&mut series, &timing.setting.engine, color(&timing.setting.engine), point);
+        let (engine, Median { median, low, high, .. }) = (&timing.setting.engine, timing.median);
+        // With a single measurement both bounds are equal, so no bar is drawn.
+        let bounds = (low < high).then_some(Bounds::Vertical(low, high));
+        push(&mut series, engine, color(engine), Point { x: timing.setting.value as f64, y: median, bounds });
     }
     order(&mut series);
     let [x, y] = [(label, short as fn(f64) -> String), (TIME, seconds)].map(|axis| of(language, axis));
@@ -134,12 +136,6 @@ fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIt
 /// Returns the axis with this label and format.
 fn of(language: Language, (label, format): (Words, fn(f64) -> String)) -> Axis {
     Axis { label: language.pick(label), format }
-}
-
-fn timed(timing: &Timing, x: f64) -> Point {
-    let Median { median, low, high, .. } = timing.median;
-    // With a single measurement both bounds are equal, so no bar is drawn.
-    Point { x, y: median, bounds: (low < high).then_some(Bounds::Vertical(low, high)) }
 }
 
 fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {

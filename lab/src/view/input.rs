@@ -60,7 +60,11 @@ impl Input {
             let text = "it is not a regular file, and the page needs one that can be read again";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, text));
         }
-        if metadata.len() > MAX_TEXT { Err(too_large()) } else { Ok((file, metadata.len())) }
+        if metadata.len() > MAX_TEXT {
+            let text = format!("it is larger than {MAX_TEXT} bytes");
+            return Err(io::Error::new(io::ErrorKind::FileTooLarge, text));
+        }
+        Ok((file, metadata.len()))
     }
 
     /// Returns the bytes of the file.
@@ -114,9 +118,6 @@ pub fn version_of(content: &[u8]) -> String {
     digest::sha256(content)
 }
 
-fn too_large() -> io::Error {
-    io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {MAX_TEXT} bytes"))
-}
 /// Opens the file at `path` for reading, if no part of the path is a link. On a system without `openat2`, only the last
 /// part is checked.
 ///

@@ -1,9 +1,8 @@
 //! The fuzz target `picture`: reads any bytes as a picture with the reader of `render-lab compare`.
 
 use lab::picture::Picture;
-use lab::picture::any::Any;
+use lab::picture::any::{Any, Kind};
 use lab::picture::floats::GAMMA;
-use lab::picture::kind::Kind;
 
 use crate::plain;
 
