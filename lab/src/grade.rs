@@ -98,9 +98,16 @@ impl Grades {
         for scene in &scenes {
             let mut ready = Vec::new();
             for (graded, program) in programs.iter_mut().zip(&file.program) {
-                let job =
-                    timed_job(scene, &program.job(folder), graded.report.as_ref(), &kept.join(&graded.program), limits);
-                ready.push(graded.keep(job)?.flatten());
+                let (job, place) = (program.job(folder), kept.join(&graded.program).join(&scene.name));
+                let Some(convention) = graded.report.as_ref().map(|report| report.convention) else {
+                    ready.push(None);
+                    continue;
+                };
+                let outcome = scene.run(&job, &place, limits).map_err(|error| error.about(scene_name(scene)));
+                // The time of a picture that the course does not accept says nothing.
+                let compared = graded.keep(outcome)?.and_then(Result::ok);
+                let is_right = compared.is_some_and(|compared| compared[convention].difference.accepted);
+                ready.push(is_right.then(|| Job { words: scene.command(&job, &place), ..job }));
             }
             let measured: Vec<_> = ready.iter().flatten().cloned().collect();
             let mut measured = rounds.measure(&measured, limits, |_| Ok(()))?.into_iter();
@@ -155,22 +162,6 @@ fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
             case(name, [generator::write::config(&config), generator::write::scene(&scene)].map(Into::into))
         })
         .collect())
-}
-
-/// Returns the job that renders a scene, or `None` if the course does not accept the picture. `report` is that of the
-/// program, if it could be checked.
-fn timed_job(
-    scene: &Case,
-    program: &Job,
-    report: Option<&Report>,
-    kept: &Path,
-    limits: &Limits,
-) -> Result<Option<Job>, Failure> {
-    let Some(report) = report else { return Ok(None) };
-    let place = kept.join(&scene.name);
-    let outcome = scene.run(program, &place, limits).map_err(|error| error.about(scene_name(scene)))?;
-    let is_right = outcome.is_ok_and(|compared| compared[report.convention].difference.accepted);
-    Ok(is_right.then(|| Job { words: scene.command(program, &place), ..program.clone() }))
 }
 
 /// Computes the points of all programs.

@@ -122,11 +122,6 @@ impl Changes {
         changes.faster.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
         changes
     }
-
-    /// Whether both records have a case.
-    pub fn has_common_cases(&self) -> bool {
-        self.slower.len() + self.faster.len() + self.unchanged + self.unknown > 0
-    }
 }
 
 #[cfg(test)]

@@ -116,10 +116,7 @@ impl Plan {
         let (config, scene) = scene(name)?;
         let config = Config { image_width: self.width(), ..config };
         let samples: Vec<u64> = (0..=if self.quick { 5 } else { 6 }).map(|power| 1 << power).collect();
-        // The converged picture has 64 times the samples of the finest picture, so its error is an eighth of that
-        // picture's.
-        let reference = 64 * samples.iter().max().copied().unwrap_or(1);
-        results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference)?);
+        results.curves.push(error::curve(name, &config, &scene, &samples)?);
         let pictures = samples.into_iter().map(|samples| {
             let config = Config { samples_per_pixel: samples, ..config.clone() };
             (samples, config, scene.clone())

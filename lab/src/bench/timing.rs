@@ -43,7 +43,7 @@ impl Plan {
                 let reason = format!("a picture would take about {:.1} s", expected(engine));
                 results.omitted.push(Omitted { setting: setting(value, engine), reason });
             }
-            let (times, digest) = measure(&wanted, self.repeats, &config, &scene)?;
+            let (times, digest) = self.measure(&wanted, &config, &scene)?;
             for (engine, seconds) in wanted.into_iter().zip(times) {
                 let median = Median::of(&seconds);
                 last.push((engine, value, median.median));
@@ -53,43 +53,40 @@ impl Plan {
         }
         Ok(())
     }
-}
 
-/// Measures the user time of `engines` for one picture. Returns the seconds of one picture in each repeat, for each
-/// engine, and the SHA-256 of the picture, which is the same for all engines.
-///
-/// # Errors
-/// An error of the renderer, an engine whose picture differs, or [`Failure::Interrupted`].
-fn measure(
-    engines: &[Engine],
-    repeats: usize,
-    config: &Config,
-    scene: &Scene,
-) -> Result<(Vec<Vec<f64>>, String), Failure> {
-    let mut digest: Option<String> = None;
-    let mut turns = Vec::new();
-    for &engine in engines {
-        interrupt::check()?;
-        // The first picture warms the caches and is compared. From its time follows the number of pictures in one
-        // repeat.
-        let before = own_seconds();
-        let picture = engine.ppm(config, scene)?;
-        let seconds = own_seconds() - before;
-        let own = sha256(&picture);
-        match &digest {
-            Some(expected) if *expected != own => {
-                return Err(format!("{engine} makes another picture than {}: {own}, not {expected}", engines[0]).into());
+    /// Measures the user time of `engines` for one picture. Returns the seconds of one picture in each repeat, for each
+    /// engine, and the SHA-256 of the picture, which is the same for all engines.
+    ///
+    /// # Errors
+    /// An error of the renderer, an engine whose picture differs, or [`Failure::Interrupted`].
+    fn measure(&self, engines: &[Engine], config: &Config, scene: &Scene) -> Result<(Vec<Vec<f64>>, String), Failure> {
+        let mut digest: Option<String> = None;
+        let mut turns = Vec::new();
+        for &engine in engines {
+            interrupt::check()?;
+            // The first picture warms the caches and is compared. From its time follows the number of pictures in one
+            // repeat.
+            let before = own_seconds();
+            let picture = engine.ppm(config, scene)?;
+            let seconds = own_seconds() - before;
+            let own = sha256(&picture);
+            match &digest {
+                Some(expected) if *expected != own => {
+                    return Err(
+                        format!("{engine} makes another picture than {}: {own}, not {expected}", engines[0]).into()
+                    );
+                }
+                _ => digest = Some(own),
             }
-            _ => digest = Some(own),
+            turns.push(turns_of(seconds));
         }
-        turns.push(turns_of(seconds));
+        let times = in_turn(self.repeats, &turns, own_seconds, |index| {
+            interrupt::check()?;
+            std::hint::black_box(engines[index].ppm(config, scene)?);
+            Ok::<(), Failure>(())
+        })?;
+        Ok((times, digest.unwrap_or_default()))
     }
-    let times = in_turn(repeats, &turns, own_seconds, |index| {
-        interrupt::check()?;
-        std::hint::black_box(engines[index].ppm(config, scene)?);
-        Ok::<(), Failure>(())
-    })?;
-    Ok((times, digest.unwrap_or_default()))
 }
 
 #[cfg(test)]

@@ -106,14 +106,14 @@ impl Drawn {
     }
 }
 
-/// Returns all cases. The last ones are those of the course, if its folder is given.
+/// Returns all cases. The last ones are those of the course, if `RENDER_REFERENCE_DIR` names their folder.
 ///
 /// # Errors
 /// A file of the folder cannot be read.
-pub fn all(course: Option<&Path>) -> Result<Vec<Case>, Failure> {
+pub fn all() -> Result<Vec<Case>, Failure> {
     let mut cases: Vec<_> = arguments().chain(messages()).chain(small()?).chain(generated()).collect();
-    if let Some(folder) = course {
-        cases.extend((1..=4).map(|number| of_course(folder, number)).collect::<Result<Vec<_>, _>>()?);
+    if let Some(folder) = std::env::var_os("RENDER_REFERENCE_DIR") {
+        cases.extend((1..=4).map(|number| of_course(Path::new(&folder), number)).collect::<Result<Vec<_>, _>>()?);
     }
     Ok(cases)
 }

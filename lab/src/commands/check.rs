@@ -1,7 +1,7 @@
 //! `render-lab check`: holds a program to the specification.
 
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -75,7 +75,7 @@ impl Arguments {
         let outs: Vec<_> = self.shown.html.iter().map(PathBuf::as_path).collect();
         sources::check_outputs(&outs, &[], self.json)?;
         let html = self.shown.html.as_ref().map(|path| sources::open(path, options)).transpose()?;
-        let cases = cases::all(std::env::var_os("RENDER_REFERENCE_DIR").as_deref().map(Path::new))?;
+        let cases = cases::all()?;
         let (folder, temporary) = self.shown.folder()?;
         let name = terminal::quoted(self.program.iter().map(AsRef::as_ref));
         let program = Job { name, words: self.program.clone(), place: PathBuf::from(".") };

@@ -1,6 +1,6 @@
 //! `render-lab grade`: checks, measures and grades the programs of a folder.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use output::Options;
@@ -43,7 +43,7 @@ impl Arguments {
         sources::check_outputs(&outs, &[], self.json)?;
         let open = |path: &Option<PathBuf>| path.as_ref().map(|path| sources::open(path, options)).transpose();
         let (html, csv) = (open(&self.shown.html)?, open(&self.csv)?);
-        let cases = cases::all(std::env::var_os("RENDER_REFERENCE_DIR").as_deref().map(Path::new))?;
+        let cases = cases::all()?;
         if let Some(warning) = measure::busy::warning(measure::busy::load()) {
             terminal::note(&warning);
         }

@@ -75,14 +75,14 @@ pub fn setting(parameter: &str, value: u64, language: Language) -> String {
 
 /// Returns the name of a parameter of the suite `scale` in words.
 pub fn parameter_name(parameter: &str, language: Language) -> &str {
-    language.pick(match parameter {
-        "width" => ["width", "anchura"],
-        "samples" => ["samples", "muestras"],
-        "depth" => ["depth", "profundidad"],
-        "density" => ["density", "densidad"],
-        "objects" => ["objects", "objetos"],
-        other => return other,
-    })
+    match (language, parameter) {
+        (Language::Spanish, "width") => "anchura",
+        (Language::Spanish, "samples") => "muestras",
+        (Language::Spanish, "depth") => "profundidad",
+        (Language::Spanish, "density") => "densidad",
+        (Language::Spanish, "objects") => "objetos",
+        _ => parameter,
+    }
 }
 
 /// Formats a time in seconds with a suitable unit and three significant digits.

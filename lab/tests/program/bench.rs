@@ -100,18 +100,6 @@ fn an_interrupted_measurement_writes_nothing() {
 }
 
 #[test]
-fn what_cannot_be_measured_joined_or_shown_is_an_error() {
-    let folder = Folder::new();
-    assert!(complaint(&["bench", "error", "--out", "/nowhere/e.json"]).contains("/nowhere/e.json"));
-    let out = folder.name("out.json");
-    assert!(complaint(&["bench", "merge", "--out", &out, "README.md"]).starts_with("Error: README.md: "));
-    let message = complaint(&["report", "README.md", "--out", &folder.name("r")]);
-    let start = "Error: README.md: not the JSON that `render-lab bench ... --out FILE` writes: ";
-    assert!(message.starts_with(start), "{message}");
-    assert!(folder.names().is_empty());
-}
-
-#[test]
 fn the_name_of_an_instruction_set_that_the_machine_lacks_is_an_error() {
     let folder = Folder::new();
     let (config, scene) = ("scenes/spheres/config.txt", "scenes/spheres/scene.txt");

@@ -23,21 +23,15 @@ fn the_verdict_is_the_exit_status() {
     assert!(text.starts_with("maximum    6.000") && text.ends_with("verdict    accepted\n"), "{text}");
     assert!(text.contains("RMSE       3.000"), "{text}");
     assert!(text.contains("within     1 x 1 pixels from column 0, row 1"), "{text}");
+    let value: serde_json::Value = printed(&["compare", &a, &b, "--json"]).parse().expect("it is JSON");
+    assert_eq!((&value["rmse"], &value["differing"], &value["accepted"]), (&3.0.into(), &1.into(), &true.into()));
+    assert_eq!(value["bounding_box"], serde_json::json!([0, 1, 1, 1]));
     let [a, b] = pair(&folder, "255 255 255");
     let output = run(&["compare", &a, &b]);
     assert_eq!(output.status.code(), Some(1));
     assert!(output.stderr.is_empty(), "the verdict is no error");
     assert!(String::from_utf8_lossy(&output.stdout).ends_with("verdict    not accepted\n"));
     assert_eq!(printed(&["compare", &a, &a]), "identical: 4 pixels\n");
-}
-
-#[test]
-fn programs_read_json() {
-    let folder = Folder::new();
-    let [a, b] = pair(&folder, "6 0 12");
-    let value: serde_json::Value = serde_json::from_str(&printed(&["compare", &a, &b, "--json"])).expect("it is JSON");
-    assert_eq!((&value["rmse"], &value["differing"], &value["accepted"]), (&3.0.into(), &1.into(), &true.into()));
-    assert_eq!(value["bounding_box"], serde_json::json!([0, 1, 1, 1]));
 }
 
 #[test]
@@ -55,14 +49,10 @@ fn the_heatmap_is_bright_where_pictures_differ() {
     printed(&["compare", &a, &b, "--heatmap", &folder.name("signed.png"), "--signed"]);
     let [red, _, blue] = Picture::read(&folder.file("signed.png")).expect("it is a picture").pixels[wide.width];
     assert!(red > 90 && blue < 60, "the second picture is brighter: {red} {blue}");
-    assert!(complaint(&["compare", &a, &b, "--max", "3"]).contains("--heatmap"));
     // The ending of its name decides the format of a heat map too.
     printed(&["compare", &a, &b, "--heatmap", &folder.name("map.ppm")]);
     assert_eq!(Picture::read(&folder.file("map.ppm")).ok(), Picture::read(&folder.file("map.png")).ok());
     assert!(folder.read("map.ppm").starts_with(b"P3"));
-    assert!(
-        complaint(&["compare", &a, &b, "--heatmap", &folder.name("map.jpg")]).contains("cannot be written as .jpg")
-    );
 }
 
 #[test]
@@ -71,6 +61,5 @@ fn what_cannot_be_compared_is_an_error() {
     let [a, _] = pair(&folder, "0 0 0");
     folder.write("c.ppm", "P3\n1 1\n255\n0 0 0\n");
     assert!(complaint(&["compare", &a, &folder.name("c.ppm")]).contains("different sizes: 2 x 2 and 1 x 1"));
-    assert!(complaint(&["compare", &a, "README.md"]).starts_with("Error: README.md: neither PPM"));
     assert!(complaint(&["compare", &a, "/nowhere"]).starts_with("Error: /nowhere: "));
 }

@@ -1,33 +1,22 @@
 //! The script of `render-lab completions` for bash, run by bash.
 
-use std::fs;
-use std::process::Command;
-
 use test_support::folder::Folder;
 
-use crate::printed;
-
-/// Runs `text` in bash and returns what it prints. `$SCRIPT` is the completion script.
-fn said(text: &str) -> String {
-    let folder = Folder::new();
-    let script = folder.file("_render-lab");
-    fs::write(&script, printed(&["completions", "bash"])).expect("the folder is writable");
-    let output = Command::new("bash").args(["-c", text]).env("SCRIPT", &script).output().expect("bash runs");
-    assert!(output.status.success(), "{output:?}");
-    String::from_utf8(output.stdout).expect("it is text")
-}
+use crate::bash;
 
 #[test]
 fn bash_completes_commands_options_and_values_at_every_level() {
     let complete = |words: &[&str]| {
         let (last, before) = (words[words.len() - 1], words[words.len() - 2]);
-        let text = format!(
-            "source \"$SCRIPT\"; COMP_WORDS=({}); COMP_CWORD={}; _render__lab render-lab '{last}' '{before}'; \
-             printf '%s\\n' \"${{COMPREPLY[@]}}\"",
+        let line = format!(
+            "source <($lab completions bash); COMP_WORDS=({}); COMP_CWORD={}; \
+             _render__lab render-lab '{last}' '{before}'; printf '%s\\n' \"${{COMPREPLY[@]}}\"",
             words.join(" "),
             words.len() - 1
         );
-        said(&text).lines().map(str::to_owned).collect::<Vec<_>>()
+        let output = bash(&Folder::new(), &line);
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(complete(&["render-lab", "rend"]), ["render"]);
     assert_eq!(complete(&["render-lab", "render", "--sc"]), ["--scatter"]);

@@ -1,48 +1,31 @@
-//! Tests with files that are neither pictures nor text.
+//! Tests with files that are neither pictures nor text, in an address space of 200 MB.
 
 use std::fs::File;
 use std::io::Write;
-use std::process::Command;
 
 use test_support::folder::Folder;
 
-const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
-
-/// Runs `render-lab` in an address space of 200 MB, and returns its error message. Checks that the program ends with
-/// status 2, and not by a signal.
-fn complaint_in_little_memory(arguments: &[&str]) -> String {
-    let mut shell = Command::new("bash");
-    shell.args(["-c", "ulimit -v 200000; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
-    let output = shell.current_dir(test_support::project_root()).output().expect("the program runs");
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
-    String::from_utf8(output.stderr).expect("it complains in text")
-}
+use crate::bash_complaint;
 
 #[test]
-fn endless_and_empty_pictures_are_refused_in_little_memory() {
+fn endless_and_empty_files_are_refused_in_little_memory() {
     let folder = Folder::new();
-    let holes = folder.name("holes.ppm");
-    File::create(&holes).and_then(|file| file.set_len(4 << 30)).expect("holes take no place");
-    for name in ["/dev/zero", "/dev/null", &holes] {
-        let message = complaint_in_little_memory(&["compare", name, name]);
-        assert!(message.contains(&format!("{name}: neither PPM (P3 or P6), PNG, PFM, NPY nor EXR")), "{message}");
-    }
+    File::create(folder.file("holes.ppm")).and_then(|file| file.set_len(4 << 30)).expect("holes take no place");
     // This file begins like a picture and is 5 GiB long. Reading it must end with an error about memory or about its
     // size.
-    let mut file = File::create(folder.file("long.ppm")).expect("the folder is writable");
-    file.write_all(b"P6 9 9 255\n").and_then(|()| file.set_len(5 << 30)).expect("holes take no place");
-    let message = complaint_in_little_memory(&["compare", &folder.name("long.ppm"), &folder.name("long.ppm")]);
-    assert!(message.contains("long.ppm: "), "{message}");
-}
-
-#[test]
-fn endless_configurations_are_refused_with_and_without_settings() {
-    let folder = Folder::new();
-    let out = folder.name("out.ppm");
-    for settings in [&[][..], &["--set", "gamma=1"]] {
-        let arguments = [&["render", "/dev/zero", GRID[1], &out], settings].concat();
-        let message = complaint_in_little_memory(&arguments);
-        assert!(message.contains("[/dev/zero]: line 1 is longer than 1048576 bytes"), "{message}");
-        assert!(folder.names().is_empty());
+    let mut long = File::create(folder.file("long.ppm")).expect("the folder is writable");
+    long.write_all(b"P6 9 9 255\n").and_then(|()| long.set_len(5 << 30)).expect("holes take no place");
+    let neither = "neither PPM (P3 or P6), PNG, PFM, NPY nor EXR";
+    let too_long = "[/dev/zero]: line 1 is longer than 1048576 bytes";
+    for (line, message) in [
+        ("compare /dev/zero /dev/zero", &format!("/dev/zero: {neither}")[..]),
+        ("compare /dev/null /dev/null", &format!("/dev/null: {neither}")),
+        ("compare holes.ppm holes.ppm", &format!("holes.ppm: {neither}")),
+        ("compare long.ppm long.ppm", "long.ppm: "),
+        ("render /dev/zero $root/scenes/grid/scene.txt o.ppm", too_long),
+        ("render /dev/zero $root/scenes/grid/scene.txt o.ppm --set gamma=1", too_long),
+    ] {
+        let said = bash_complaint(&folder, &format!("ulimit -v 200000; $lab {line}"));
+        assert!(said.contains(message) && folder.names() == ["holes.ppm", "long.ppm"], "{line}: {said}");
     }
 }

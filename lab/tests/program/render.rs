@@ -32,22 +32,16 @@ fn render(folder: &Folder, out: &str, options: &[&str]) -> Vec<u8> {
 }
 
 #[test]
-fn layouts_change_nothing_and_conventions_do() {
+fn layouts_and_formats_change_no_pixel_and_conventions_do() {
     let folder = Folder::new();
     let statement = expected(Scatter::Statement);
     assert!(render(&folder, "a.ppm", &[]) == statement);
     assert!(render(&folder, "b.ppm", &["--layout", "soa"]) == statement);
     let published = render(&folder, "c.ppm", &["--scatter", "published"]);
     assert!(published == expected(Scatter::Published) && published != statement);
-}
-
-#[test]
-fn a_png_holds_the_same_pixels() {
-    let folder = Folder::new();
     let png = render(&folder, "out.PNG", &[]);
-    assert!(png.starts_with(b"\x89PNG"));
-    assert!(Picture::parse(&png) == Picture::parse(&expected(Scatter::Statement)));
-    assert_eq!(folder.names(), ["out.PNG"]);
+    assert!(png.starts_with(b"\x89PNG") && Picture::parse(&png) == Picture::parse(&statement));
+    assert_eq!(folder.names(), ["a.ppm", "b.ppm", "c.ppm", "out.PNG"]);
 }
 
 #[test]
@@ -56,8 +50,6 @@ fn a_part_has_the_pixels_of_the_whole() {
     let part = render(&folder, "part.ppm", &["--crop", "20,11,30,7"]);
     let whole = Picture::parse(&expected(Scatter::Statement)).expect("it is a picture");
     assert!(Picture::parse(&part) == Ok(whole.crop([20, 11, 30, 7]).expect("it is small")));
-    let error = complaint(&["render", CONFIG, SCENE, &folder.name("no.ppm"), "--crop", "0,0,401,1"]);
-    assert!(error.contains("beyond the picture of 400 x 225"), "{error}");
 }
 
 #[test]
@@ -85,7 +77,6 @@ fn what_is_wrong_is_said_and_the_old_file_stays() {
     assert_eq!(error, format!("Error: --set gamma=0: {wanted}\n"));
     let error = complaint(&["render", CONFIG, SCENE, &out, "--set", "image_width=100000000"]);
     assert!(error.starts_with("Error: --set image_width=100000000: the image is too large"), "{error}");
-    assert!(complaint(&["render", CONFIG, SCENE, &folder.name("out.jpg")]).contains("cannot be written as .jpg"));
     let error = complaint(&["render", "/nowhere", SCENE, &out]);
     assert!(error.starts_with("Error: Cannot read file [/nowhere]: "), "{error}");
     let error = complaint(&["render", CONFIG, SCENE, "/nowhere/out.png"]);
@@ -140,8 +131,6 @@ fn a_dash_is_standard_input_or_output() {
     assert_eq!(String::from_utf8_lossy(&compared.stdout), "identical: 2304 pixels\n");
     let map = run(&["compare", &name, &name, "--heatmap", "-"]);
     assert!(map.stdout.starts_with(b"\x89PNG") && map.stderr.starts_with(b"identical"), "{:?}", map.status);
-    assert!(complaint(&["render", "-", "-", &name]).contains("can be only one of the files"));
-    assert!(complaint(&["render", CONFIG, SCENE, "-", "--json"]).contains("both write to standard output"));
 }
 
 #[test]
@@ -174,8 +163,6 @@ fn a_quantity_is_shown_with_a_scale_or_as_numbers_and_light_is_linear() {
     );
     let output = run(&["compare", &exr, &folder.name("depth.npy")]);
     assert!(String::from_utf8_lossy(&output.stderr).contains("different sizes or channels"), "{output:?}");
-    let error = complaint(&["render", CONFIG, SCENE, &exr, "--checkpoint", &folder.name("keep")]);
-    assert!(error.contains("are for pictures of colours"), "{error}");
 }
 
 #[test]
@@ -201,8 +188,6 @@ fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
     fs::remove_file(folder.file("frames/animation.json")).expect("it was written");
     let other = complaint(&["animate", CONFIG, SCENE, &out, "--frames", "4"]);
     assert!(other.contains("0000.png: no animation.json tells its animation"), "{other}");
-    let dash = complaint(&["animate", CONFIG, SCENE, "-"]);
-    assert!(dash.contains("no standard output (-)"), "{dash}");
     // The third of five frames is halfway between two opposite cameras, at their target.
     folder.write("from", "camera_position: 0 0 -9\n");
     folder.write("to", "camera_position: 0 0 9\n");

@@ -74,7 +74,7 @@ impl Stages {
         }
         let every = self.checkpoint_every;
         let keep = Some(Keep { path: path.clone(), options, origin, every, written: Instant::now(), failed: None });
-        let until = self.stop_after.map(|time| (Instant::now(), time));
+        let until = self.stop_after.and_then(|time| Instant::now().checked_add(time));
         Ok((start, Run { keep, last_row: end.unwrap_or(rows).min(rows), rows, until }))
     }
 }
@@ -90,8 +90,8 @@ pub struct Run {
     last_row: usize,
     /// Number of rows that the picture needs.
     rows: usize,
-    /// When the run began, and how long it may take.
-    until: Option<(Instant, Duration)>,
+    /// When the run ends, unless that is too far away for the clock.
+    until: Option<Instant>,
 }
 
 #[derive(Debug)]
@@ -109,7 +109,7 @@ struct Keep {
 impl Run {
     /// Is called after each row. Writes the checkpoint if it is time, and tells whether the run ends here.
     pub fn after_row(&mut self, row: usize, image: &impl Image, streams: &mut Streams<'_>) -> ControlFlow<()> {
-        let is_late = self.until.is_some_and(|(began, time)| began.elapsed() >= time);
+        let is_late = self.until.is_some_and(|until| Instant::now() >= until);
         let ends = row >= self.last_row || is_late || interrupt::flow().is_break();
         if let Some(keep) = &mut self.keep
             && (ends || keep.written.elapsed() >= keep.every)
