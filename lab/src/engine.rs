@@ -164,15 +164,4 @@ mod tests {
             assert!(engine.ppm(&config, &scene).expect("it is small") == expected, "{engine}");
         }
     }
-
-    #[test]
-    fn the_means_are_those_of_the_reference() {
-        let config = Config::parse(&b"image_width: 16\nsamples_per_pixel: 2\n"[..]).expect("it is valid");
-        let scene = generator::scene(&generator::Options::default());
-        let mut expected = Vec::new();
-        cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, mean| expected.push(mean))
-            .expect("it is small");
-        assert_eq!(expected.len(), 16 * 9);
-        assert_eq!(means(&config, &scene).ok(), Some(expected));
-    }
 }

@@ -79,12 +79,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_and_messages_cannot_command_a_terminal() {
-        assert_eq!(name(Path::new("a\x1b[2J\nb")), r"a\u{1b}[2J\nb");
-        assert_eq!(escape_lines("one\x1b\ntwo\r"), "one\\u{1b}\ntwo\\r");
-    }
-
-    #[test]
     fn numbers_are_aligned_to_the_right() {
         let rows = [["name", "time"], ["a", "12 s"], ["ñandú", "3 s"]].map(|row| row.map(str::to_owned).to_vec());
         assert_eq!(table(&rows), "name   time\na      12 s\nñandú   3 s");

@@ -77,15 +77,3 @@ pub fn real(value: f64) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_scene_of_everything_reads_back_as_itself() {
-        let text = "matte: m0 0 0.5 1\nmetal: m1 0.1 0.2 0.3 2\nrefractive: m2 1.5\nsphere: 0 -1e-10 3 0.25 m2\n\
-                    cylinder: 1 2 3 4e100 0 -1 0 m0\n";
-        assert_eq!(scene(&Scene::parse(text.as_bytes()).expect("it is valid")), text);
-    }
-}

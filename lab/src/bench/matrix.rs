@@ -133,19 +133,3 @@ pub fn board(objects: u64, width: u64) -> (Config, Scene) {
     let view = generator::view(&options);
     (Config { image_width: width, samples_per_pixel: 4, ..view }, generator::scene(&options))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn parameters_rise() {
-        for quick in [true, false] {
-            let plan = Plan { quick, repeats: 1 };
-            for parameter in PARAMETERS {
-                let values = plan.values(parameter);
-                assert!(values.len() >= 4 && values.is_sorted_by(|a, b| a < b), "{parameter}: {values:?}");
-            }
-        }
-    }
-}

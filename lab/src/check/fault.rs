@@ -89,11 +89,8 @@ mod tests {
     fn every_rule_is_a_section_of_the_specification() {
         let page = include_str!("../../../docs/specification.md");
         for (number, [title, _]) in super::RULES {
-            assert!(
-                [format!("\n### {number} {title}\n"), format!("\n## {number}. {title}\n")]
-                    .iter()
-                    .any(|line| page.contains(line))
-            );
+            let lines = [format!("\n### {number} {title}\n"), format!("\n## {number}. {title}\n")];
+            assert!(lines.iter().any(|line| page.contains(line)), "{number}");
         }
     }
 }

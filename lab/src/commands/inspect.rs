@@ -185,10 +185,14 @@ mod tests {
         Inspection::of(&Config::default(), scene).expect("the default picture is fine")
     }
 
+    fn inspect_text(text: &str) -> Inspection {
+        inspect(&Scene::parse(text.as_bytes()).expect("it is valid"))
+    }
+
     #[test]
     fn a_small_scene_is_told_in_full() {
         let text = "matte: a 1 1 1\nmetal: b 1 1 1 0\nsphere: 0 0 0 1 a\nsphere: 3 0 0 1 a\n";
-        let inspection = inspect(&Scene::parse(text.as_bytes()).expect("it is valid"));
+        let inspection = inspect_text(text);
         assert_eq!((inspection.spheres, inspection.cylinders), (2, 0));
         assert_eq!((inspection.materials, inspection.unused_materials), (2, 1));
         assert_eq!(inspection.objects_by_material, BTreeMap::from([("matte", 2)]));
@@ -199,8 +203,7 @@ mod tests {
     #[test]
     fn extreme_objects_have_corners_and_are_not_moderate() {
         for (line, high) in [("cylinder: 0 0 0 1 0 1e60 0", [1.0, 5e59, 1.0]), ("sphere: 0 0 0 1e-9", [1e-9; 3])] {
-            let text = format!("matte: a 1 1 1\n{line} a\n");
-            let inspection = inspect(&Scene::parse(text.as_bytes()).expect("it is valid"));
+            let inspection = inspect_text(&format!("matte: a 1 1 1\n{line} a\n"));
             assert_eq!((inspection.highest_corner, inspection.moderate), (Some(high), false), "{line}");
             assert_eq!(inspection.structure, Structure::EveryObject, "{line}");
         }
@@ -232,7 +235,7 @@ mod tests {
         for at in 0..300 {
             text += &format!("sphere: {} 0 {} .3 m\n", at % 20, at / 20);
         }
-        let nodes = |text: &str| match inspect(&Scene::parse(text.as_bytes()).expect("the scene is valid")).structure {
+        let nodes = |text: &str| match inspect_text(text).structure {
             Structure::Bvh { nodes, .. } => nodes,
             structure => panic!("{structure:?}"),
         };

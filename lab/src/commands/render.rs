@@ -228,24 +228,3 @@ fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: us
         _ => Err(format!("--crop goes beyond the picture of {width} x {height} pixels")),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_part_is_four_numbers() {
-        assert_eq!(parse_crop("1,2,3,4"), Ok([1, 2, 3, 4]));
-        for text in ["", "1,2,3", "1,2,3,4,5", "1,2,0,4", "1,2,3,x", "-1,2,3,4", "1,2,3,4,x"] {
-            assert!(parse_crop(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn only_the_rows_down_to_the_part_are_needed() {
-        assert_eq!(rows_of([1, 2, 3, 4], 4, 9), Ok(6));
-        assert!(rows_of([2, 0, 3, 1], 4, 9).is_err());
-        assert!(rows_of([0, 9, 1, 1], 4, 9).is_err());
-        assert!(rows_of([0, 0, 1, usize::MAX], 4, 9).is_err());
-    }
-}

@@ -132,7 +132,7 @@ impl Any {
 }
 
 /// Returns the message for a file that begins with `bytes` and not as a picture does.
-pub(super) fn neither(bytes: &[u8]) -> String {
+fn neither(bytes: &[u8]) -> String {
     // Binary files of other kinds have zero bytes too.
     let mark = unseen::mark(bytes).filter(|mark| mark.character != '\0' || bytes.contains(&b'P'));
     let cause = mark.map(|mark| format!(": it begins with {}; {}", mark.what[0], mark.remedy[0]));
@@ -141,7 +141,7 @@ pub(super) fn neither(bytes: &[u8]) -> String {
 
 /// Reads all bytes of a file that begins like a picture. Any other file, such as `/dev/zero`, is refused after four
 /// bytes, because it may have no end.
-pub(super) fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
+fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let mut read = |limit, bytes: &mut Vec<u8>| {
         // If memory is short, `read_to_end` returns an error.

@@ -1,6 +1,5 @@
 //! Tests of reading pictures in both formats, and of files that are refused.
 
-use super::any::{neither, picture_bytes};
 use super::*;
 
 const TEXT: &[u8] = b"P3\n2 2\n255\n0 0 0\n1 2 3\n255 255 255\n10 20 30\n";
@@ -25,24 +24,12 @@ fn all_formats_hold_the_same_picture() {
 }
 
 #[test]
-fn ppm_is_written_as_the_renderer_writes_it() {
-    let mut text = Vec::new();
-    sample().write_ppm(&mut text).expect("memory takes all bytes");
-    assert_eq!(text, TEXT);
-    let strict = test_support::p3::read(&text).expect("it is well formed");
-    assert_eq!(strict.pixels, sample().pixels);
-}
-
-#[test]
 fn damaged_pictures_are_refused() {
-    let texts: [&[u8]; 13] = [
+    let texts: [&[u8]; 10] = [
         b"",
         b"P3\n",
-        b"P3 2 2 255 0 0 0",
-        b"P3 1 1 255 0 0 256",
         b"P3 1 1 255 0 0 0 0",
         b"P3 0 0 255",
-        b"P3 1 1 65535 0 0 0",
         b"P6 1 1 255\n\0\0",
         b"P6 1 1 255\n\x01\x02\x03\n\n\n",
         b"P6 1 1 255x\0\0\0",
@@ -77,16 +64,13 @@ fn damaged_pictures_are_refused() {
 
 #[test]
 fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
-    let mut png = Vec::new();
-    let wide = Picture { width: 3, height: 1, pixels: vec![[1; 3]; 3] };
-    wide.write_png(&mut png).expect("memory takes all bytes");
-    // The first chunk holds the width and the height. Both are set to 2^31 - 1; the checksum is corrected below.
-    png[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
-    assert!(Picture::parse(&png).is_err(), "the checksum is wrong");
-    let checksum = crc32(&png[12..29]).to_be_bytes();
-    png[29..33].copy_from_slice(&checksum);
-    let message = Picture::parse(&png).expect_err("it cannot hold them");
-    assert!(message.contains("announces") || message.contains("imit"), "{message}");
+    let mut bytes = Vec::new();
+    // This is a header, and pixels that end before they begin.
+    let mut writer = png::Encoder::new(&mut bytes, 8192, 8192).write_header().expect("memory takes all bytes");
+    writer.write_chunk(png::chunk::IDAT, b"").expect("memory takes all bytes");
+    drop(writer);
+    let message = Picture::parse(&bytes).expect_err("it cannot hold them");
+    assert!(message.starts_with("a PNG that announces 67"), "{message}");
 }
 
 #[test]
@@ -102,13 +86,6 @@ fn a_palette_that_ends_within_a_colour_is_refused() {
     for length in [4, 5, 13] {
         assert_eq!(png(&vec![0; length]), Err("a PNG whose palette ends within a colour".to_owned()));
     }
-}
-
-/// Returns the checksum of a PNG chunk, computed bit by bit.
-fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(u32::MAX, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 })
-    })
 }
 
 type Encoder<'a> = png::Encoder<'static, &'a mut Vec<u8>>;
@@ -148,13 +125,6 @@ fn a_picture_of_exactly_the_limit_is_read_and_one_row_more_refused() {
 fn a_png_of_16_bits_is_refused_before_its_pixels_are_read() {
     let bytes = encoded([1, 1], |encoder| encoder.set_depth(png::BitDepth::Sixteen), &[0; 2]);
     assert_eq!(Picture::parse(&bytes), Err("a PNG of more than 8 bits a channel".to_owned()));
-}
-
-#[test]
-fn an_endless_file_that_is_no_picture_is_not_read_to_its_end() {
-    assert_eq!(picture_bytes(io::repeat(0)), Err(neither(b"")));
-    assert_eq!(picture_bytes(&b"P3 x"[..]), Ok(b"P3 x".to_vec()));
-    assert_eq!(picture_bytes(&b"P"[..]), Err(neither(b"")));
 }
 
 #[test]

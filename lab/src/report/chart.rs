@@ -180,7 +180,9 @@ mod tests {
     }
 
     #[test]
-    fn a_bound_of_zero_takes_half_the_bar_and_no_endless_axis() {
+    fn a_bound_of_zero_takes_half_the_bar_and_the_largest_numbers_are_drawn() {
+        let far = [5e-324, f64::MAX].map(|x| Point { x, y: x, bounds: Some(Bounds::Vertical(x, x)) });
+        assert!(chart(far.to_vec()).draw().is_ok());
         for bounds in
             [Bounds::Vertical(0.0, 3.0), Bounds::Horizontal(-1.0, f64::INFINITY), Bounds::Vertical(f64::NAN, 3.0)]
         {
@@ -188,12 +190,6 @@ mod tests {
             assert!(point.ends().iter().all(|(x, y)| *x > 0.0 && *y > 0.0 && x.is_finite() && y.is_finite()));
             assert!(chart(vec![point]).draw().is_ok(), "{bounds:?}");
         }
-    }
-
-    #[test]
-    fn the_smallest_and_the_largest_numbers_are_drawn() {
-        let far = [5e-324, f64::MAX].map(|x| Point { x, y: x, bounds: Some(Bounds::Vertical(x, x)) });
-        assert!(chart(far.to_vec()).draw().is_ok());
     }
 
     #[test]

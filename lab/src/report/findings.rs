@@ -143,14 +143,14 @@ const TIMES: Words = ["{} takes {} instead of {} ({})", "{} tarda {} en vez de {
 mod tests {
     use super::*;
     use crate::bench::machine::Machine;
-    use crate::bench::results::{Setting, Timing};
+    use crate::bench::results::{Setting, Timing, tests};
     use measure::statistics::Median;
 
     fn timing(engine: &str, value: u64, seconds: f64) -> Timing {
-        let [suite, scene, parameter, engine] = ["scale", "board", "objects", engine].map(str::to_owned);
-        let setting = Setting { suite, scene, parameter, value, engine };
         let bounds = [0.9, 0.95, 1.0, 1.0, 1.05, 1.1].map(|share| share * seconds);
-        Timing { setting, seconds: bounds.to_vec(), median: Median::of(&bounds), digest: String::new() }
+        let timing = tests::timing(engine, value, &bounds);
+        let (scene, parameter) = ("board".to_owned(), "objects".to_owned());
+        Timing { setting: Setting { scene, parameter, ..timing.setting }, ..timing }
     }
 
     fn text(results: &Results, topic: &str) -> String {

@@ -131,12 +131,6 @@ mod tests {
     }
 
     #[test]
-    fn implementations_are_explained() {
-        assert_eq!(engine_meaning("soa-avx2", Language::English), "structures of arrays, avx2 instructions");
-        assert!(engine_meaning("reference", Language::Spanish).contains("línea a línea"));
-    }
-
-    #[test]
     fn one_is_singular() {
         let texts = [("samples", 1), ("samples", 2), ("objects", 1), ("width", 64)]
             .map(|(of, value)| [Language::English, Language::Spanish].map(|language| setting(of, value, language)));

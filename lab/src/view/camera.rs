@@ -124,34 +124,27 @@ mod tests {
         ["camera_position: 1 2 3", "camera_target: 0 0.5 0", "camera_north: 0 1 0"].map(str::to_owned)
     }
 
-    fn after(config: &str) -> String {
-        String::from_utf8(replaced(config.as_bytes(), &lines())).expect("it is text")
-    }
-
     #[test]
-    fn lines_with_the_keys_are_replaced_in_their_places() {
-        let config =
-            "image_width: 8\n\n \tcamera_north:\t0 0 1  \ncamera_position: 9 9 9\ngamma:  2\ncamera_target: 1 1 1";
-        let expected =
-            "image_width: 8\n\ncamera_north: 0 1 0\ncamera_position: 1 2 3\ngamma:  2\ncamera_target: 0 0.5 0";
-        assert_eq!(after(config), expected);
-    }
-
-    #[test]
-    fn only_the_last_line_with_a_key_is_replaced() {
-        let rest = "camera_target: 0 0.5 0\ncamera_north: 0 1 0\n";
-        let config = format!("camera_position: 4 4 4\ncamera_position: 5 5 5\n{rest}");
-        assert_eq!(after(&config), format!("camera_position: 4 4 4\ncamera_position: 1 2 3\n{rest}"));
-    }
-
-    #[test]
-    fn missing_lines_are_added_with_the_line_ends_of_the_file() {
-        let added = lines().join("\n") + "\n";
-        assert_eq!(after(""), added);
-        assert_eq!(after("gamma: 2\n"), format!("gamma: 2\n{added}"));
-        assert_eq!(after("gamma: 2"), format!("gamma: 2\n{added}"));
-        let added = lines().join("\r\n") + "\r\n";
-        assert_eq!(after("gamma: 2\r\nmax_depth: 3"), format!("gamma: 2\r\nmax_depth: 3\r\n{added}"));
+    fn the_last_line_with_a_key_is_replaced_and_missing_lines_are_added() {
+        let [position, target, north] = lines();
+        let rest = format!("{target}\n{north}\n");
+        let added = format!("{position}\n{rest}");
+        for (config, expected) in [
+            (
+                "\n \tcamera_north:\t0 0 1  \ncamera_position: 9 9 9\ngamma:  2\ncamera_target: 1 1 1",
+                format!("\n{north}\n{position}\ngamma:  2\n{target}"),
+            ),
+            (
+                &format!("camera_position: 4 4 4\ncamera_position: 5 5 5\n{rest}"),
+                format!("camera_position: 4 4 4\n{position}\n{rest}"),
+            ),
+            ("", added.clone()),
+            ("gamma: 2\n", format!("gamma: 2\n{added}")),
+            ("gamma: 2", format!("gamma: 2\n{added}")),
+            ("gamma: 2\r\nmax_depth: 3", format!("gamma: 2\nmax_depth: 3\n{added}").replace('\n', "\r\n")),
+        ] {
+            assert_eq!(String::from_utf8(replaced(config.as_bytes(), &lines())), Ok(expected), "{config}");
+        }
     }
 
     #[test]
@@ -175,10 +168,8 @@ mod tests {
         ];
         for line in wrong {
             let [_, target, north] = lines();
-            assert!(
-                check(&[line.to_owned(), target, north]).is_err_and(|refusal| refusal.status.starts_with("422")),
-                "{line:?}"
-            );
+            let refusal = check(&[line.to_owned(), target, north]);
+            assert!(refusal.is_err_and(|refusal| refusal.status.starts_with("422")), "{line:?}");
         }
     }
 }

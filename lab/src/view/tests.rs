@@ -12,21 +12,17 @@ mod pictures;
 /// A page of one file, as `web/build` makes it.
 const INDEX: &str = "<!doctype html><meta name=\"served-by\" content=\"\">";
 
+const CONFIG: &str = "image_width: 8\naspect_ratio: 1 1\n";
+const SCENE: &str = "matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n";
+
 /// A view of two small files in a folder.
 fn view() -> (Folder, View) {
-    let folder = Folder::new();
-    let write = |name: &str, text: &str| {
-        let path = folder.file(name);
-        fs::write(&path, text).expect("the folder is writable");
-        path
-    };
-    let config = write("config.txt", "image_width: 8\naspect_ratio: 1 1\n");
-    let scene = write("scene.txt", "matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n");
-    fs::create_dir_all(folder.path().join("site/scenes")).expect("the folder is writable");
-    write("site/index.html", INDEX);
-    write("site/scenes/names.json", "[]");
-    let site = Site::read(&folder.path().join("site")).expect("it has a page");
-    let inputs = [config, scene].map(|path| Input::new(&path).expect("it is a file"));
+    let folder = Folder::with_scene(CONFIG, SCENE);
+    fs::create_dir_all(folder.file("site/scenes")).expect("the folder is writable");
+    folder.write("site/index.html", INDEX);
+    folder.write("site/scenes/names.json", "[]");
+    let site = Site::read(&folder.file("site")).expect("it has a page");
+    let inputs = ["config.txt", "scene.txt"].map(|name| Input::new(&folder.file(name)).expect("it is a file"));
     let view = View::new(site, inputs, Budget::new(BYTES), Options::default());
     (folder, view)
 }
@@ -44,6 +40,13 @@ fn connection() -> [TcpStream; 2] {
 fn asked(view: &View, method: &str, path: &str, body: &str) -> (&'static str, String) {
     let [_client, server] = connection();
     asked_by(&server, view, method, path, body)
+}
+
+/// Checks that the request is refused with this status, and returns the message.
+fn refused(view: &View, method: &str, path: &str, body: &str, expected: &str) -> String {
+    let (status, message) = asked(view, method, path, body);
+    assert_eq!(status, expected, "{path}: {message}");
+    message
 }
 
 fn asked_by(server: &TcpStream, view: &View, method: &str, path: &str, body: &str) -> (&'static str, String) {
@@ -85,13 +88,11 @@ fn a_folder_without_the_page_is_refused_with_the_remedy() {
 fn the_input_files_are_given_with_a_version_that_changes_with_them() {
     let (_folder, view) = view();
     let version = asked(&view, "GET", "/view/version", "").1;
-    let [config, scene] = ["image_width: 8\naspect_ratio: 1 1\n", "matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n"];
-    assert_eq!(asked(&view, "GET", "/view/files", ""), ("200", format!("{version} 33\n{config}{scene}")));
+    assert_eq!(asked(&view, "GET", "/view/files", ""), ("200", format!("{version} 33\n{CONFIG}{SCENE}")));
     fs::write(view.scene.path(), "").expect("the folder is writable");
     assert_ne!(asked(&view, "GET", "/view/version", "").1, version);
     fs::remove_file(view.scene.path()).expect("the folder is writable");
-    let (status, message) = asked(&view, "GET", "/view/files", "");
-    assert!(status == "404" && message.starts_with("Cannot read file ["), "{message}");
+    assert!(refused(&view, "GET", "/view/files", "", "404").starts_with("Cannot read file ["));
 }
 
 #[cfg(unix)]
@@ -99,22 +100,21 @@ fn the_input_files_are_given_with_a_version_that_changes_with_them() {
 fn a_pipe_or_a_link_in_the_place_of_a_file_is_refused_at_once() {
     let (folder, view) = view();
     let config = view.config.path();
-    let refused = |reason: &str| {
-        let (status, message) = asked(&view, "GET", "/view/files", "");
-        assert!(status == "404" && message.contains(reason), "{message}");
-        let (status, message) = asked(&view, "POST", "/view/camera", &camera("", "0 0 -5"));
-        assert!(status == "422" && message.contains(reason), "{message}");
+    let secret = folder.write("secret.txt", "gamma: 3\n");
+    for (target, reason) in [
+        (None, "it is not a regular file"),
+        (Some("/dev/zero".as_ref()), "symbolic links"),
+        (Some(&*secret), "symbolic links"),
+    ] {
+        fs::remove_file(config).expect("the folder is writable");
+        match target {
+            None => nix::unistd::mkfifo(config, nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable"),
+            Some(target) => std::os::unix::fs::symlink(target, config).expect("the folder is writable"),
+        }
+        assert!(refused(&view, "GET", "/view/files", "", "404").contains(reason), "{reason}");
+        assert!(refused(&view, "POST", "/view/camera", &camera("", "0 0 -5"), "422").contains(reason), "{reason}");
         assert!(asked(&view, "GET", "/view/version", "").1.starts_with("missing-"));
-    };
-    fs::remove_file(config).expect("the folder is writable");
-    nix::unistd::mkfifo(config, nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
-    refused("it is not a regular file");
-    fs::remove_file(config).expect("the folder is writable");
-    std::os::unix::fs::symlink("/dev/zero", config).expect("the folder is writable");
-    refused("symbolic links");
-    fs::remove_file(config).expect("the folder is writable");
-    std::os::unix::fs::symlink(folder.write("secret.txt", "gamma: 3\n"), config).expect("the folder is writable");
-    refused("symbolic links");
+    }
     assert_eq!(folder.read("secret.txt"), b"gamma: 3\n");
 }
 
@@ -147,16 +147,15 @@ fn camera(version: &str, position: &str) -> String {
 
 #[test]
 fn a_camera_is_saved_into_the_configuration_that_the_page_has_read() {
-    let (_folder, view) = view();
-    let config = || fs::read_to_string(view.config.path()).expect("it is text");
+    let (folder, view) = view();
+    let config = || String::from_utf8(folder.read("config.txt")).expect("it is text");
     let save = |body: &str| asked(&view, "POST", "/view/camera", body);
     let version = || asked(&view, "GET", "/view/version", "").1;
     let first = version();
     assert_eq!(asked(&view, "GET", "/view/camera", "").0, "404", "a link saves nothing");
     let (status, answered) = save(&camera(&first, "0 0 -5"));
     assert_eq!((status, &answered), ("200", &version()), "the answer is the new version");
-    let written =
-        "image_width: 8\naspect_ratio: 1 1\ncamera_position: 0 0 -5\ncamera_target: 0 0 1\ncamera_north: 0 1 0\n";
+    let written = format!("{CONFIG}camera_position: 0 0 -5\ncamera_target: 0 0 1\ncamera_north: 0 1 0\n");
     assert_eq!(config(), written);
     // The page has not read this file.
     assert_eq!(save(&camera(&first, "0 0 -6")).0, "409");
@@ -171,20 +170,18 @@ fn a_camera_is_saved_into_the_configuration_that_the_page_has_read() {
 #[test]
 fn a_camera_that_cannot_be_saved_leaves_the_configuration() {
     let (folder, view) = view();
-    let before = fs::read_to_string(view.config.path()).expect("it is text");
-    let save = |body: &str| asked(&view, "POST", "/view/camera", body);
     let version = || asked(&view, "GET", "/view/version", "").1;
-    assert_eq!(save("{}").0, "422");
-    assert_eq!(save(&camera(&version(), &"1".repeat(5000))).0, "413");
-    assert_eq!(save(&camera(&version(), "0 0 0\nmax_depth: 9")).0, "422");
-    let (status, message) = save(&camera(&version(), "0 0 1"));
-    assert!(status == "422" && message.contains("is the same point as camera_target"), "{message}");
-    assert_eq!(fs::read_to_string(view.config.path()).expect("it is text"), before);
+    let refused = |body: &str, status| refused(&view, "POST", "/view/camera", body, status);
+    refused("{}", "422");
+    refused(&camera(&version(), &"1".repeat(5000)), "413");
+    refused(&camera(&version(), "0 0 0\nmax_depth: 9"), "422");
+    let message = refused(&camera(&version(), "0 0 1"), "422");
+    assert!(message.contains("is the same point as camera_target"), "{message}");
+    assert_eq!(folder.read("config.txt"), CONFIG.as_bytes());
     fs::remove_file(view.config.path()).expect("the folder is writable");
-    assert_eq!(save(&camera(&version(), "0 0 -5")).0, "422");
+    refused(&camera(&version(), "0 0 -5"), "422");
     fs::create_dir(view.config.path()).expect("the folder is writable");
-    let (status, message) = save(&camera(&version(), "0 0 -5"));
-    assert!(status == "422" && message.contains("it is not a regular file"), "{message}");
-    let names = fs::read_dir(folder.path()).expect("it is there").count();
-    assert_eq!(names, 3, "no temporary file is left");
+    let message = refused(&camera(&version(), "0 0 -5"), "422");
+    assert!(message.contains("it is not a regular file"), "{message}");
+    assert_eq!(folder.names(), ["config.txt", "scene.txt", "site"], "no temporary file is left");
 }

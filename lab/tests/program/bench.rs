@@ -102,19 +102,13 @@ fn an_interrupted_measurement_writes_nothing() {
 #[test]
 fn the_name_of_an_instruction_set_that_the_machine_lacks_is_an_error() {
     let folder = Folder::new();
-    let (config, scene) = ("scenes/spheres/config.txt", "scenes/spheres/scene.txt");
-    for arguments in [
-        &["bench", "error", "--quick", "--out", &folder.name("error.json")][..],
-        &["render", config, scene, &folder.name("out.ppm")],
-    ] {
-        let output = lab(arguments).env("RENDER_INSTRUCTION_SET", "avx3").output().expect("the program runs");
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
-        let message = String::from_utf8(output.stderr).expect("it is text");
+    let render = "render $root/scenes/spheres/config.txt $root/scenes/spheres/scene.txt o.ppm";
+    for line in ["bench error --quick --out o.json", render] {
+        let message = crate::bash_complaint(&folder, &format!("RENDER_INSTRUCTION_SET=avx3 $lab {line}"));
         let start = "Error: RENDER_INSTRUCTION_SET is \"avx3\", and this machine has portable";
-        assert!(message.starts_with(start), "{message}");
+        assert!(message.starts_with(start) && folder.names().is_empty(), "{message}");
     }
-    assert!(folder.names().is_empty(), "{:?}", folder.names());
-    let rendered = ["render", config, scene, &folder.name("out.ppm"), "--set", "samples_per_pixel=1"];
-    let output = lab(&rendered).env("RENDER_INSTRUCTION_SET", "portable").output().expect("the program runs");
+    let line = format!("RENDER_INSTRUCTION_SET=portable $lab {render} --set samples_per_pixel=1");
+    let output = crate::bash(&folder, &line);
     assert!(output.status.success(), "{output:?}");
 }

@@ -3,7 +3,7 @@
 use lab::picture::Picture;
 use test_support::folder::Folder;
 
-use crate::{complaint, printed, run};
+use crate::{printed, run};
 
 const BLACK: &str = "P3\n2 2\n255\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n";
 
@@ -53,13 +53,4 @@ fn the_heatmap_is_bright_where_pictures_differ() {
     printed(&["compare", &a, &b, "--heatmap", &folder.name("map.ppm")]);
     assert_eq!(Picture::read(&folder.file("map.ppm")).ok(), Picture::read(&folder.file("map.png")).ok());
     assert!(folder.read("map.ppm").starts_with(b"P3"));
-}
-
-#[test]
-fn what_cannot_be_compared_is_an_error() {
-    let folder = Folder::new();
-    let [a, _] = pair(&folder, "0 0 0");
-    folder.write("c.ppm", "P3\n1 1\n255\n0 0 0\n");
-    assert!(complaint(&["compare", &a, &folder.name("c.ppm")]).contains("different sizes: 2 x 2 and 1 x 1"));
-    assert!(complaint(&["compare", &a, "/nowhere"]).starts_with("Error: /nowhere: "));
 }

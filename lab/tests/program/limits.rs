@@ -68,7 +68,10 @@ fn complaints_name_the_file_and_the_remedy() {
     let folder = Folder::new();
     folder.write("same", "camera_position: 0 0 0\n");
     folder.write("empty", "");
-    bash(&folder, "mkdir grades; mkfifo pipe grades/grade.toml; printf 'P3 1 1 255 0 0 0' > o");
+    bash(
+        &folder,
+        "mkdir grades; mkfifo pipe grades/grade.toml; printf 'P3 1 1 255 0 0 0' | tee o | sed 's/1/2/; s/$/ 0 0 0/' > two",
+    );
     let names = folder.names();
     for (line, words) in [
         ("inspect same empty", "[same]: camera_position is the same point"),
@@ -97,7 +100,13 @@ fn complaints_name_the_file_and_the_remedy() {
         ("generate c /nowhere/s", "/nowhere/s"),
         ("generate - -", "need a file each"),
         ("render empty empty o.ppm --crop 0,0,1921,1", "--crop goes beyond the picture of 1920 x 1080 pixels"),
+        ("render empty empty o.ppm --crop 0,1079,1,2", "--crop goes beyond the picture of 1920 x 1080 pixels"),
+        ("render empty empty o.ppm --crop 0,1,1,18446744073709551615", "--crop goes beyond the picture"),
         ("render same empty o.ppm --crop 1,2,0,4", "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT"),
+        ("render same empty o.ppm --crop 1,2,3,4,5", "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT"),
+        ("render same empty o.ppm --crop -1,2,3,4", "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT"),
+        ("render same empty o.ppm --rows 3..3", "two rows are needed, the second larger, as in 0..100 or ..100"),
+        ("render same empty o.ppm --rows 10", "two rows are needed, the second larger, as in 0..100 or ..100"),
         ("render same empty o.jpg", "cannot be written as .jpg"),
         ("render same empty o.exr --checkpoint c", "are for pictures of colours"),
         ("render - - o.ppm", "can be only one of the files"),
@@ -106,6 +115,8 @@ fn complaints_name_the_file_and_the_remedy() {
         ("compare o o --max 3", "--heatmap"),
         ("compare o o --heatmap map.jpg", "cannot be written as .jpg"),
         ("compare o same", "same: neither PPM"),
+        ("compare o two", "different sizes: 1 x 1 and 2 x 1"),
+        ("compare o /nowhere", "Error: /nowhere: "),
         ("convert same empty x.png", "must be a scene whose name ends in .pbrt or .xml"),
         ("bench all --part 4/3 --out o.json", "I/N is needed, as in 3/10"),
         ("bench error --out /nowhere/e.json", "/nowhere/e.json"),

@@ -1,6 +1,6 @@
 //! Tests of results: what is joined, refused and derived. Other tests use the two functions.
 
-use super::check::{MAX_ENTRIES, values};
+use super::check::values;
 use super::*;
 use crate::bench::error::ErrorPoint;
 
@@ -53,13 +53,6 @@ fn what_does_not_belong_together_is_not_joined() {
     for other in [quick, other_picture, other_commit] {
         assert!(Results::merge(vec![part(), other]).is_err());
     }
-}
-
-#[test]
-fn a_list_of_exactly_the_limit_is_taken_and_one_entry_more_refused() {
-    let with = |count| results(vec![timing("a", 1, &[1.0]); count]).check();
-    assert_eq!(with(MAX_ENTRIES), Ok(()));
-    assert_eq!(with(MAX_ENTRIES + 1), Err("the list \"timings\" has 4097 entries, more than 4096".to_owned()));
 }
 
 #[test]

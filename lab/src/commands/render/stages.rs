@@ -162,12 +162,4 @@ mod tests {
         };
         assert!(end(9).is_ok() && end(8).is_err_and(|failure| failure.status() == 2));
     }
-
-    #[test]
-    fn rows_are_understood_or_refused() {
-        assert_eq!((rows("3..9"), rows("..9")), (Ok((Some(3), Some(9))), Ok((None, Some(9)))));
-        for text in ["", "10", "3..3", "9..3", "a..b", "..0"] {
-            assert!(rows(text).is_err(), "{text}");
-        }
-    }
 }

@@ -15,29 +15,19 @@ fn a_picture_has_the_bytes_of_the_evaluated_program() {
     for (number, case) in cases.iter().enumerate() {
         let [config, scene] =
             [&case.config, &case.scene].map(|path| fs::read_to_string(path).expect("it is committed"));
-        let body = serde_json::json!({ "config": config, "scene": scene }).to_string();
-        let (status, ppm) = asked(&view, "POST", &format!("/view/render/{number}"), &body);
-        assert_eq!(
-            (status, digest::sha256(ppm.as_bytes())),
-            ("200", case.digest().expect("it is listed")),
-            "{}",
-            case.name
-        );
-        let [done, all]: [usize; 2] = [0, 1].map(|place| {
-            let progress = asked(&view, "GET", "/view/progress", "").1;
-            progress.split(' ').nth(place).and_then(|count| count.parse().ok()).expect("two numbers")
-        });
-        assert!(done == all && all > 0, "all rows are finished");
+        let (status, ppm) = asked(&view, "POST", &format!("/view/render/{number}"), &texts(&config, &scene));
+        let digest = case.digest().expect("it is listed");
+        assert_eq!((status, digest::sha256(ppm.as_bytes())), ("200", digest), "{}", case.name);
+        let progress = asked(&view, "GET", "/view/progress", "").1;
+        let (done, all) = progress.split_once(' ').expect("two numbers");
+        assert!(done == all && all != "0", "all rows are finished: {progress}");
     }
 }
 
 #[test]
 fn a_picture_that_cannot_be_made_gets_the_words_of_the_renderer() {
     let (_folder, view) = view();
-    let render = |config: &str| {
-        let body = serde_json::json!({ "config": config, "scene": "" }).to_string();
-        asked(&view, "POST", "/view/render/1", &body)
-    };
+    let render = |config: &str| asked(&view, "POST", "/view/render/1", &texts(config, ""));
     assert_eq!(render("gama: 2"), ("422", "Unknown configuration key: [gama:]".to_owned()));
     let (status, message) = render("image_width: 33554433\naspect_ratio: 33554433 1\n");
     assert!(status == "413" && message.contains("33554433 pixels, and the page shows at most 33554432"), "{message}");
