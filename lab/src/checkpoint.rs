@@ -3,7 +3,6 @@
 //! A checkpoint is a line of JSON (`Header`), the words of both random streams, the bytes of all finished rows, and
 //! the SHA-256 digest of all this.
 
-use std::fmt::Display;
 use std::io;
 use std::path::Path;
 
@@ -14,6 +13,7 @@ use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use crate::engine::{ScatterName, name_of};
 use crate::picture::with_room;
 use crate::{Failure, terminal};
 
@@ -34,10 +34,10 @@ pub struct Origin {
 
 impl Origin {
     /// Returns the origin of the picture of these inputs by this version of the program.
-    pub fn new(config: &Config, scene: &Scene, scatter: impl Display) -> Self {
+    pub fn new(config: &Config, scene: &Scene, scatter: ScatterName) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            scatter: scatter.to_string(),
+            scatter: name_of(&scatter),
             // Two inputs with the same meaning have the same text.
             config_sha256: digest::sha256(generator::write::config(config).as_bytes()),
             scene_sha256: digest::sha256(generator::write::scene(scene).as_bytes()),
@@ -170,7 +170,7 @@ mod tests {
     use test_support::folder::Folder;
 
     use super::*;
-    use crate::engine::{self, ScatterName};
+    use crate::engine;
 
     #[test]
     fn every_damage_is_refused_and_a_whole_checkpoint_of_other_inputs_too() {

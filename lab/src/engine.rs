@@ -32,14 +32,8 @@ pub enum ScatterName {
     Deterministic,
 }
 
-impl fmt::Display for ScatterName {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&name_of(self))
-    }
-}
-
 /// Returns the name of a value of an option.
-fn name_of(value: &impl ValueEnum) -> String {
+pub fn name_of(value: &impl ValueEnum) -> String {
     value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 

@@ -37,7 +37,9 @@ pub fn write(
     pictures: impl FnOnce(&Results) -> Vec<(String, String)>,
 ) -> Result<(), Failure> {
     let charts = charts::all(results, language);
-    let paths = paths(folder, &charts);
+    let names = file_names(&charts).into_iter().map(|name| format!("charts/{name}.svg"));
+    let paths: Vec<_> =
+        names.chain(["findings.json", "index.html"].map(str::to_owned)).map(|name| folder.join(name)).collect();
     let outputs = open(&paths, data, options)?;
     // Everything else that can fail is computed before the first file is written.
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
@@ -75,12 +77,6 @@ fn drawn(config: Config, scene: &Scene) -> Option<String> {
     let config = Config { image_width: WIDTH, samples_per_pixel: SAMPLES, ..config };
     let image = cpu::render::<Aos>(&config, scene, Scatter::Statement).ok()?;
     Picture::of(&image).ok()?.address().ok()
-}
-
-/// Returns the files of a report in the order in which they are written: one for each chart, the findings, the page.
-fn paths(folder: &Path, charts: &[Chart]) -> Vec<PathBuf> {
-    let charts = file_names(charts).into_iter().map(|name| folder.join("charts").join(format!("{name}.svg")));
-    charts.chain(["findings.json", "index.html"].map(|name| folder.join(name))).collect()
 }
 
 /// Largest number of outputs that are open at the same time. Results may have so many scenes that there are more charts
@@ -139,7 +135,6 @@ mod tests {
         assert_eq!(found[..4], ["error-time-grid", "------x", "------x-2", "a-----"].map(str::to_owned));
         assert_eq!(found[4].len(), 100);
     }
-    #[cfg(unix)]
     #[test]
     fn a_file_that_cannot_be_written_is_refused_before_thumbnails_are_rendered() {
         use crate::bench::results::tests::{results, timing};

@@ -119,9 +119,8 @@ impl File {
         // The names are names of folders too.
         let programs = self.program.iter().map(|program| ("program", &program.name));
         let mut known = HashSet::new();
-        for named in programs.chain(self.scene.iter().map(|scene| ("scene", &scene.name))) {
-            let (what, name) = named;
-            if name.is_empty() || name.contains('/') || name.starts_with('.') || !known.insert(named) {
+        for (what, name) in programs.chain(self.scene.iter().map(|scene| ("scene", &scene.name))) {
+            if name.is_empty() || name.contains('/') || name.starts_with('.') || !known.insert((what, name)) {
                 let advice = "a name must be unique, not empty, without / and without a point at its start";
                 return Err(format!("{what} [{}]: {advice}", terminal::name(Path::new(name))));
             }

@@ -84,7 +84,9 @@ fn replaced(config: &[u8], lines: &[String; 3]) -> Vec<u8> {
     // The offsets of the last line with each key, without its line end, and the last line end of the file.
     let (mut places, mut usual, mut start) = ([None; 3], &b"\n"[..], 0);
     for row in config.split_inclusive(|byte| *byte == b'\n') {
-        let (content, end) = row.split_at(content_of(row).len());
+        // A line ends in LF, CRLF or nothing.
+        let content = row.strip_suffix(b"\n").map_or(row, |row| row.strip_suffix(b"\r").unwrap_or(row));
+        let end = &row[content.len()..];
         let token = Tokens::new(content).next();
         if let Some(index) = KEYS.iter().position(|key| token == Some(key.as_bytes())) {
             places[index] = Some((start, start + content.len()));
@@ -109,11 +111,6 @@ fn replaced(config: &[u8], lines: &[String; 3]) -> Vec<u8> {
         new.extend(usual);
     }
     new
-}
-
-/// Returns a row without its line end: LF, CRLF or nothing.
-fn content_of(row: &[u8]) -> &[u8] {
-    row.strip_suffix(b"\n").map_or(row, |row| row.strip_suffix(b"\r").unwrap_or(row))
 }
 
 #[cfg(test)]

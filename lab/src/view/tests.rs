@@ -95,7 +95,6 @@ fn the_input_files_are_given_with_a_version_that_changes_with_them() {
     assert!(refused(&view, "GET", "/view/files", "", "404").starts_with("Cannot read file ["));
 }
 
-#[cfg(unix)]
 #[test]
 fn a_pipe_or_a_link_in_the_place_of_a_file_is_refused_at_once() {
     let (folder, view) = view();

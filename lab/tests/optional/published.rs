@@ -2,7 +2,7 @@
 //! reference folder, these tests are shown as ignored.
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
@@ -25,23 +25,13 @@ pub fn trials() -> Vec<Trial> {
 }
 
 fn compares_as_known(folder: &Path, convention: &str, expected: &[&str]) -> Result<(), Failed> {
-    let place = Folder::new();
+    let lab = || Command::new(env!("CARGO_BIN_EXE_render-lab"));
+    let (place, [config, scene, published]) =
+        (Folder::new(), ["config2.txt", "scene2.txt", "published2.ppm"].map(|name| folder.join(name)));
     let out = place.file("out.ppm");
-    let [config, scene, published] = ["config2.txt", "scene2.txt", "published2.ppm"].map(|name| folder.join(name));
-    succeed(lab().arg("render").args([&config, &scene, &out]).args(["--scatter", convention]))?;
-    let output = succeed(lab().arg("compare").args([&out, &published]))?;
-    let text = String::from_utf8(output.stdout)?;
-    match expected.iter().find(|words| !text.contains(**words)) {
-        Some(missing) => Err(format!("no {missing:?} in {text}").into()),
-        None => Ok(()),
-    }
-}
-
-fn lab() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_render-lab"))
-}
-
-fn succeed(command: &mut Command) -> Result<Output, Failed> {
-    let output = command.output()?;
-    if output.status.success() { Ok(output) } else { Err(format!("{output:?}").into()) }
+    let rendered = lab().arg("render").args([&config, &scene, &out]).args(["--scatter", convention]).output()?;
+    let compared = lab().arg("compare").args([&out, &published]).output()?;
+    let text = String::from_utf8(compared.stdout)?;
+    assert!(rendered.status.success() && expected.iter().all(|words| text.contains(words)), "{rendered:?} {text}");
+    Ok(())
 }

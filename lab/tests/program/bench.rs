@@ -58,7 +58,6 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     assert_eq!(texts.map(|text| page.contains(text)), [true; 3], "{page}");
 }
 
-#[cfg(unix)]
 #[test]
 fn commands_are_timed_in_turn_and_a_slower_one_is_found() {
     let folder = Folder::new();
@@ -80,7 +79,6 @@ fn commands_are_timed_in_turn_and_a_slower_one_is_found() {
     assert!(complaint(&["time", "kill -SEGV $$"]).ends_with("ended by signal SIGSEGV\n"));
 }
 
-#[cfg(unix)]
 #[test]
 fn an_interrupted_measurement_writes_nothing() {
     use std::io::{BufRead, BufReader};

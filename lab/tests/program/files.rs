@@ -60,7 +60,6 @@ fn manual_pages_and_help_explain_files_and_commands() {
 }
 
 #[test]
-#[cfg(unix)]
 fn shader_becomes_shader_lab() {
     let folder = Folder::new();
     let line = "printf '#!/bin/sh\\necho \"$@\"; exit 1' > shader-lab; chmod +x shader-lab

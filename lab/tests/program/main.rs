@@ -1,25 +1,17 @@
 //! Runs the built program `render-lab` as a user would.
 
 mod bench;
-#[cfg(unix)]
 mod check;
-#[cfg(unix)]
 mod checkpoint;
 mod compare;
-#[cfg(unix)]
 mod completion;
 mod files;
-#[cfg(unix)]
 mod hostile;
-#[cfg(unix)]
 mod limits;
 mod render;
-#[cfg(unix)]
 mod results;
 mod scenes;
-#[cfg(unix)]
 mod scripts;
-#[cfg(unix)]
 mod slurm;
 
 use std::process::{Command, Output};
@@ -53,7 +45,6 @@ fn complaint(arguments: &[&str]) -> String {
 }
 
 /// Runs a line of bash in `folder`. In the line, `$lab` is the path of the program and `$root` that of the project.
-#[cfg(unix)]
 fn bash(folder: &test_support::folder::Folder, line: &str) -> Output {
     let mut bash = Command::new("bash");
     bash.current_dir(folder.path()).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
@@ -63,7 +54,6 @@ fn bash(folder: &test_support::folder::Folder, line: &str) -> Output {
 
 /// Runs a line of bash as [`bash`] does, and checks that it fails with status 2. Returns what it printed on standard
 /// error.
-#[cfg(unix)]
 fn bash_complaint(folder: &test_support::folder::Folder, line: &str) -> String {
     let output = bash(folder, line);
     assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");

@@ -95,7 +95,6 @@ fn the_end_is_told_with_file_size_and_time_unless_it_is_to_be_quiet() {
     assert!(run(&[&arguments[..], &["--quiet"]].concat()).stderr.is_empty());
 }
 
-#[cfg(unix)]
 #[test]
 fn the_first_examples_of_the_help_work_one_after_the_other() {
     let folder = Folder::new();
@@ -107,7 +106,6 @@ fn the_first_examples_of_the_help_work_one_after_the_other() {
     assert!(folder.file("difference.png").exists(), "the third example draws a heat map");
 }
 
-#[cfg(unix)]
 #[test]
 fn a_dash_is_standard_input_or_output() {
     use std::process::Stdio;

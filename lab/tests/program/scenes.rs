@@ -48,8 +48,8 @@ fn every_scene_comes_back_from_both_formats_with_the_same_numbers() {
 fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
     let folder = Folder::new();
     let [config, scene, other] = ["c.txt", "s.txt", "o.xml"].map(|name| folder.name(name));
-    fs::write(&config, "gamma: 1\n\nray_rng_seed: 3").expect("the folder is writable");
-    fs::write(&scene, "metal: a 1 1 1 .5\nmatte: b 1 1 1\ncylinder: 0 0 0 2 0 1 0 a\n").expect("it is");
+    folder.write("c.txt", "gamma: 1\n\nray_rng_seed: 3");
+    folder.write("s.txt", "metal: a 1 1 1 .5\nmatte: b 1 1 1\ncylinder: 0 0 0 2 0 1 0 a\n");
     let output = run(&["convert", &config, &scene, &other]);
     let said = String::from_utf8_lossy(&output.stderr).replace(&folder.name(""), "");
     assert!(
@@ -61,16 +61,11 @@ fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
     assert!(said.ends_with("o.xml.exr: holds the picture of the sky\n"), "{said}");
     folder.write("wrong.pbrt", "\nTranslate 1");
     let message = complaint(&["convert", &folder.name("wrong.pbrt"), &config, &scene]);
-    assert_eq!(
-        message,
-        format!("Error: {}:2: the file ends here, and a value is missing\n", folder.name("wrong.pbrt"))
-    );
+    assert!(message.ends_with("/wrong.pbrt:2: the file ends here, and a value is missing\n"), "{message}");
     assert!(fs::read_to_string(&config).is_ok_and(|text| text.starts_with("gamma: 1\n")));
     let [dot, new, link, sky] = ["./c.txt", "new.txt", "link.txt", "o.xml.exr"].map(|name| folder.name(name));
-    #[cfg(unix)]
     std::os::unix::fs::symlink("new.txt", &link).expect("the folder is writable");
-    let pairs = [[&config, &config], [&config, &dot], [&link, &new]];
-    for [one, two] in pairs.into_iter().take(if cfg!(unix) { 3 } else { 2 }) {
+    for [one, two] in [[&config, &config], [&config, &dot], [&link, &new]] {
         assert!(complaint(&["convert", &other, one, two]).contains("the outputs need a file each"));
     }
     // Included files and the picture of the sky are inputs too.
@@ -102,8 +97,6 @@ fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
         assert_eq!(sky.map(|color| color.to_array()), [[1.0; 3]; 2], "{from}");
     }
     // The first output is not changed if the second one cannot be written.
-    if std::path::Path::new("/dev/full").exists() {
-        assert!(complaint(&["convert", &other, &new, "/dev/full"]).contains("/dev/full"));
-        assert!(!folder.file("new.txt").exists());
-    }
+    assert!(complaint(&["convert", &other, &new, "/dev/full"]).contains("/dev/full"));
+    assert!(!folder.file("new.txt").exists());
 }

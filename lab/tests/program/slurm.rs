@@ -8,22 +8,15 @@ use std::process::Command;
 use lab::bench::results::Results;
 use test_support::folder::Folder;
 
-/// The script that replaces `sbatch`.
-const STUB: &str = include_str!("sbatch.sh");
-
 /// Returns a command of a job script, with the stub as `sbatch`.
 fn job(folder: &Folder, script: &str) -> Command {
-    let bin = folder.file("bin");
-    fs::create_dir(&bin).expect("the folder is writable");
-    fs::write(bin.join("sbatch"), STUB).expect("the folder is writable");
-    fs::set_permissions(bin.join("sbatch"), fs::Permissions::from_mode(0o755)).expect("it is ours");
+    fs::create_dir(folder.file("bin")).expect("the folder is writable");
+    let stub = folder.write("bin/sbatch", include_str!("sbatch.sh"));
+    fs::set_permissions(stub, fs::Permissions::from_mode(0o755)).expect("it is ours");
     let path = std::env::var("PATH").expect("there is a search path");
     let mut command = Command::new("bash");
-    command
-        .arg(test_support::project_root().join("lab/slurm").join(script))
-        .env("PATH", format!("{}:{path}", bin.display()))
-        .env("STUB_LOG", folder.file("log"));
-    command.env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"));
+    command.arg(test_support::project_root().join("lab/slurm").join(script)).env("STUB_LOG", folder.file("log"));
+    command.env("PATH", format!("{}:{path}", folder.name("bin"))).env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"));
     command
 }
 
@@ -44,12 +37,11 @@ fn a_job_submits_itself_again_until_the_picture_is_there() {
 #[test]
 fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
     let folder = Folder::new();
-    let out = folder.file("out");
-    fs::create_dir(&out).expect("the folder is writable");
+    fs::create_dir(folder.file("out")).expect("the folder is writable");
     let empty = Results { quick: true, ..Results::default() };
-    fs::write(out.join("empty.json"), serde_json::to_string(&empty).expect("it is plain")).expect("writable");
+    folder.write("out/empty.json", serde_json::to_string(&empty).expect("it is plain"));
 
-    let output = job(&folder, "submit").arg(&out).arg("--quick").output().expect("bash is there");
+    let output = job(&folder, "submit").arg(folder.file("out")).arg("--quick").output().expect("bash is there");
     let log = fs::read_to_string(folder.file("log")).expect("the stub was called");
     assert!(output.status.success(), "{output:?}\n{log}");
     let said = String::from_utf8(output.stdout).expect("it is text");
@@ -57,6 +49,6 @@ fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
     assert!(log.contains("--array=1-8"), "{log}");
     assert!(log.contains("--dependency=afterok:77 --kill-on-invalid-dep=yes "), "{log}");
     assert!(said.contains("sbatch --array=N --export=ALL,PARTS=8 ") && said.contains(" --quick\n"), "{said}");
-    let joined = Results::read(&out.join("bench.json")).expect("the second job wrote it");
+    let joined = Results::read(&folder.file("out/bench.json")).expect("the second job wrote it");
     assert!(joined.timings.iter().any(|timing| timing.setting.parameter == "width"), "{joined:?}");
 }

@@ -9,6 +9,8 @@ use std::net::TcpStream;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
+use measure::statistics::Median;
+
 use crate::Server;
 
 /// Number of hostile requests a second.
@@ -106,12 +108,6 @@ fn attacks(address: &str, first: u32, stop: &AtomicBool, [sent, refused]: [&Atom
     }
 }
 
-/// Returns the median of the times.
-fn median(times: &mut [f64]) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
-}
-
 #[test]
 fn an_honest_picture_comes_within_twice_its_usual_time_and_memory_stays_small() {
     let seconds = std::env::var("RENDER_LOAD_SECONDS").map_or(6, |text| text.parse().expect("it is a number"));
@@ -138,8 +134,8 @@ fn an_honest_picture_comes_within_twice_its_usual_time_and_memory_stays_small() 
     usual.extend(alone(8));
 
     let [sent, refused] = [sent, refused].map(AtomicUsize::into_inner);
-    let (usual, pictures, slowest) = (median(&mut usual), loaded.len(), loaded.iter().copied().fold(0.0, f64::max));
-    let loaded = median(&mut loaded);
+    let (pictures, slowest) = (loaded.len(), loaded.iter().copied().fold(0.0, f64::max));
+    let [usual, loaded] = [usual, loaded].map(|times| Median::of(&times).median);
     println!(
         "{sent} hostile requests in {seconds} s, {refused} refused; {pictures} pictures: median {loaded:.3} s, \
          slowest {slowest:.3} s, alone {usual:.3} s; memory {after} bytes, before {before}"
