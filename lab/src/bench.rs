@@ -12,7 +12,6 @@ pub mod error;
 pub mod fit;
 pub mod machine;
 pub mod matrix;
-pub mod progress;
 pub mod results;
 pub mod scenes;
 pub mod timing;

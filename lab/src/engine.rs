@@ -91,7 +91,8 @@ impl Engine {
     }
 }
 
-fn bytes(image: &impl cpu::Image) -> Vec<u8> {
+/// Returns the bytes of the PPM file of a picture.
+pub fn bytes(image: &impl cpu::Image) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Writing to a `Vec` never fails.
     let _ = cpu::internals::image::ppm::write_ppm(image, &mut bytes);

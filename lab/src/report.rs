@@ -1,7 +1,6 @@
 //! Converts measured data into charts and sentences. It writes one HTML page that needs no other file, and the charts
 //! and sentences as files of their own.
 
-pub mod axis;
 pub mod chart;
 pub mod charts;
 pub mod findings;

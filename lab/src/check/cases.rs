@@ -10,7 +10,7 @@ use generator::{Arrangement, Options};
 use serde::Serialize;
 
 use crate::picture::Picture;
-use crate::{Failure, sources};
+use crate::{Failure, engine, sources};
 
 /// The kind of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -100,9 +100,7 @@ impl Drawn {
         } else {
             cpu::reference::render::<<Aos as Layout>::Image>(&config, &scene, scatter)?
         };
-        let mut ppm = Vec::new();
-        cpu::internals::image::ppm::write_ppm(&image, &mut ppm)?;
-        Ok(Self { picture: Picture::of(&image)?, digest: digest::sha256(&ppm) })
+        Ok(Self { picture: Picture::of(&image)?, digest: digest::sha256(&engine::bytes(&image)) })
     }
 }
 
