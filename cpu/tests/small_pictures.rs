@@ -7,7 +7,7 @@
 use std::ops::{ControlFlow, RangeInclusive};
 
 use cpu::internals::accel::choice::Accel;
-use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_from, render_linear};
+use cpu::internals::{Ended, InstructionSet, Limits, Prepared, Streams, render_from, render_linear};
 use cpu::reference::{self, Counts, Exact, render_counted, render_recorded};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 use test_support::agreement::{equals_reference, reference};
@@ -85,6 +85,7 @@ fn all_functions_that_render_give_one_picture() {
     assert_eq!((first.expect("memory is enough"), rows), (Some(Ended::Stopped), vec![1, 2]));
     assert_eq!(pixels(&image)[..10], whole[..10]);
     let mut rest = black();
+    assert_eq!(words.len(), Streams::count());
     let second = render_from(&prepared, set, &limits, (2, &words), &mut rest, |_, _, _| ControlFlow::Continue(()));
     assert_eq!((second.expect("memory is enough"), &pixels(&rest)[10..]), (None, &whole[10..]));
 

@@ -1,17 +1,58 @@
-//! Checks that every public function of `cpu` and `cli` is named by a unit test, by a test program of its crate, or by
-//! an example of the documentation.
+//! Checks that every public function of `cpu`, `cli` and `output` is called by a unit test, by a test program of its
+//! crate, or by an example of the documentation.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use test_support::project_root;
 
 use crate::files;
 
-/// Returns the name of the public function that begins in this line.
-fn public_function(line: &str) -> Option<&str> {
-    let (before, after) = line.trim_start().strip_prefix("pub ")?.split_once("fn ")?;
-    let end = after.find(|letter: char| !(letter.is_alphanumeric() || letter == '_'))?;
-    before.split_whitespace().all(|word| ["const", "unsafe"].contains(&word)).then_some(&after[..end])
+/// Returns the text without the angle brackets with which it may begin.
+fn without_parameters(text: &str) -> &str {
+    let mut depth = 0;
+    text.trim_start_matches(|letter| {
+        depth += i32::from(letter == '<') - i32::from(letter == '>');
+        depth > 0 || (depth == 0 && letter == '>')
+    })
+}
+
+/// Returns the type to whose methods the block belongs that begins in this line, if it is an `impl`.
+fn implemented(line: &str) -> Option<&str> {
+    let rest = without_parameters(line.strip_prefix("impl")?);
+    let path = rest.split_once(" for ").map_or(rest, |(_, path)| path).trim_start();
+    path.split(|letter: char| !(letter.is_alphanumeric() || letter == '_')).next()
+}
+
+/// Returns how tests call the public functions of this code: `name`, `.name` for a method, and `Type::name` for another
+/// function of a type.
+fn calls(code: &str) -> Vec<String> {
+    let (mut calls, mut owner) = (Vec::new(), "");
+    for (line, next) in code.lines().zip(code.lines().skip(1).chain([""])) {
+        match implemented(line) {
+            Some(name) => owner = name,
+            None if line == "}" => owner = "",
+            None => {}
+        }
+        let Some((before, after)) = line.trim_start().strip_prefix("pub ").and_then(|rest| rest.split_once("fn "))
+        else {
+            continue;
+        };
+        if !before.split_whitespace().all(|word| ["const", "unsafe"].contains(&word)) {
+            continue;
+        }
+        let name = after.split(|letter: char| !(letter.is_alphanumeric() || letter == '_')).next().unwrap_or_default();
+        let takes_self = after.split_once('(').is_some_and(|(_, arguments)| {
+            let first = if arguments.is_empty() { next.trim_start() } else { arguments };
+            ["self", "mut self", "&self", "&mut self"].iter().any(|start| first.starts_with(start))
+        });
+        calls.push(match (owner, takes_self) {
+            ("", _) => name.to_owned(),
+            (_, true) => format!(".{name}"),
+            (owner, false) => format!("{owner}::{name}"),
+        });
+    }
+    calls
 }
 
 /// Divides a source into code and unit tests. The examples of the documentation count as tests.
@@ -21,32 +62,64 @@ fn divided(source: &str) -> (&str, String) {
     (code, comments.split("```").skip(1).step_by(2).chain([tests]).collect())
 }
 
-/// Returns the public functions of these sources that no test names. A source of tests is marked by true.
-fn unnamed(sources: &[(bool, String)]) -> Vec<String> {
+/// Returns the calls of public functions of these sources that no test has. A source of tests is marked by true.
+fn missing(sources: &[(bool, String)]) -> Vec<String> {
     let (mut functions, mut tests) = (BTreeSet::new(), String::new());
     for (is_tests, source) in sources {
         let (code, own_tests) = if *is_tests { ("", source.clone()) } else { divided(source) };
-        functions.extend(code.lines().filter_map(public_function));
+        functions.extend(calls(code));
         tests += &own_tests;
     }
     let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
-    let named: BTreeSet<&str> = tests.split(|letter| !is_part(letter)).collect();
-    functions.difference(&named).map(|&name| name.to_owned()).collect()
+    // The texts that follow each place where a name stands.
+    let after = |name: &str| {
+        let places = tests.match_indices(name).filter(|(at, _)| !tests[..*at].ends_with(is_part));
+        let rests = places.map(|(at, _)| &tests[at + name.len()..]);
+        rests.filter(|rest| !rest.starts_with(is_part)).collect::<Vec<_>>()
+    };
+    let has = |call: &String| match call.split_once("::") {
+        // A type may have parameters, as in `Type::<T>::name` and `<Type<T>>::name`.
+        Some((owner, name)) => after(owner).into_iter().any(|rest| {
+            let rest =
+                without_parameters(rest.strip_prefix("::<").map_or(rest, |_| &rest[2..])).trim_start_matches('>');
+            rest.strip_prefix("::")
+                .and_then(|rest| rest.strip_prefix(name))
+                .is_some_and(|rest| !rest.starts_with(is_part))
+        }),
+        None => match call.strip_prefix('.') {
+            Some(name) => [format!(".{name}"), format!("::{name}")]
+                .iter()
+                .any(|call| tests.match_indices(call).any(|(at, _)| !tests[at + call.len()..].starts_with(is_part))),
+            None => !after(call).is_empty(),
+        },
+    };
+    functions.into_iter().filter(|call| !has(call)).collect()
+}
+
+/// Whether the functions of a file can be called by other crates. The files of `output` that are not public modules
+/// have functions for its other files only.
+fn is_public(path: &Path) -> bool {
+    let inner = ["folder", "place", "temporary", "stdout", "elsewhere"];
+    !path.starts_with("cli/output")
+        || !path.iter().any(|part| inner.iter().any(|name| Path::new(part).file_stem() == Some(name.as_ref())))
 }
 
 #[test]
-fn every_public_function_of_cpu_and_cli_is_named_by_a_test_of_its_crate() {
-    for name in ["cpu", "cli"] {
-        let folders = ["src", "tests"].map(|folder| project_root().join(name).join(folder));
-        let paths = folders.iter().flat_map(|folder| files(folder).into_keys());
-        let sources = paths.map(|path| {
+fn every_public_function_of_the_programs_packages_is_called_by_a_test_of_its_crate() {
+    for name in ["cpu", "cli", "cli/output"] {
+        // The package `stability` has the proofs and the stress tests of `cpu`.
+        let folders = ["src", "tests", "stability"].map(|folder| project_root().join(name).join(folder));
+        let paths = folders.iter().filter(|folder| folder.exists()).flat_map(|folder| files(folder).into_keys());
+        let sources = paths.filter_map(|path| {
             let own = path.strip_prefix(project_root()).expect("it is in the project");
-            let is_tests = own.iter().any(|part| part == "tests" || part == "tests.rs");
-            (is_tests, std::fs::read_to_string(&path).expect("a source is text"))
+            let is_tests = own.iter().any(|part| ["tests", "tests.rs", "stability"].iter().any(|name| part == *name));
+            let source = std::fs::read_to_string(&path).expect("a source is text");
+            (is_tests || is_public(own)).then_some((is_tests, source))
         });
-        assert_eq!(unnamed(&sources.collect::<Vec<_>>()), [""; 0], "{name}");
+        assert_eq!(missing(&sources.collect::<Vec<_>>()), [""; 0], "{name}");
     }
     let source = "pub const fn a() {}\npub(crate) fn b() {}\n/// ```\n/// c();\n/// ```\npub fn c() {}\npub fn e() {}\n\
-        #[cfg(test)]\nmod tests { e(); }";
-    assert_eq!(unnamed(&[(false, source.to_owned()), (true, "f();".to_owned())]), ["a"]);
+        impl<T: A<T>> B for S<T> {\n    pub fn new() {}\n    pub fn old() {}\n    pub fn m(&self) {}\n    pub fn n(&self) {}\n}\n\
+        #[cfg(test)]\nmod tests { e(); T::new(); S::<T>::old(); x.m(); }";
+    assert_eq!(missing(&[(false, source.to_owned()), (true, "f(); an();".to_owned())]), [".n", "S::new", "a"]);
 }

@@ -224,3 +224,24 @@ fn an_interrupted_write_is_no_failure_and_the_first_failure_is_reported() {
     assert!(matches!(&result, Err(Error { cause, .. }) if cause.kind() == io::ErrorKind::StorageFull), "{result:?}");
     assert_eq!(fs::read(&path).expect("it stands"), b"whole");
 }
+
+#[test]
+fn two_outputs_to_one_file_are_refused_and_named() {
+    let folder = Folder::new("two");
+    let (path, link) = (folder.0.join("out.ppm"), folder.0.join("link.ppm"));
+    symlink("out.ppm", &link).expect("links are allowed");
+    let error = refuse_one_file(&[&path, &link]).expect_err("the link leads to the file");
+    assert!(error.to_string().contains(&format!("the same file as the output [{}]", path.display())), "{error}");
+    assert!(error.message(|_| b"?".to_vec()).starts_with(b"Cannot write file [?]: ?"));
+    refuse_one_file(&[&path, Path::new("/dev/null"), Path::new("/dev/null")]).expect("the files differ");
+}
+
+#[test]
+fn standard_output_is_known_by_its_names_and_is_no_regular_file() {
+    let folder = Folder::new("names");
+    let path = folder.0.join("out.ppm");
+    assert!(is_stdout(Path::new("/dev/stdout")) && !is_stdout(&path));
+    assert!(open(&path).expect("the folder is writable").is_regular());
+    assert!(!open(Path::new("/dev/null")).expect("everybody may write to it").is_regular());
+    print(b"").expect("standard output is open");
+}

@@ -6,7 +6,7 @@ use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
-use crate::accel::object::{NO_OBJECT, ObjectId, order_of};
+use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use crate::accel::stack::Stack;
 use crate::geometry::ray::Ray;
 use crate::input::scene::Scene;
@@ -22,6 +22,17 @@ use crate::simd::{Kernel, Simd};
 /// below them, of radius 110. The radii of the `count` objects are between a tenth of `size` and `size`.
 fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
     parsed(&objects_text(count, size, seed))
+}
+
+#[test]
+fn spheres_have_the_first_numbers_and_cylinders_the_others() {
+    let objects = objects(20, 1.0, 1);
+    let spheres = objects.sphere_count();
+    assert!(spheres > 0 && objects.cylinder_count() > 0);
+    for id in 0..20_usize {
+        let expected = id.checked_sub(spheres).map_or(ObjectRef::Sphere(id), ObjectRef::Cylinder);
+        assert_eq!(ObjectRef::of(&objects, id as ObjectId), expected);
+    }
 }
 
 fn objects_text(count: usize, size: f64, seed: u64) -> String {

@@ -119,6 +119,8 @@ mod tests {
             (io::ErrorKind::FileTooLarge, "it is larger than 4 bytes".into())
         );
         assert_eq!(read(&Temporary::new("empty", b"").0, 0).expect("nothing is no more than nothing"), b"");
+        let error = Input::open(Path::new("no/file"), 1).expect_err("there is none");
+        assert_eq!(error.kind(), io::ErrorKind::NotFound);
     }
 
     #[test]

@@ -16,7 +16,7 @@ impl Avx2 {
     ///
     /// # Safety
     /// [`is_detected`] must be true.
-    pub const unsafe fn new() -> Self {
+    pub(super) const unsafe fn new() -> Self {
         Self(())
     }
 }

@@ -22,7 +22,7 @@ impl Avx512 {
     ///
     /// # Safety
     /// [`is_detected`] must be true.
-    pub const unsafe fn new(throughout: bool) -> Self {
+    pub(super) const unsafe fn new(throughout: bool) -> Self {
         Self { throughout }
     }
 }

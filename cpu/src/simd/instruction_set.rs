@@ -167,6 +167,7 @@ mod tests {
         for set in InstructionSet::available() {
             assert_eq!(InstructionSet::of_name(set.name()), Ok(set));
         }
+        assert!(InstructionSet::fused().is_available());
         for name in ["avx3", "AVX2", "avx2 ", "avx2\u{7}"] {
             let message = InstructionSet::of_name(name).expect_err("no set has this name");
             assert!(

@@ -19,7 +19,7 @@ impl Neon {
     ///
     /// # Safety
     /// [`is_detected`] must be true.
-    pub const unsafe fn new() -> Self {
+    pub(super) const unsafe fn new() -> Self {
         Self(())
     }
 }
