@@ -134,7 +134,8 @@ fn rendering<L: Renderable>() {
     let (set, limits) = (InstructionSet::chosen(), cpu::internals::Limits::default());
     let rendering = refused("rendering", LEAST, || {
         let mut image = L::Image::black(prepared.size)?;
-        cpu::internals::render_within(&prepared, set, &limits, &mut image, |_, _| ControlFlow::Break(())).map(drop)
+        cpu::internals::render_from(&prepared, set, &limits, (0, &[]), &mut image, |_, _, _| ControlFlow::Break(()))
+            .map(drop)
     });
     // The candidates of a row and those of a span.
     assert!(rendering >= 2, "only {rendering}");
@@ -150,7 +151,9 @@ fn between_mirrors() {
     let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("there is enough memory");
     let render = || cpu::internals::render_with(&prepared, InstructionSet::chosen()).map(drop);
     assert!(refused("path", LEAST, render) >= 3);
-    let reference = || cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, _| ());
+    let reference = || {
+        cpu::reference::render_linear::<cpu::reference::Plain>(&config, &scene, Scatter::Statement, |_, _| ()).map(drop)
+    };
     assert!(refused("path of the reference", LEAST, reference) >= 3);
 }
 

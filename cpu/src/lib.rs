@@ -58,11 +58,10 @@ pub use crate::sampling::scatter_vectors::Scatter;
 #[doc(hidden)]
 pub mod internals {
     pub use crate::geometry::camera::Camera;
-    pub use crate::geometry::ray::Hit;
     pub use crate::render::limits::{Ended, Limits};
     pub use crate::render::prepared::Prepared;
     pub use crate::render::span_state::Streams;
-    pub use crate::render::{render_from, render_linear, render_with, render_within};
+    pub use crate::render::{render_from, render_linear, render_with};
     pub use crate::simd::instruction_set::InstructionSet;
 
     macro_rules! open {

@@ -42,25 +42,11 @@ pub fn render<I: Image>(config: &Config, scene: &Scene, scatter: Scatter) -> Res
 pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
     let size = config.image_size()?;
     let mut image = I::black(size)?;
-    render_counted::<P>(config, scene, scatter, |index, mean| {
+    render_linear::<P>(config, scene, scatter, |index, mean| {
         let [red, green, blue] = mean.to_array().map(|channel| quantize(channel, config.gamma));
         image.set_pixel(index, Rgb { red, green, blue });
     })?;
     Ok(image)
-}
-
-/// Renders by the specification, with the plain intersections. Calls `pixel` for every pixel, with its index and its
-/// mean colour before quantisation.
-///
-/// # Errors
-/// The errors of [`render`].
-pub fn render_linear(
-    config: &Config,
-    scene: &Scene,
-    scatter: Scatter,
-    pixel: impl FnMut(usize, Vec3),
-) -> Result<(), Error> {
-    render_counted::<Plain>(config, scene, scatter, pixel).map(|_| ())
 }
 
 /// The work for a picture without any shortcut: the rays that the reference traced.
@@ -72,11 +58,12 @@ pub struct Counts {
     pub hits: u64,
 }
 
-/// Renders as [`render_linear`] does, but with the intersections of `P`. Returns the numbers of rays and hits.
+/// Renders by the specification, with the intersections of `P`. Calls `pixel` for every pixel, with its index and its
+/// mean colour before quantisation. Returns the numbers of rays and hits.
 ///
 /// # Errors
 /// The errors of [`render`].
-pub fn render_counted<P: Intersect>(
+pub fn render_linear<P: Intersect>(
     config: &Config,
     scene: &Scene,
     scatter: Scatter,
@@ -85,7 +72,7 @@ pub fn render_counted<P: Intersect>(
     render_recorded::<P>(config, scene, scatter, |_| (), pixel)
 }
 
-/// Renders as [`render_counted`] does. After each sample it also calls `sample` with the number of words that the path
+/// Renders as [`render_linear`] does. After each sample it also calls `sample` with the number of words that the path
 /// took from the generator of the materials. With these numbers another renderer can start any path at its place in
 /// the stream, without tracing the paths before it.
 ///

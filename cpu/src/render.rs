@@ -77,30 +77,17 @@ pub fn render<L: Renderable>(config: &Config, scene: impl Borrow<Scene>, scatter
 pub fn render_with<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
     // The result is always `None`.
-    let _ = render_within(prepared, set, &Limits::default(), &mut image, |_, _| ControlFlow::Continue(()))?;
+    let _ = render_from(prepared, set, &Limits::default(), (0, &[]), &mut image, |_, _, _| ControlFlow::Continue(()))?;
     Ok(image)
 }
 
 /// Renders the prepared scene into `image`, which must have the picture's size, within `limits`. After each row it
-/// calls `after_row` with the number of finished rows and with the image, which holds these rows. Returns `None` if the
-/// picture is complete, or the reason why it ended before. `Break` of `after_row` counts as a request to stop. The
-/// pixels of the row in which the picture ended have no meaning.
+/// calls `after_row` with the number of finished rows, with the image, which holds these rows, and with the random
+/// streams. Returns `None` if the picture is complete, or the reason why it ended before. `Break` of `after_row` counts
+/// as a request to stop. The pixels of the row in which the picture ended have no meaning.
 ///
-/// # Errors
-/// [`Error::OutOfMemory`] if memory is short.
-pub fn render_within<L: Renderable>(
-    prepared: &Prepared<L>,
-    set: InstructionSet,
-    limits: &Limits,
-    image: &mut L::Image,
-    mut after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
-) -> Result<Option<Ended>, Error> {
-    render_from(prepared, set, limits, (0, &[]), image, |row, image, _| after_row(row, image))
-}
-
-/// Renders as [`render_within`] does, from row `first_row` on. The states of the random streams before this row are
-/// the [`Streams::count`] `words` that an earlier rendering got from [`Streams::visit`]. `after_row` also gets the
-/// streams after the row.
+/// A picture begins with row 0 and no words. To go on with an earlier rendering, begin with the row after its last one.
+/// The words are then the [`Streams::count`] words that the earlier rendering got from [`Streams::visit`] there.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.

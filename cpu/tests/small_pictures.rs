@@ -8,7 +8,7 @@ use std::ops::{ControlFlow, RangeInclusive};
 
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::{Ended, InstructionSet, Limits, Prepared, Streams, render_from, render_linear};
-use cpu::reference::{self, Counts, Exact, render_counted, render_recorded};
+use cpu::reference::{self, Counts, Exact, Plain, render_recorded};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 use test_support::agreement::{equals_reference, reference};
 
@@ -94,7 +94,7 @@ fn all_functions_that_render_give_one_picture() {
     let ended = render_linear(&prepared, set, &limits, |at, mean| linear.push((at, mean)));
     assert_eq!(ended.expect("memory is enough"), None);
     let scatter = Scatter::Statement;
-    let counts = render_counted::<Exact>(&config, &scene, scatter, |at, mean| counted.push((at, mean)));
+    let counts = reference::render_linear::<Exact>(&config, &scene, scatter, |at, mean| counted.push((at, mean)));
     let counts = counts.expect("memory is enough");
     assert!(counts.hits > 0 && counts.rays >= 45 + counts.hits, "{counts:?}");
     let mut samples = Vec::new();
@@ -107,8 +107,9 @@ fn all_functions_that_render_give_one_picture() {
 
     // No ray hits an object, so each sample has one ray, and plain and exact intersections agree.
     let (mut plain, mut real, nothing) = (Vec::new(), Vec::new(), Scene::default());
-    reference::render_linear(&config, &nothing, scatter, |at, mean| plain.push((at, mean))).expect("memory is enough");
-    let counts = render_counted::<Exact>(&config, &nothing, scatter, |at, mean| real.push((at, mean)));
+    reference::render_linear::<Plain>(&config, &nothing, scatter, |at, mean| plain.push((at, mean)))
+        .expect("memory is enough");
+    let counts = reference::render_linear::<Exact>(&config, &nothing, scatter, |at, mean| real.push((at, mean)));
     assert_eq!((counts.expect("memory is enough"), plain), (Counts { rays: 45, hits: 0 }, real));
 }
 

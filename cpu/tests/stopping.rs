@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_within};
+use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_from};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 
 /// Returns the time that the renderer may take to stop: `RENDER_STOP_MS` milliseconds. The promise is 100 ms, and by
@@ -28,7 +28,8 @@ fn stops(config: &str, scene: &str) {
             let (prepared, limits) = (&prepared, &limits);
             scope.spawn(move || {
                 let mut image = <Aos as Layout>::Image::black(prepared.size).expect("it is small");
-                let ended = render_within(prepared, set, limits, &mut image, |_, _| ControlFlow::Continue(()));
+                let ended =
+                    render_from(prepared, set, limits, (0, &[]), &mut image, |_, _, _| ControlFlow::Continue(()));
                 let _ = sender.send(ended.expect("there is enough memory"));
             });
             let early = receiver.recv_timeout(Duration::from_millis(50));
@@ -100,7 +101,7 @@ fn prompt_limits_change_no_byte() {
         let [usual, prompt] = [Limits::default(), Limits::prompt(usize::MAX)].map(|limits| {
             let mut image = <Aos as Layout>::Image::black(prepared.size).expect("it is small");
             let set = InstructionSet::chosen();
-            let ended = render_within(&prepared, set, &limits, &mut image, |_, _| ControlFlow::Continue(()));
+            let ended = render_from(&prepared, set, &limits, (0, &[]), &mut image, |_, _, _| ControlFlow::Continue(()));
             assert_eq!(ended.expect("memory is enough"), None);
             let mut ppm = Vec::new();
             cpu::write_ppm(&image, &mut ppm).expect("memory is enough");
@@ -137,7 +138,7 @@ fn a_path_between_mirrors_ends_at_the_limit_of_its_surfaces() {
             let limits = Limits { surfaces, ..Limits::default() };
             let mut image = <Aos as Layout>::Image::black(prepared.size).expect("it is small");
             let set = InstructionSet::chosen();
-            let ended = render_within(&prepared, set, &limits, &mut image, |_, _| ControlFlow::Continue(()));
+            let ended = render_from(&prepared, set, &limits, (0, &[]), &mut image, |_, _, _| ControlFlow::Continue(()));
             assert_eq!(ended.expect("memory is enough"), expected, "{surfaces} {depth} {count}");
         }
     }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cpu::internals::input::{error::with_room, size::Size};
-use cpu::internals::{InstructionSet, Limits, Prepared, render_linear, render_within};
+use cpu::internals::{InstructionSet, Limits, Prepared, render_from, render_linear};
 use cpu::{Aos, Image, Layout, Scatter};
 use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -63,7 +63,7 @@ fn means(prepared: &Prepared<Aos>, limits: &Limits) -> Result<Vec<f64>, Fault> {
 fn bytes(prepared: &Prepared<Aos>, limits: &Limits) -> Result<Vec<u8>, Fault> {
     let mut image = <Aos as Layout>::Image::black(prepared.size)?;
     let mut bytes = with_room(3 * prepared.size.pixels(), "the image")?;
-    render_within(prepared, InstructionSet::chosen(), limits, &mut image, |_, _| ControlFlow::Continue(()))?;
+    render_from(prepared, InstructionSet::chosen(), limits, (0, &[]), &mut image, |_, _, _| ControlFlow::Continue(()))?;
     for index in 0..prepared.size.pixels() {
         let color = image.pixel(index);
         bytes.extend([color.red, color.green, color.blue]);

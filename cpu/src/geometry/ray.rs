@@ -37,37 +37,12 @@ pub fn in_range<T: Real>(lambda: T) -> T::Mask {
     T::of(LAMBDA_MIN).less_equal(lambda)
 }
 
-/// A point where a ray hits a surface.
-#[cfg(feature = "internals")]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit<T = f64> {
-    /// The point of the hit, in scene units.
-    pub point: Vec3<T>,
-    /// The surface's normal on the side that the ray comes from. On the curved side of a cylinder the normal is as long
-    /// as the radius. Elsewhere its length is one.
-    pub normal: Vec3<T>,
-    /// Whether the ray hits the surface from outside the object.
-    pub front: bool,
-}
-
 /// Returns whether a ray along `direction` comes from outside, and the normal on the side that the ray comes from
 /// (specification, section 8.3). `outward` is the normal that points out of the object.
 #[inline(always)]
-pub(crate) fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
+pub fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
     let front = direction.dot(outward).less(T::of(0.0));
     (front, Vec3::select(front, outward, -outward))
-}
-
-#[cfg(feature = "internals")]
-impl<T: Real<Mask = bool>> Hit<T> {
-    /// Returns the hit at `point` of a ray along `direction` (specification, section 8.3). `outward` is the normal that
-    /// points out of the object.
-    #[inline(always)]
-    #[must_use]
-    pub fn facing(direction: Vec3<T>, point: Vec3<T>, outward: Vec3<T>) -> Self {
-        let (front, normal) = facing(direction, outward);
-        Self { point, normal, front }
-    }
 }
 
 #[cfg(test)]
@@ -91,11 +66,8 @@ mod tests {
 
     #[test]
     fn the_normal_faces_the_ray() {
-        let outside = Hit::facing(-UP, Vec3::ZERO, UP);
-        assert_eq!((outside.normal, outside.front), (UP, true));
-        let inside = Hit::facing(UP, Vec3::ZERO, UP);
-        assert_eq!((inside.normal, inside.front), (-UP, false));
-        let grazing = Hit::facing(Vec3::new(1.0, 0.0, 0.0), Vec3::ZERO, UP);
-        assert!(!grazing.front, "perpendicular counts as inside, as the statement's 'otherwise' says");
+        assert_eq!([-UP, UP].map(|direction| facing(direction, UP)), [(true, UP), (false, -UP)]);
+        let (front, _) = facing(Vec3::new(1.0, 0.0, 0.0), UP);
+        assert!(!front, "perpendicular counts as inside, as the statement's 'otherwise' says");
     }
 }

@@ -1,9 +1,9 @@
 //! Reads the arguments of a call from their numbers. Each method removes its numbers from the row, and panics if there
 //! are too few.
 
-use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
+use twin::trace::Hit;
 
 use crate::Float;
 use crate::picture::{Kind, PackedMaterial};

@@ -1,7 +1,6 @@
 //! The Rust twins of the functions in WGSL, by name. Each takes the numbers of the arguments, and returns the numbers
 //! of the result.
 
-use cpu::internals::Hit;
 use cpu::internals::geometry::camera::Camera;
 use cpu::internals::geometry::cap;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord, CylinderView};
@@ -14,6 +13,7 @@ use cpu::internals::math::vec3::NEGLIGIBLE;
 use cpu::internals::render::background::Background;
 use cpu::{Ray, Vec3};
 use stability::methods::projected;
+use twin::trace::Hit;
 
 use crate::picture::{Kind, PackedMaterial};
 use crate::reader::Reader;

@@ -85,7 +85,7 @@ impl Truth {
                 Some(recording)
             }
             None => {
-                reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| {
+                reference::render_linear::<reference::Plain>(&config, &scene, Scatter::Deterministic, |_, color| {
                     wide.push(color);
                     progress.inc(1);
                 })?;

@@ -19,8 +19,10 @@ pub fn on_device<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Renderi
 /// Renders by the reference.
 pub fn by_reference(case: &Case) -> Vec<Vec3> {
     let mut means = Vec::new();
-    reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| means.push(mean))
-        .unwrap_or_else(|error| panic!("{}: {error}", case.name));
+    reference::render_linear::<reference::Plain>(&case.config, &case.scene, Scatter::Deterministic, |_, mean| {
+        means.push(mean)
+    })
+    .unwrap_or_else(|error| panic!("{}: {error}", case.name));
     means
 }
 

@@ -9,13 +9,13 @@ pub mod special;
 mod sphere;
 
 use cpu::Ray;
-use cpu::internals::Hit;
 use gpu_check::Float;
 use gpu_check::first_difference::twins::{Numbers, twin};
 use gpu_check::reader::Reader;
 use stability::methods::projected;
 use stability::record::{Found, Record};
 use stability::regimes::Regime;
+use twin::trace::Hit;
 
 pub use cylinder::{cases as cylinders, record as cylinder};
 use kernel::Kernel;

@@ -92,7 +92,7 @@ impl Arguments {
             LayoutName::Soa => self.write::<Soa>(inputs, how)?,
         };
         if self.count {
-            let counts = cpu::reference::render_counted::<cpu::reference::intersect::Exact>(
+            let counts = cpu::reference::render_linear::<cpu::reference::intersect::Exact>(
                 &config,
                 &scene,
                 self.scatter.into(),

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use cpu::internals::image::Image;
-use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_within};
+use cpu::internals::{Ended, InstructionSet, Limits, Prepared, render_from};
 use cpu::{Aos, Config, Layout, Scatter, Scene};
 use loopback::Answer;
 use loopback::budget::{Budget, Share};
@@ -171,7 +171,7 @@ impl Native {
         let mut image = <Aos as Layout>::Image::black(prepared.size).map_err(wrong)?;
         let limits = Limits { stop: Arc::clone(stop), surfaces: MAX_SURFACES, ..Limits::prompt(scene.objects.len()) };
         drop(scene);
-        let ended = render_within(&prepared, InstructionSet::chosen(), &limits, &mut image, |rows, _| {
+        let ended = render_from(&prepared, InstructionSet::chosen(), &limits, (0, &[]), &mut image, |rows, _, _| {
             self.rows[0].store(rows, Ordering::SeqCst);
             ControlFlow::Continue(())
         });

@@ -2,8 +2,8 @@
 //! random numbers. With f32 it gives the bits that the f32 shader must give. With `gpu_check::running::Running` it
 //! gives a bound on the difference between f32 and f64 in each pixel.
 
-use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
+use cpu::internals::geometry::ray::facing;
 use cpu::internals::geometry::tie::{is_closer, rank};
 use cpu::internals::layout::Placed;
 use cpu::internals::materials::{reflection, refraction, scatter};
@@ -13,6 +13,26 @@ use cpu::{Ray, Vec3};
 
 use crate::Picture;
 use crate::picture::{Kind, PackedMaterial};
+
+/// A point where a ray hits a surface. The twin of `Hit` in `ray.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<T> {
+    /// The point of the hit, in scene units.
+    pub point: Vec3<T>,
+    /// The surface's normal on the side that the ray comes from.
+    pub normal: Vec3<T>,
+    /// Whether the ray hits the surface from outside the object.
+    pub front: bool,
+}
+
+impl<T: Real<Mask = bool>> Hit<T> {
+    /// Returns the hit at `point` of a ray along `direction`. `outward` is the normal that points out of the object.
+    #[must_use]
+    pub fn facing(direction: Vec3<T>, point: Vec3<T>, outward: Vec3<T>) -> Self {
+        let (front, normal) = facing(direction, outward);
+        Self { point, normal, front }
+    }
+}
 
 /// The closest hit found so far.
 struct ClosestHit<T> {
@@ -119,7 +139,7 @@ pub fn scattered<T: Real<Mask = bool>>(
         Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
         Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,
         Kind::Refractive => {
-            // The twin of `scatter_index_ratio`, which divides in the precision T. `IndexRatio` in `cpu` divides in
+            // The twin of `scatter_index_ratio`, which divides in the precision T. `PreparedMaterial` of `cpu` divides in
             // f64. If T is f32, that ratio may have other bits.
             let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
             refraction::refract(ray.direction, hit.normal, ratio)

@@ -61,7 +61,7 @@ pub fn difference(actual: &impl Image, expected: &impl Image) -> Option<String> 
 pub fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Picture, Error> {
     let image = cpu::reference::render_with::<AosImage, Exact>(config, scene, scatter)?;
     let mut means = Vec::new();
-    cpu::reference::render_counted::<Exact>(config, scene, scatter, |_, mean| means.push(bits(mean)))?;
+    cpu::reference::render_linear::<Exact>(config, scene, scatter, |_, mean| means.push(bits(mean)))?;
     Ok(Picture { image, means })
 }
 

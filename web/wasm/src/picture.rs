@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use cpu::internals::image::Image;
-use cpu::internals::{InstructionSet, Limits, Prepared, render_within};
+use cpu::internals::{InstructionSet, Limits, Prepared, render_from};
 use cpu::{Error, Renderable, Scatter};
 
 use crate::fault::Fault;
@@ -30,7 +30,7 @@ fn ppm<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec
     row.try_reserve_exact(4 * width).map_err(|_| Error::OutOfMemory { what: "the image" })?;
     page::begin(width, height);
     // The result is always `None`: the caller ends a picture by ending the module.
-    let _ = render_within(prepared, set, &Limits::default(), &mut image, |rows, image| {
+    let _ = render_from(prepared, set, &Limits::default(), (0, &[]), &mut image, |rows, image, _| {
         row.clear();
         for index in (rows - 1) * width..rows * width {
             let color = image.pixel(index);

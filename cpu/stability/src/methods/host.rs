@@ -4,9 +4,8 @@ use std::hint::black_box;
 use std::marker::PhantomData;
 use std::time::Instant;
 
-use cpu::internals::Hit;
-use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::geometry::{cylinder::CylinderRecord, ray::facing};
 use cpu::internals::math::real::Real;
 use cpu::{Ray, Vec3};
 
@@ -54,7 +53,7 @@ where
             let (record, ray) = case.of::<T>();
             let (lambda, part) = record.by(&ray, &self.sphere, &self.cylinder)?;
             let point = ray.at(lambda);
-            let front = Hit::facing(ray.direction, point, record.outward(part, point)).front;
+            let (front, _) = facing(ray.direction, record.outward(part, point));
             Some(Answer { lambda: lambda.into(), part, point: point.map(Into::into), front })
         };
         Ok(cases.iter().map(answer).collect())

@@ -1,8 +1,7 @@
 //! Tests of secondary rays: a ray that leaves a surface must not hit it again from the wrong side.
 
-use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::internals::geometry::ray::LAMBDA_MIN;
+use cpu::internals::geometry::ray::{LAMBDA_MIN, facing};
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::reference::intersect::{Exact, Intersect, Plain};
 use cpu::{Ray, Vec3};
@@ -22,13 +21,15 @@ fn starts_in_noise(origin: Vec3, slope: f64) -> bool {
     slope.abs() * LAMBDA_MIN < 16.0 * f64::EPSILON * largest
 }
 
-fn intersect<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<Hit> {
+/// Returns the point of the ray's hit, the normal that points out of the object, and whether the ray comes from outside.
+fn intersect<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(Vec3, Vec3, bool)> {
     let record = Record::new(shape);
     let (lambda, part) = record.by(ray, P::sphere, P::cylinder)?;
     let outward = record.outward(part, ray.at(lambda));
     // Only the normal of a cylinder's side has another length than one.
     let is_side = matches!(shape, Shape::Cylinder(_)) && part == CylinderPart::Side;
-    Some(Hit::facing(ray.direction, ray.at(lambda), if is_side { outward.unit() } else { outward }))
+    let outward = if is_side { outward.unit() } else { outward };
+    Some((ray.at(lambda), outward, facing(ray.direction, outward).0))
 }
 
 /// Returns the length of the chord through a sphere, for a ray whose angle to the surface has the sine `slope`. Returns
@@ -56,14 +57,13 @@ fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: 
     for _ in 0..RAYS {
         let origin = aim + random.unit() * distance;
         let ray = Ray { origin, direction: aim + random.cube(0.5) - origin };
-        let Some(hit) = intersect::<P>(shape, &ray) else { continue };
-        let outward = if hit.front { hit.normal } else { -hit.normal };
+        let Some((point, outward, _)) = intersect::<P>(shape, &ray) else { continue };
         let slope = random.sign() * random.decades(LEAST_SLOPE_DECADE, 0.0);
         let scattered = random.perpendicular(outward) + outward * slope;
-        if starts_in_noise(hit.point, slope) {
+        if starts_in_noise(point, slope) {
             continue;
         }
-        let again = intersect::<P>(shape, &Ray { origin: hit.point, direction: scattered });
+        let again = intersect::<P>(shape, &Ray { origin: point, direction: scattered });
         if slope > 0.0 {
             outcome.left += 1;
             outcome.met_from_outside += usize::from(again.is_some());
@@ -71,7 +71,7 @@ fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: 
             outcome.entered += 1;
             // A ray inside must hit the surface from inside. No hit is right if the chord is shorter than the least
             // lambda.
-            let lost = again.map_or(chord(shape, slope) > 2.0 * LAMBDA_MIN, |hit| hit.front);
+            let lost = again.map_or(chord(shape, slope) > 2.0 * LAMBDA_MIN, |(_, _, front)| front);
             outcome.lost_inside += usize::from(lost);
         }
     }
