@@ -44,12 +44,10 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
     }
 }
 
-/// Whether the record is that of a cylinder with this axis. A number that is NaN equals NaN.
+/// Whether the record is that of a cylinder with this axis, or the axis has no direction in `f64`.
 fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
     let (unit, height) = axis.unit_and_length();
-    let made = [unit.x, unit.y, unit.z, height / 2.0];
-    let given = [record.axis.x, record.axis.y, record.axis.z, record.half_height];
-    made.iter().zip(given).all(|(&made, given)| made == given || made.is_nan() && given.is_nan())
+    (unit, height / 2.0) == (record.axis, record.half_height) || !unit.is_finite()
 }
 
 /// Computes the plain formulas in the arithmetic `T`. Returns `Certain(Some((lambda, part)))` for a hit,

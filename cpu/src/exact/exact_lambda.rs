@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use crate::geometry::ray::LAMBDA_MIN;
-use crate::math::dyadic::{Dyadic, power_of_two, sign_with_root, sign_with_roots};
+use crate::math::dyadic::{Dyadic, exact, power_of_two, sign_with_root, sign_with_roots};
 use crate::math::{double_double::DoubleDouble, real::Real};
 
 /// The equation `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0`, and the discriminant `D = h^2 - a c` is at
@@ -50,13 +50,13 @@ impl ExactLambda {
     pub(crate) fn fraction(numerator: Dyadic, denominator: Dyadic) -> Self {
         debug_assert!(numerator.sign() == Ordering::Greater && denominator.sign() == Ordering::Greater);
         // Nothing reads `c`, because the numerator of the larger root does not cancel.
-        let quadratic = Quadratic { a: denominator, h: numerator, c: Dyadic::zero(), discriminant: Dyadic::zero() };
+        let quadratic = Quadratic { a: denominator, h: numerator, c: exact(0.0), discriminant: exact(0.0) };
         Self { quadratic, is_larger: true }
     }
 
     /// Whether the lambda is at least `least`.
     pub(crate) fn is_at_least(&self, least: &Dyadic) -> bool {
-        self.is_linear_form_nonnegative(&-least, &Dyadic::one())
+        self.is_linear_form_nonnegative(&-least, &exact(1.0))
     }
 
     /// Whether `x + y lambda >= 0`.

@@ -163,8 +163,8 @@ impl Parser {
                 if self.name_bytes > MAX_NAME_BYTES {
                     return Err(too_many_names(self.line).into());
                 }
-                let id = MaterialId::try_from(self.scene.materials.len())
-                    .map_err(|_| Error::OutOfMemory { what: "the materials" })?;
+                // Names differ, and have at most 2^28 bytes together, so the number fits.
+                let id = self.scene.materials.len() as MaterialId;
                 push(&mut self.scene.materials, material, "the materials")?;
                 self.names.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the materials" })?;
                 let mut owned = with_room(name.len(), "the materials")?;

@@ -2,7 +2,7 @@
 
 use crate::geometry::ray::facing;
 use crate::input::material::Material;
-use crate::materials::{reflection::mirror, refraction::IndexRatio, refraction::refract, scatter::ScatterParams};
+use crate::materials::{reflection::mirror, refraction::refract, scatter::ScatterParams};
 use crate::math::{real::Real, vec3::NEGLIGIBLE, vec3::Vec3};
 use crate::sampling::scatter_vectors::Scatter;
 
@@ -24,8 +24,9 @@ pub struct PreparedMaterial {
     pub bsdf_kind: BsdfKind,
     /// The constants with which a scatter sample changes the direction.
     pub scatter_params: ScatterParams,
-    /// The refractive index and its inverse. Only refractive materials use them.
-    pub index_ratio: IndexRatio,
+    /// The ratios of refractive indices for a ray that enters the object, and for one that leaves it: the inverse of the
+    /// index, and the index. Only refractive materials use them.
+    pub index_ratios: [f64; 2],
     /// The factor that the surface applies to the colour of the scattered ray.
     pub reflectance: Vec3,
 }
@@ -35,7 +36,7 @@ impl PreparedMaterial {
     pub const BLACK: Self = Self {
         bsdf_kind: BsdfKind::Metal,
         scatter_params: ScatterParams { scale: 0.0, shift: 0.0, negligible: 0.0 },
-        index_ratio: IndexRatio::new(1.0),
+        index_ratios: [1.0; 2],
         reflectance: Vec3::ZERO,
     };
 
@@ -53,8 +54,8 @@ impl PreparedMaterial {
             Scatter::Published | Scatter::Deterministic => (extent, -0.0),
         };
         let scatter_params = ScatterParams { scale, shift, negligible };
-        let (index_ratio, reflectance) = (IndexRatio::new(index), material.reflectance());
-        Self { bsdf_kind, scatter_params, index_ratio, reflectance }
+        let index_ratios = [1.0 / index, index];
+        Self { bsdf_kind, scatter_params, index_ratios, reflectance: material.reflectance() }
     }
 
     /// Whether the surface takes a scatter sample: matte and metal surfaces do, refractive ones do not.
@@ -74,7 +75,8 @@ impl PreparedMaterial {
             BsdfKind::Metal => mirror(direction, outward),
             BsdfKind::Refractive => {
                 let (front, normal) = facing(direction, outward);
-                refract(direction, normal, self.index_ratio.at(front))
+                let [entering, leaving] = self.index_ratios;
+                refract(direction, normal, T::select(front, T::of(entering), T::of(leaving)))
             }
         }
     }

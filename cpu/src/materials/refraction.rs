@@ -18,33 +18,9 @@
 
 use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 
-/// The two ratios of refractive indices that Snell's law needs for one material, computed once. A ratio is the index on
-/// the side that the ray comes from, divided by the index on the other side. With an object of index `rho` it is
-/// `1 / rho` for a ray that enters, and `rho` for a ray that leaves. [`IndexRatio::at`] chooses one of them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IndexRatio {
-    /// `1 / rho`.
-    entering: f64,
-    /// `rho`.
-    leaving: f64,
-}
-
-impl IndexRatio {
-    /// Returns the ratios of a material whose refractive index is `rho`.
-    pub(crate) const fn new(rho: f64) -> Self {
-        Self { entering: 1.0 / rho, leaving: rho }
-    }
-
-    /// Returns the ratio for a ray that hits the surface from outside if `front` holds, and from inside otherwise.
-    #[inline(always)]
-    pub(crate) fn at<T: Real>(&self, front: T::Mask) -> T {
-        T::select(front, T::of(self.entering), T::of(self.leaving))
-    }
-}
-
 /// Returns the direction of the ray that a refractive surface scatters: the refracted direction, or the mirror
 /// direction beyond the critical angle. `direction` is that of the ray that hits the surface, and may have any length.
-/// `normal` is on the side that the ray comes from. `ratio` comes from [`IndexRatio::at`].
+/// `normal` is on the side that the ray comes from. `ratio` is the index on that side, divided by the index on the other.
 #[inline(always)]
 pub fn refract<T: Real>(direction: Vec3<T>, normal: Vec3<T>, ratio: T) -> Vec3<T> {
     let one = T::of(1.0);
@@ -62,12 +38,6 @@ mod tests {
     use super::*;
 
     const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
-
-    #[test]
-    fn the_ratio_is_inverted_where_a_ray_enters() {
-        let ratio = IndexRatio::new(1.5);
-        assert_eq!((ratio.at::<f64>(true), ratio.at::<f64>(false)), (1.0 / 1.5, 1.5));
-    }
 
     #[test]
     fn light_is_bent_by_snells_law() {

@@ -34,16 +34,6 @@ impl Dyadic {
         Self { negative: false, magnitude, exponent }
     }
 
-    /// Returns the number zero.
-    pub(crate) const fn zero() -> Self {
-        Self { negative: false, magnitude: Vec::new(), exponent: 0 }
-    }
-
-    /// Returns the number one.
-    pub(crate) fn one() -> Self {
-        Self { negative: false, magnitude: vec![1], exponent: 0 }
-    }
-
     /// Compares the number with zero.
     pub fn sign(&self) -> Ordering {
         match (self.magnitude.is_empty(), self.negative) {

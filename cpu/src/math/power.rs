@@ -40,12 +40,10 @@ fn special(base: f64, exponent: f64) -> f64 {
     } else if magnitude == 0.0 || magnitude == f64::INFINITY {
         sign * magnitude
     } else if exponent == f64::INFINITY {
-        if magnitude == 1.0 {
-            1.0
-        } else if magnitude < 1.0 {
-            0.0
-        } else {
-            f64::INFINITY
+        match magnitude.total_cmp(&1.0) {
+            Ordering::Less => 0.0,
+            Ordering::Equal => 1.0,
+            Ordering::Greater => f64::INFINITY,
         }
     } else if exponent % 1.0 == 0.0 {
         sign * power(magnitude, exponent)
@@ -58,13 +56,9 @@ fn special(base: f64, exponent: f64) -> f64 {
 #[cold]
 #[inline(never)]
 fn decided(base: f64, exponent: f64, candidate: f64) -> f64 {
-    let mut bits = 192;
-    loop {
-        if let Some(power) = nearest(candidate, |midpoint| compare(base, exponent, midpoint, bits)) {
-            return power;
-        }
-        bits *= 2;
-    }
+    let rounded = |bits| nearest(candidate, |midpoint| compare(base, exponent, midpoint, bits));
+    // 192 bits nearly always decide.
+    (0..).find_map(|doublings| rounded(192 << doublings)).unwrap_or(f64::NAN)
 }
 
 /// Compares `base^exponent` with a midpoint by logarithms of `bits` bits. The result is `None` if the errors of the

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use crate::geometry::ray::Ray;
 use crate::materials::{prepared::PreparedMaterial, scatter::ScatterParams};
 use crate::math::{real::Real, vec3::Vec3};
 use crate::render::{lane_numbers::ObjectNumber, lane_numbers::SampleIndex, max_depth::RaysLane};
@@ -40,12 +39,6 @@ impl PathVertex {
     pub const SAMPLE: usize = 13;
     /// The index of `rays` in [`PathVertex::numbers`].
     pub const RAYS: usize = 14;
-
-    /// Returns the ray that the matte or metal surface scatters with this scatter sample.
-    #[inline(always)]
-    pub(crate) fn scattered_ray(&self, scatter_sample: Vec3) -> Ray {
-        Ray { origin: self.point, direction: self.scatter_params.scatter_around(self.unperturbed, scatter_sample) }
-    }
 }
 
 impl<T: Real> PathVertex<T> {

@@ -6,6 +6,7 @@
 
 use crate::accel::{accelerator::Accelerator, choice::dispatch, stack::Stack};
 use crate::counters::{Counter, add};
+use crate::geometry::ray::Ray;
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::{limits::PIECE, lookahead::TraceWithLookahead, path::PathTracer};
@@ -79,7 +80,8 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
     fn trace<S: Simd>(&mut self, at: usize, vertex: &PathVertex, scatter_sample: Vec3) {
         let Self { prepared, tracer, accel, stack } = self;
         let objects = &prepared.objects;
-        let mut ray = vertex.scattered_ray(scatter_sample);
+        let direction = vertex.scatter_params.scatter_around(vertex.unperturbed, scatter_sample);
+        let mut ray = Ray { origin: vertex.point, direction };
         let mut rays = vertex.rays.get();
         let mut start = accel.start(objects, &ray, vertex.object.id());
         loop {
