@@ -110,15 +110,6 @@ impl FlatFilter {
     }
 }
 
-/// Returns the closest hit among all objects, without the filter. This serves two kinds of rare rays: those with a
-/// direction that is too short for the tests, and those for which the entry into the dominant sphere was predicted
-/// wrong.
-#[cold]
-#[inline(never)]
-fn without_filter<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
-    intersect_every_object(objects, ray)
-}
-
 /// Returns as many empty blocks as `count` objects need.
 fn blocks<T: Clone>(count: usize, empty: T) -> Result<Vec<T>, Error> {
     let mut blocks = with_room(count.div_ceil(BLOCK), OBJECTS)?;
@@ -146,7 +137,7 @@ impl Accelerator for FlatFilter {
         let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if is_too_short(conservative.length_squared) {
-            return without_filter(objects, *ray);
+            return intersect_every_object(objects, *ray);
         }
         let starts_on_dominant = self.dominant.is(start.object) && self.overlapping.is_some();
         if starts_on_dominant && let Some(overlapping) = &self.overlapping {
@@ -158,7 +149,7 @@ impl Accelerator for FlatFilter {
                 }
                 if !closest.is_hit() {
                     add(Counter::MispredictedEntries, 1);
-                    return without_filter(objects, *ray);
+                    return intersect_every_object(objects, *ray);
                 }
                 for &id in overlapping {
                     closest.intersect(objects, id, ray);
@@ -167,7 +158,7 @@ impl Accelerator for FlatFilter {
             }
             if self.dominant.may_be_hit(objects, &conservative).is_some() {
                 add(Counter::MispredictedEntries, 1);
-                return without_filter(objects, *ray);
+                return intersect_every_object(objects, *ray);
             }
         }
         let (spheres, mut cylinders) = self.may_hit::<S>(ray);
