@@ -23,8 +23,8 @@ fn scatter_metal(direction: vec3<real>, normal: vec3<real>, vector: vec3<real>) 
     return scatter_mirror(direction, normal) + vector;
 }
 
-// PreparedMaterial::index_ratios: returns the ratio of indices of a surface with this refractive index: `1 / index` if the ray comes
-// from outside (`front`), and `index` otherwise.
+// PreparedMaterial::index_ratios: returns the ratio of indices of a surface with this refractive index: `1 / index` if
+// the ray comes from outside (`front`), and `index` otherwise.
 fn scatter_index_ratio(index: real, front: bool) -> real {
     return select(index, real(1.0) / index, front);
 }

@@ -96,8 +96,8 @@ pub struct Crossing<T: Real> {
 
 impl<T: Rounding> Crossing<T> {
     /// Returns the crossing at `lambda`. `error` is twice the bound of its error, or more. `accurate` and `behind` tell
-    /// whether lambda certainly is in range and accurate, or certainly below the smallest lambda. `start` and `slope` are
-    /// those of [`PlainSide`].
+    /// whether lambda certainly is in range and accurate, or certainly below the smallest lambda. `start` and `slope`
+    /// are those of [`PlainSide`].
     #[inline(always)]
     pub(super) fn new(
         record: &CylinderRecord<T>,

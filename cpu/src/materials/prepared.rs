@@ -24,8 +24,8 @@ pub struct PreparedMaterial {
     pub bsdf_kind: BsdfKind,
     /// The constants with which a scatter sample changes the direction.
     pub scatter_params: ScatterParams,
-    /// The ratios of refractive indices for a ray that enters the object, and for one that leaves it: the inverse of the
-    /// index, and the index. Only refractive materials use them.
+    /// The ratios of refractive indices for a ray that enters the object, and for one that leaves it: the inverse of
+    /// the index, and the index. Only refractive materials use them.
     pub index_ratios: [f64; 2],
     /// The factor that the surface applies to the colour of the scattered ray.
     pub reflectance: Vec3,

@@ -20,7 +20,8 @@ use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 
 /// Returns the direction of the ray that a refractive surface scatters: the refracted direction, or the mirror
 /// direction beyond the critical angle. `direction` is that of the ray that hits the surface, and may have any length.
-/// `normal` is on the side that the ray comes from. `ratio` is the index on that side, divided by the index on the other.
+/// `normal` is on the side that the ray comes from. `ratio` is the refractive index on that side, divided by the one on
+/// the other side.
 #[inline(always)]
 pub fn refract<T: Real>(direction: Vec3<T>, normal: Vec3<T>, ratio: T) -> Vec3<T> {
     let one = T::of(1.0);

@@ -139,8 +139,8 @@ pub fn scattered<T: Real<Mask = bool>>(
         Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
         Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,
         Kind::Refractive => {
-            // The twin of `scatter_index_ratio`, which divides in the precision T. `PreparedMaterial` of `cpu` divides in
-            // f64. If T is f32, that ratio may have other bits.
+            // The twin of `scatter_index_ratio`, which divides in the precision T. `PreparedMaterial` of `cpu` divides
+            // in f64. If T is f32, that ratio may have other bits.
             let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
             refraction::refract(ray.direction, hit.normal, ratio)
         }

@@ -21,7 +21,8 @@ fn starts_in_noise(origin: Vec3, slope: f64) -> bool {
     slope.abs() * LAMBDA_MIN < 16.0 * f64::EPSILON * largest
 }
 
-/// Returns the point of the ray's hit, the normal that points out of the object, and whether the ray comes from outside.
+/// Returns the point of the ray's hit, the normal that points out of the object, and whether the ray comes from
+/// outside.
 fn intersect<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(Vec3, Vec3, bool)> {
     let record = Record::new(shape);
     let (lambda, part) = record.by(ray, P::sphere, P::cylinder)?;
