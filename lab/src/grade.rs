@@ -110,7 +110,7 @@ impl Grades {
                 ready.push(is_right.then(|| Job { words: scene.command(&job, &place), ..job }));
             }
             let measured: Vec<_> = ready.iter().flatten().cloned().collect();
-            let mut measured = rounds.measure(&measured, limits, |_| Ok(()))?.into_iter();
+            let mut measured = rounds.measure(&measured, limits, false)?.into_iter();
             for (graded, job) in programs.iter_mut().zip(ready) {
                 let timed = job.and_then(|_| measured.next()).transpose();
                 let timed = timed.map_err(|message| format!("{}: {message}", scene_name(scene)).into());
@@ -155,13 +155,12 @@ fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
         };
         return file.scene.iter().map(scene).collect();
     }
-    let own = ["materials", "grid"].into_iter().filter_map(|name| Some((name, scenes::named(name)?)));
-    Ok(own
-        .map(|(name, (config, scene))| {
-            let config = Config { image_width: 240, samples_per_pixel: 16, ..config };
-            case(name, [generator::write::config(&config), generator::write::scene(&scene)].map(Into::into))
-        })
-        .collect())
+    let own = |name: &str| {
+        let (config, scene) = scenes::named(name)?;
+        let config = Config { image_width: 240, samples_per_pixel: 16, ..config };
+        Some(case(name, [generator::write::config(&config), generator::write::scene(&scene)].map(Into::into)))
+    };
+    Ok(["materials", "grid"].into_iter().filter_map(own).collect())
 }
 
 /// Computes the points of all programs.

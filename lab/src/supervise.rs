@@ -6,7 +6,7 @@
 
 use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io::Read;
+use std::io::{self, Read};
 use std::os::unix::process::{CommandExt, ExitStatusExt, parent_id};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -143,15 +143,12 @@ impl Limits {
         // The program inherits the limits of this process. Without core files, a crash takes no time and no disk.
         let file_bytes = (self.memory < NONE.memory).then_some((Resource::RLIMIT_FSIZE, FILE_BYTES));
         for (resource, limit) in file_bytes.into_iter().chain([(Resource::RLIMIT_CORE, 0)]) {
-            let lowered = getrlimit(resource).and_then(|(_, most)| {
-                let limit = limit.min(most);
-                setrlimit(resource, limit, limit)
-            });
-            lowered.map_err(|error| error.to_string())?;
+            let most = getrlimit(resource).map_err(io::Error::from)?.1;
+            setrlimit(resource, limit.min(most), limit.min(most)).map_err(io::Error::from)?;
         }
         // A process that the program leaves behind becomes a child of this one, so it is ended, and its time counts.
         #[cfg(target_os = "linux")]
-        nix::sys::prctl::set_child_subreaper(true).map_err(|error| error.to_string())?;
+        nix::sys::prctl::set_child_subreaper(true).map_err(io::Error::from)?;
         let create = |name| {
             // An earlier run may have replaced the file, such as by a pipe.
             let _ = fs::remove_file(printed.join(name));

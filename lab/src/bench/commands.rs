@@ -76,17 +76,11 @@ pub struct Rounds {
 }
 
 impl Rounds {
-    /// Measures `jobs` in turn. The result of a job is a message if one of its runs fails. `on_failure` gets this
-    /// message, and may end the measurement.
+    /// Measures `jobs` in turn. The result of a job is a message if one of its runs fails.
     ///
     /// # Errors
-    /// [`Failure::Interrupted`], or what `on_failure` returns.
-    pub fn measure(
-        &self,
-        jobs: &[Job],
-        limits: &Limits,
-        on_failure: impl Fn(&str) -> Result<(), Failure>,
-    ) -> Result<Vec<Result<Timed, String>>, Failure> {
+    /// [`Failure::Interrupted`], or the first run that fails, if `all` must succeed.
+    pub fn measure(&self, jobs: &[Job], limits: &Limits, all: bool) -> Result<Vec<Result<Timed, String>>, Failure> {
         let printed = TempDir::new()?;
         let warm_up = usize::from(self.warm_up) * jobs.len();
         let rounds = usize::from(self.warm_up) + usize::from(self.rounds);
@@ -99,11 +93,8 @@ impl Rounds {
                 Ok(run) if number >= warm_up => done.push(run),
                 Ok(_) => {}
                 Err(Failure::Interrupted) => return Err(Failure::Interrupted),
-                Err(failure) => {
-                    let message = failure.about(&job.name).message().unwrap_or_default();
-                    on_failure(&message)?;
-                    runs[index] = Err(message);
-                }
+                Err(failure) if all => return Err(failure.about(&job.name)),
+                Err(failure) => runs[index] = Err(failure.about(&job.name).message().unwrap_or_default()),
             }
         }
         bar.finish_and_clear();

@@ -59,10 +59,7 @@ impl Case {
                 }
                 Ok(Err(self.refused(start(Some("old\n"))?, Some("old\n"), message.as_deref())))
             }
-            Expected::Picture(_) => {
-                let picture = self.drawn(start(None)?)?;
-                Ok(picture.map_err(|fault| vec![fault]))
-            }
+            Expected::Picture(_) => self.drawn(start(None)?),
         }
     }
 
@@ -115,26 +112,26 @@ impl Case {
     }
 
     /// Compares the picture that a program wrote with those of the case.
-    fn drawn(&self, left: Left) -> Result<Result<Box<[Comparison; 2]>, Fault>, Failure> {
+    fn drawn(&self, left: Left) -> Result<Outcome, Failure> {
         if let Some(mut fault) = self.ended(left.end, 0) {
             let details = [std::mem::take(&mut fault.found), shown(&left.printed[1])];
             fault.found = details.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(": ");
-            return Ok(Err(fault));
+            return Ok(Err(vec![fault]));
         }
         let Some(bytes) = left.out.filter(|bytes| !bytes.is_empty()) else {
-            return Ok(Err(Kind::NoPicture.fault(self.section, "", "")));
+            return Ok(Err(vec![Kind::NoPicture.fault(self.section, "", "")]));
         };
         let picture = match Picture::parse(&bytes) {
             Ok(picture) if bytes.starts_with(b"P3") => picture,
             other => {
                 let reason = other.map_or_else(|reason| reason, |_| shown(&bytes[..2]));
-                return Ok(Err(Kind::UnreadablePicture.fault(self.section, "P3", reason)));
+                return Ok(Err(vec![Kind::UnreadablePicture.fault(self.section, "P3", reason)]));
             }
         };
         let (expected, digest) = (self.expected_pictures()?, digest::sha256(&bytes));
-        let size = |picture: &Picture| format!("{} x {}", picture.width, picture.height);
-        if size(&expected[0].picture) != size(&picture) {
-            return Ok(Err(Kind::WrongSize.fault(self.section, size(&expected[0].picture), size(&picture))));
+        let [wanted, found] = [&expected[0].picture, &picture].map(|it| format!("{} x {}", it.width, it.height));
+        if wanted != found {
+            return Ok(Err(vec![Kind::WrongSize.fault(self.section, wanted, found)]));
         }
         let compare = |expected: &Drawn| {
             let difference = Difference::between(&expected.picture, &picture)?;
