@@ -1,7 +1,6 @@
 //! Renders whole pictures on a device, in deterministic mode.
 
 use std::marker::PhantomData;
-use std::ops::Range;
 use std::time::Duration;
 
 use cpu::Size;
@@ -30,8 +29,6 @@ pub struct Renderer<'a, T> {
     gpu: &'a Gpu,
     pipeline: Pipeline,
     features: Features,
-    /// Largest number of surfaces that paths hit in one run; `None` if only the limit on iterations applies.
-    step: Option<u32>,
     /// Whether rays find their closest hit in a hierarchy of boxes.
     in_hierarchy: bool,
     precision: PhantomData<T>,
@@ -59,18 +56,7 @@ impl<'a, T: Float> Renderer<'a, T> {
         let constants = [&features.constants()[..], own].concat();
         let pipeline = Pipeline::new(gpu, &composition, &constants)?;
         let in_hierarchy = library.has_hierarchy();
-        Ok(Self { gpu, pipeline, features: *features, step: None, in_hierarchy, precision: PhantomData })
-    }
-
-    /// Returns this renderer, changed so that a path hits at most `surfaces` surfaces in each run. Tests use it to show
-    /// that results do not depend on the number of runs.
-    ///
-    /// # Panics
-    /// If `surfaces` is 0.
-    #[must_use]
-    pub fn in_steps_of(self, surfaces: u32) -> Self {
-        assert!(surfaces > 0, "a run needs at least one surface");
-        Self { step: Some(surfaces), ..self }
+        Ok(Self { gpu, pipeline, features: *features, in_hierarchy, precision: PhantomData })
     }
 
     /// Renders `picture` with its maximum depth, or with that of the features of this renderer if it is less.
@@ -95,7 +81,9 @@ impl<'a, T: Float> Renderer<'a, T> {
         let tests = (ray_loop.tests() * u64::from(self.features.max_depth)).max(1);
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / color.max(path)).max(1);
         let batch = batch.min((TESTS / tests).max(LEAST_BATCH));
-        let depths = self.depths(picture, &ray_loop)?;
+        // A pipeline for deeper paths renders a picture of less depth too.
+        let depth = self.features.max_depth.min(picture.max_depth);
+        let depths = steps(depth, ray_loop.surfaces_of_a_run(depth, 0)?);
         let mut rendering = Rendering { size: picture.size, pixels: Vec::new(), time: Duration::ZERO };
         for first in (0..count).step_by(batch as usize) {
             let pixels = batch.min(count - first);
@@ -114,13 +102,6 @@ impl<'a, T: Float> Renderer<'a, T> {
             tell(first + pixels, count);
         }
         Ok(rendering)
-    }
-
-    /// Returns ranges of depths that together cover 0 to the maximum depth. Each range is small enough for one run.
-    fn depths(&self, picture: &Picture<T>, ray_loop: &RayLoop) -> Result<Vec<Range<u32>>, Error> {
-        // A pipeline for deeper paths renders a picture of less depth too.
-        let depth = self.features.max_depth.min(picture.max_depth);
-        Ok(steps(depth, self.step.map_or_else(|| ray_loop.surfaces_of_a_run(depth, 0), Ok)?))
     }
 }
 

@@ -18,8 +18,6 @@ pub struct Follower<'a, T> {
     pipeline: Pipeline,
     depth: u32,
     in_hierarchy: bool,
-    /// Largest number of surfaces in one run; `None` if only the limit on iterations applies.
-    step: Option<u32>,
     precision: PhantomData<T>,
 }
 
@@ -34,18 +32,7 @@ impl<'a, T: Float> Follower<'a, T> {
         let constants = [&features.constants()[..], own].concat();
         let pipeline = Pipeline::new(gpu, &composition, &constants)?;
         let in_hierarchy = library.has_hierarchy();
-        Ok(Self { gpu, pipeline, depth: features.max_depth, in_hierarchy, step: None, precision: PhantomData })
-    }
-
-    /// Returns this pipeline, changed so that a run traces at most `surfaces` surfaces of each path. Tests use it to
-    /// show that steps do not depend on the number of runs.
-    ///
-    /// # Panics
-    /// If `surfaces` is 0.
-    #[must_use]
-    pub fn in_steps_of(self, surfaces: u32) -> Self {
-        assert!(surfaces > 0, "a run needs at least one surface");
-        Self { step: Some(surfaces), ..self }
+        Ok(Self { gpu, pipeline, depth: features.max_depth, in_hierarchy, precision: PhantomData })
     }
 
     /// Returns the steps of `count` pixels, from the pixel `first` on.
@@ -58,7 +45,7 @@ impl<'a, T: Float> Follower<'a, T> {
             return Ok(vec![Vec::new(); count]);
         }
         let ray_loop = RayLoop::new(picture, self.in_hierarchy);
-        let depths = steps(self.depth, self.step.map_or_else(|| ray_loop.surfaces_of_a_run(self.depth, 0), Ok)?);
+        let depths = steps(self.depth, ray_loop.surfaces_of_a_run(self.depth, 0)?);
         let part = Part::Pixels { first: first as u32, count: count as u32 };
         let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
         let output = Content::Output((count * self.depth as usize * size_of::<Step<T>>()) as u64);

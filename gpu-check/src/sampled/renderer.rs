@@ -29,8 +29,6 @@ pub struct SampleRenderer<'a, T> {
     samples: Pipeline,
     means: Pipeline,
     features: Features,
-    /// Largest number of samples in one run, and of surfaces that paths hit in it; `None` if only the limits apply.
-    step: Option<(u64, u32)>,
     /// Whether rays find their closest hit in a hierarchy of boxes.
     in_hierarchy: bool,
     precision: PhantomData<T>,
@@ -62,18 +60,7 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
         let samples = Pipeline::new(gpu, &library.compose("kernels/samples", T::PRECISION)?, &constants)?;
         let means = Pipeline::new(gpu, &library.compose("kernels/means", T::PRECISION)?, &[])?;
         let in_hierarchy = library.has_hierarchy();
-        Ok(Self { gpu, samples, means, features: *features, step: None, in_hierarchy, precision: PhantomData })
-    }
-
-    /// Returns this renderer, changed so that a run has at most `samples` samples, whose paths hit at most `surfaces`
-    /// surfaces in it. Tests use it to show that results do not depend on the number of runs.
-    ///
-    /// # Panics
-    /// If a number is 0.
-    #[must_use]
-    pub fn in_steps_of(self, samples: u64, surfaces: u32) -> Self {
-        assert!(samples > 0 && surfaces > 0, "a run needs at least one sample and one surface");
-        Self { step: Some((samples, surfaces)), ..self }
+        Ok(Self { gpu, samples, means, features: *features, in_hierarchy, precision: PhantomData })
     }
 
     /// Renders `picture` with the random numbers of `recording`, which is a recording of this picture.
@@ -145,9 +132,6 @@ impl<T: Float> SampleRenderer<'_, T> {
     fn limits(&self, ray_loop: &RayLoop, recording: &Recording) -> Limits {
         let binding = self.gpu.binding_limit();
         let entries = (binding / size_of::<[u32; 2]>() as u64).saturating_sub(self.spare());
-        if let Some((samples, _)) = self.step {
-            return Limits { samples, entries };
-        }
         let depth = u64::from(self.features.max_depth);
         let tests = (ray_loop.tests() * depth).max(1);
         let widest = (depth * size_of::<u32>() as u64).max(path_size::<T>());
@@ -168,10 +152,7 @@ impl<T: Float> SampleRenderer<'_, T> {
     ) -> Result<Vec<u8>, Error> {
         let &Part::Samples { count, convention, .. } = part else { return Ok(Vec::new()) };
         let depth = self.features.max_depth;
-        let surfaces = match self.step {
-            Some((_, surfaces)) => surfaces,
-            None => ray_loop.surfaces_of_a_run(depth, tries_of(convention))?,
-        };
+        let surfaces = ray_loop.surfaces_of_a_run(depth, tries_of(convention))?;
         let heads: Vec<_> = steps(depth, surfaces).iter().map(|depths| head(picture, part, depths)).collect();
         let samples = u64::from(count);
         let own = [

@@ -4,6 +4,7 @@
 use std::fs;
 use std::path::Path;
 
+use cpu::internals::input::scene::{Object, Shape, Sphere};
 use cpu::{Config, Scene, Vec3};
 use generator::{Arrangement, Options};
 use stability::random::Random;
@@ -80,6 +81,16 @@ pub fn edges() -> Vec<Case> {
         .map(|(name, text)| Case { name: (*name).to_owned(), config: config.clone(), scene: parse(text) })
         .chain([Case { name: "no object at all".to_owned(), config: config.clone(), scene: Scene::default() }])
         .collect()
+}
+
+/// Returns a scene whose paths a device traces in several runs, of two surfaces each, because it has so many objects.
+/// With several samples for each pixel, a run ends within a pixel.
+pub fn long_paths() -> Case {
+    let mut case = edges().into_iter().find(|case| case.name == "glass in air in glass").expect("it is there");
+    let behind = Shape::Sphere(Sphere { center: Vec3::new(0.0, 0.0, -900.0), radius: 1.0 });
+    case.scene.objects.extend(std::iter::repeat_n(Object { shape: behind, material: 0 }, 30_000));
+    (case.config.image_width, case.config.samples_per_pixel) = (16, 5);
+    Case { name: "long paths".to_owned(), ..case }
 }
 
 /// Returns a random scene with all materials, all shapes and a maximum depth of up to 50, scattered or on a ground.

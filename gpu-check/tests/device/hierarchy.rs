@@ -64,28 +64,26 @@ fn random_rays_in_f32_have_the_hits_of_the_loop_over_all_objects() {
 
 fn steps_are_those_of_rust<T: Float>(gpu: &Gpu) {
     let (mut compared, mut hits) = (0, 0);
-    for case in [large::ten_thousand(16), scenes::random(3), scenes::random(8)] {
+    for case in [large::ten_thousand(16), scenes::long_paths(), scenes::random(3), scenes::random(8)] {
         let picture = Picture::<T>::new(&case.config, &case.scene).expect("it is valid");
         let features = features_of(&case.config, &case.scene).expect("it is valid");
         let expected: Vec<_> = (0..100).map(|index| picture.steps(index)).collect();
         for library in [Library::standard(), Library::standard().in_hierarchy()] {
-            let follower = || Follower::<T>::new(gpu, &library, &features, &[]).expect("it compiles");
-            for follower in [follower(), follower().in_steps_of(1), follower().in_steps_of(3)] {
-                let actual = follower.follow(&picture, 0, expected.len()).expect("it is small");
-                for (one, other) in expected.concat().iter().zip(actual.concat()) {
-                    assert_eq!(first_difference(one, &other), None, "{}", case.name);
-                    compared += 1;
-                    hits += usize::from(one.is_hit().wide() == 1.0);
-                }
+            let follower = Follower::<T>::new(gpu, &library, &features, &[]).expect("it compiles");
+            let actual = follower.follow(&picture, 0, expected.len()).expect("it is small");
+            for (one, other) in expected.concat().iter().zip(actual.concat()) {
+                assert_eq!(first_difference(one, &other), None, "{}", case.name);
+                compared += 1;
+                hits += usize::from(one.is_hit().wide() == 1.0);
             }
         }
     }
     println!("{}: {compared} steps, {hits} hits", T::PRECISION);
-    assert!(hits > 1000, "{hits}");
+    assert!(hits > 500, "{hits}");
 }
 
 #[test]
-fn steps_of_paths_are_those_of_rust_in_any_number_of_runs() {
+fn steps_of_paths_are_those_of_rust() {
     let gpu = common::gpu();
     steps_are_those_of_rust::<f64>(&gpu);
     if common::accuracy(&gpu) == Accuracy::Ieee {

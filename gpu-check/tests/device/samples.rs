@@ -9,7 +9,7 @@ mod draws;
 use gpu_check::difference::{Difference, difference};
 use gpu_check::sampled::streams::Streams;
 use gpu_check::sampled::twin::means;
-use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
+use gpu_check::sampled::{Convention, SampleRenderer, SampledRendering};
 use gpu_check::{Gpu, Picture, features_of};
 use shaders::{Features, Library};
 
@@ -81,7 +81,7 @@ fn pictures_of_the_repositorys_scenes_are_the_references_to_the_bit() {
 fn pictures_of_random_and_edge_scenes_are_the_references_to_the_bit() {
     let gpu = common::gpu();
     let edges = scenes::edges().into_iter().map(|case| within(case, RANDOM_TESTS));
-    let cases: Vec<_> = (0..RANDOM_SCENES).map(random).chain(edges).collect();
+    let cases: Vec<_> = (0..RANDOM_SCENES).map(random).chain(edges).chain([scenes::long_paths()]).collect();
     // All features are on, so that few pipelines have to be compiled.
     let features = |case: &Case| Features::all(case.config.max_depth as u32);
     check(&compare(&gpu, &Library::standard(), &cases, features), 500_000);
@@ -96,38 +96,6 @@ fn pictures_in_the_hierarchy_are_the_references_to_the_bit() {
     let library = Library::standard().in_hierarchy();
     let features = |case: &Case| Features::all(case.config.max_depth as u32);
     check(&compare(&gpu, &library, &cases, features), 100_000);
-}
-
-#[test]
-fn samples_and_paths_in_several_runs_give_the_reference_to_the_bit() {
-    let gpu = common::gpu();
-    let mut tally = Tally::default();
-    for seed in [1, 6, 11, 14] {
-        let case = within(random(seed), RANDOM_TESTS / 4);
-        let features = features_of(&case.config, &case.scene).expect("it is not deep");
-        let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
-        let recording = record(&case, Convention::ALL[seed as usize % 2]);
-        for (samples, surfaces) in [(333, 1), (64, 3), (1, 50)] {
-            let first = if samples == 1 { 5 } else { usize::MAX };
-            let renderer = SampleRenderer::<f64>::new(&gpu, &Library::standard(), &features, &[]).expect("it is valid");
-            let recording = first_pixels(&recording, first);
-            let rendering = renderer.in_steps_of(samples, surfaces).render(&picture, &recording).expect("it is small");
-            tally.add(
-                &format!("{}, {samples} samples and {surfaces} surfaces a run", case.name),
-                &rendering,
-                &recording,
-            );
-        }
-    }
-    check(&tally, 10_000);
-}
-
-/// Returns the part of a recording that has the first `pixels` pixels.
-fn first_pixels(recording: &Recording, pixels: usize) -> Recording {
-    let mut part = recording.clone();
-    part.means.truncate(pixels);
-    part.words.truncate(pixels.saturating_mul(recording.samples_per_pixel as usize));
-    part
 }
 
 #[test]

@@ -32,7 +32,7 @@ const TESTS: usize = 500_000;
 /// Number of random scenes whose pictures have random numbers.
 const SAMPLED_SCENES: u64 = 4;
 /// Maximum depth of these pictures. It is one number, so that one pipeline renders all of them.
-const SAMPLED_DEPTH: u32 = 6;
+const SAMPLED_DEPTH: u32 = 9;
 /// Limit on the number of samples times objects of these pictures.
 const SAMPLED_TESTS: usize = 200_000;
 
@@ -71,7 +71,8 @@ impl<'a> Examiner<'a> {
         let exact = exact::all().map(|kernel| (kernel, kernel.rows(EXACT_CASES, 44)));
         let kernels = plain.into_iter().chain(exact).collect();
         let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
-        let pictures = scenes.map(|case| case.within(TESTS)).map(|case| (by_reference(&case), case));
+        let scenes = scenes.map(|case| case.within(TESTS)).chain([scenes::long_paths()]);
+        let pictures = scenes.map(|case| (by_reference(&case), case));
         let pictures = pictures.map(|(means, case)| (case, means)).collect();
         let sampled = (0..SAMPLED_SCENES).flat_map(|seed| {
             let mut case = scenes::random(seed);
@@ -79,7 +80,8 @@ impl<'a> Examiner<'a> {
             let case = case.within(SAMPLED_TESTS / 7);
             Convention::ALL.map(|convention| (case.clone(), record(&case, convention)))
         });
-        let sampled = sampled.collect();
+        let long = (scenes::long_paths(), record(&scenes::long_paths(), Convention::Statement));
+        let sampled = sampled.chain([long]).collect();
         let mut draws = Random::new(45);
         let accuracy = common::accuracy(gpu);
         let rays = (0..RAY_SCENES).map(|number| {
@@ -174,7 +176,7 @@ impl<'a> Examiner<'a> {
     fn differing_picture(&self, library: &Library) -> Result<Option<(&Case, Difference)>, Error> {
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
-            let renderer = Renderer::<f64>::new(self.gpu, library, &features, &[])?.in_steps_of(2);
+            let renderer = Renderer::<f64>::new(self.gpu, library, &features, &[])?;
             let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
             let found = difference(&rendering.pixels, expected);
             if found.differing > 0 {
@@ -193,7 +195,7 @@ impl<'a> Examiner<'a> {
             let text = format!("samples of {name}, {differing} of {pixels} pixels, words of {disagreeing} paths");
             (differing > 0 || disagreeing > 0).then_some(text)
         };
-        let long = renderer(SAMPLED_DEPTH)?.in_steps_of(1_000, 2);
+        let long = renderer(SAMPLED_DEPTH)?;
         for (case, recording) in &self.sampled {
             let rendering = long.render(&Picture::new(&case.config, &case.scene)?, recording)?;
             if let Some(text) = noticed(&case.name, &rendering, recording) {
