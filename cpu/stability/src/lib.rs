@@ -6,7 +6,6 @@
 //! writes `docs/accuracy/`. The tests run fewer cases and assert what must hold.
 
 pub mod case;
-pub mod climb;
 pub mod measure;
 pub mod methods;
 pub mod observed;

@@ -26,8 +26,8 @@ pub const SPHERES: [Regime; 9] = spheres::REGIMES;
 pub const CYLINDERS: [Regime; 10] = cylinders::REGIMES;
 /// The regimes of spheres and cylinders whose numbers are outside the range of f32.
 pub const EXTREMES: [Regime; 6] = extremes::REGIMES;
-/// The regimes of spheres and cylinders at the limits of lambda and of the slope.
-pub const LIMITS: [Regime; 4] = limits::REGIMES;
+/// The regimes of spheres and cylinders at the limits of lambda and of the slope, and of small whole numbers.
+pub const LIMITS: [Regime; 6] = limits::REGIMES;
 
 impl Regime {
     /// Returns `count` random cases. Equal seeds give equal cases.

@@ -3,7 +3,6 @@
 use cpu::reference::intersect::Plain;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
 
-use crate::climb::largest_error;
 use crate::measure::{Judged, Row};
 use crate::methods::{self, Failure, Method, PLAIN};
 use crate::observed::{Observed, take_counts};
@@ -104,20 +103,6 @@ pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
 /// Bounds of the relative error of lambda that docs/accuracy.md proves: the first for spheres, the second for
 /// cylinders. The bound for cylinders is that of the caps, which is larger than that of the side.
 pub const PROVEN_ERRORS: [f64; 2] = [5.9e-12, 6.0e-10];
-
-/// Searches for the largest relative error of lambda by climbs in every regime of one kind, and returns it. The error
-/// must be below the bound `proven`.
-///
-/// # Errors
-/// A message about a wrong decision, or about an error that is not below the bound.
-pub fn climb(regimes: &[Regime], proven: f64, seed: u64, climbs: usize, steps: usize) -> Result<f64, String> {
-    let mut largest = 0.0_f64;
-    for regime in regimes {
-        let error = largest_error(regime, seed, climbs, steps);
-        largest = largest.max(error.map_err(|case| format!("{}: decided wrongly: {case:?}", regime.name))?);
-    }
-    if largest < proven { Ok(largest) } else { Err(format!("lambda is off by {largest:e}, proven is {proven:e}")) }
-}
 
 /// Checks the sections of one kind of object. The exact intersections must never be wrong. Their error of lambda at
 /// 99.9 % and their largest error must be at most the two numbers of `most_errors`. The projected form must not be

@@ -1,5 +1,6 @@
 //! Regimes with cases at the limits of the specification, exactly or within a relative difference of 10^-17 to 10^-6: a
-//! surface at the least lambda, 10^-3, and a cap at the slope 10^-8, below which it is skipped.
+//! surface at the least lambda, 10^-3, and a cap at the slope 10^-8, below which it is skipped. In regimes of small
+//! whole numbers, tangents, rims and origins on a surface are frequent.
 
 use cpu::Vec3;
 use cpu::internals::geometry::cap::PARALLEL;
@@ -10,12 +11,14 @@ use super::Regime;
 use crate::case::Case;
 use crate::random::Random;
 
-/// The regimes: first that of spheres, then those of cylinders.
-pub const REGIMES: [Regime; 4] = [
+/// The regimes.
+pub const REGIMES: [Regime; 6] = [
     Regime { name: "spheres at the least lambda", draw: spheres },
     Regime { name: "cylinders at the least lambda", draw: cylinders },
     Regime { name: "caps at the least lambda, in round decimals", draw: decimal_caps },
     Regime { name: "caps at the smallest slope", draw: slopes },
+    Regime { name: "spheres of small whole numbers", draw: whole_spheres },
+    Regime { name: "cylinders of small whole numbers", draw: whole_cylinders },
 ];
 
 /// Returns a random factor that is 1 or differs from 1 by 10^-17 to 10^-10.
@@ -87,4 +90,35 @@ fn slopes(random: &mut Random) -> Case {
     let cap = cylinder.center + cylinder.axis * (end / 2.0);
     let origin = cap - across * (cylinder.radius * random.uniform(0.0, 0.3)) - unit * (slope * lambda);
     Case::cylinder(cylinder, origin, across * size + unit * slope)
+}
+
+/// Returns a vector of whole numbers of at most this magnitude, which is not zero.
+fn whole(random: &mut Random, most: usize) -> Vec3 {
+    loop {
+        let vector = Vec3::from([(); 3].map(|()| random.below(2 * most + 1) as f64 - most as f64));
+        if vector != Vec3::ZERO {
+            return vector;
+        }
+    }
+}
+
+/// Returns two powers of two: a factor for all lengths, and one for directions.
+fn scales(random: &mut Random) -> [f64; 2] {
+    [(); 2].map(|()| 2.0_f64.powi(random.below(41) as i32 - 20))
+}
+
+fn whole_spheres(random: &mut Random) -> Case {
+    let ([scale, length], radius) = (scales(random), (random.below(6) + 1) as f64);
+    let [center, origin] = [(); 2].map(|()| whole(random, 6) * scale);
+    Case::sphere(center, radius * scale, origin, whole(random, 4) * length)
+}
+
+fn whole_cylinders(random: &mut Random) -> Case {
+    let ([scale, length], radius) = (scales(random), (random.below(4) + 1) as f64);
+    // Half of the axes are parallel to a coordinate axis, so that rays hit rims.
+    let along = Vec3::new(0.0, (random.below(4) + 1) as f64 * 2.0, 0.0);
+    let axis = if random.below(2) == 0 { random.shuffled(along) } else { whole(random, 3) } * scale;
+    let cylinder = Cylinder { center: whole(random, 4) * scale, radius: radius * scale, axis };
+    let origin = whole(random, 5) * scale;
+    Case::cylinder(cylinder, origin, whole(random, 3) * length)
 }

@@ -12,7 +12,7 @@ use stability::measure::lambda_error;
 use stability::oracle;
 use stability::record::Found;
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, SPHERES};
-use stability::run::{self, PROVEN_ERRORS};
+use stability::run::PROVEN_ERRORS;
 
 /// Number of rays for each regime, unless RENDER_REGIME_RAYS is set.
 const RAYS: u64 = 5_000;
@@ -34,6 +34,7 @@ fn hex(bits: u64) -> f64 {
 #[test]
 fn every_decision_is_right_and_every_lambda_within_its_bound() {
     let (rays, seed) = (number("RENDER_REGIME_RAYS", RAYS) as usize, number("RENDER_REGIME_SEED", 3));
+    let mut plain_wrong = 0;
     for regime in SPHERES.iter().chain(&CYLINDERS).chain(&EXTREMES).chain(&LIMITS) {
         // `share` is the largest quotient of an error and the proven bound for that kind of object.
         let (mut hits, mut worst, mut share) = (0, 0.0_f64, 0.0_f64);
@@ -41,6 +42,8 @@ fn every_decision_is_right_and_every_lambda_within_its_bound() {
             let (judgement, answer) = (oracle::judge(&case), exact_answer(&case));
             let error = lambda_error(&judgement, answer, f64::EPSILON / 2.0);
             let error = error.unwrap_or_else(|| panic!("{}: {case:?} gives {answer:?}", regime.name));
+            let (record, ray) = case.of::<f64>();
+            plain_wrong += usize::from(record.plain(&ray).map(|hit| hit.1) != answer.map(|hit| hit.1));
             hits += usize::from(judgement.truth.is_some());
             worst = worst.max(error);
             share = share.max(error / PROVEN_ERRORS[usize::from(matches!(case.shape, Shape::Cylinder(_)))]);
@@ -49,15 +52,7 @@ fn every_decision_is_right_and_every_lambda_within_its_bound() {
         assert!(share < 1.0, "{}: {worst:e}", regime.name);
         assert!(50 * hits > rays, "{}: {hits} hits of {rays}", regime.name);
     }
-}
-
-#[test]
-fn climbing_does_not_pass_the_proven_bounds() {
-    let steps = 600;
-    for (regimes, proven) in [(&SPHERES[..], PROVEN_ERRORS[0]), (&CYLINDERS[..], PROVEN_ERRORS[1])] {
-        let largest = run::climb(regimes, proven, 5, 20, steps).expect("the bound is proven");
-        assert!(largest > proven / 1e4, "the climb found nothing: {largest:e}");
-    }
+    assert!(plain_wrong > rays, "the regimes are no longer hard: the plain formulas are wrong {plain_wrong} times");
 }
 
 #[test]

@@ -6,8 +6,5 @@ mod extremes;
 mod functions;
 mod furnaces;
 mod near;
-mod paths;
 mod pictures;
 mod proofs;
-mod small_numbers;
-mod stress;

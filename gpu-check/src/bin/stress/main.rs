@@ -122,15 +122,6 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     tables::put(&folder.join("run.txt"), &run_text(arguments, &device)?)?;
     terminal::print(&format!("wrote {}\n", folder.display()))?;
 
-    for (kind, regimes, proven) in [
-        ("spheres", &regimes::SPHERES[..], run::PROVEN_ERRORS[0]),
-        ("cylinders", &regimes::CYLINDERS[..], run::PROVEN_ERRORS[1]),
-    ] {
-        let largest = run::climb(regimes, proven, seed, rays.div_ceil(1000), 1000).map_err(Wrong)?;
-        terminal::print(&format!(
-            "{kind}: climbing reached an error of lambda of {largest:.2e}; {proven:.1e} is proven\n"
-        ))?;
-    }
     let check = |sections: &[Section], bounds| run::check(sections, bounds).map_err(Wrong);
     let wrong = [check(&spheres, [run::PROVEN_ERRORS[0]; 2])?, check(&cylinders, [1e-11, 1e-9])?];
     for row in [&spheres, &cylinders].into_iter().flat_map(|sections| run::parted_from_their_twins(sections)) {
