@@ -13,7 +13,6 @@ use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::engine::{ScatterName, name_of};
 use crate::picture::with_room;
 use crate::{Failure, terminal};
 
@@ -34,10 +33,10 @@ pub struct Origin {
 
 impl Origin {
     /// Returns the origin of the picture of these inputs by this version of the program.
-    pub fn new(config: &Config, scene: &Scene, scatter: ScatterName) -> Self {
+    pub fn new(config: &Config, scene: &Scene, scatter: &str) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            scatter: name_of(&scatter),
+            scatter: scatter.to_owned(),
             // Two inputs with the same meaning have the same text.
             config_sha256: digest::sha256(generator::write::config(config).as_bytes()),
             scene_sha256: digest::sha256(generator::write::scene(scene).as_bytes()),
@@ -165,8 +164,8 @@ mod tests {
     use std::fs;
     use std::ops::ControlFlow;
 
-    use cpu::Soa;
     use cpu::internals::Prepared;
+    use cpu::{Scatter, Soa};
     use test_support::folder::Folder;
 
     use super::*;
@@ -176,8 +175,8 @@ mod tests {
     fn every_damage_is_refused_and_a_whole_checkpoint_of_other_inputs_too() {
         let config = Config::parse(&b"image_width: 6\nsamples_per_pixel: 2\n"[..]).expect("it is valid");
         let scene = generator::scene(&generator::Options::default());
-        let prepared = Prepared::<Soa>::new(&config, &scene, ScatterName::Statement.into()).expect("it is small");
-        let (folder, origin) = (Folder::new(), Origin::new(&config, &scene, ScatterName::Statement));
+        let prepared = Prepared::<Soa>::new(&config, &scene, Scatter::Statement).expect("it is small");
+        let (folder, origin) = (Folder::new(), Origin::new(&config, &scene, "statement"));
         let path = folder.file("c");
         engine::render_rows::<Soa>(&prepared, None, |rows, image, streams| {
             let how = (&*path, Options::default());

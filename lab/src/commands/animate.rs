@@ -16,7 +16,7 @@ use serde_json::json;
 
 use crate::checkpoint::Origin;
 use crate::convert::transform::turned;
-use crate::engine::{self, ScatterName};
+use crate::engine::{self, ScatterName, name_of};
 use crate::picture::{self, Picture};
 use crate::{Failure, interrupt, sources, terminal};
 
@@ -95,7 +95,7 @@ impl Arguments {
         let rendered = if self.out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
             film.write_animated(&self.out, self.rate, options)?
         } else {
-            let origin = |config| Origin::new(config, &scene, self.scatter);
+            let origin = |config| Origin::new(config, &scene, &name_of(&self.scatter));
             let about = About { from: origin(&config), to: to.as_ref().map(origin), frames: self.frames };
             film.write_folder(&self.out, &about, options)?
         };

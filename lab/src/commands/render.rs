@@ -16,7 +16,7 @@ use measure::clock::{own_seconds, peak_memory};
 use output::Options;
 
 use crate::checkpoint::Origin;
-use crate::engine::{self, LayoutName, ScatterName};
+use crate::engine::{self, LayoutName, ScatterName, name_of};
 use crate::picture::Picture;
 use crate::picture::any::{Any, Kind};
 use crate::picture::floats::{Floats, GAMMA};
@@ -178,7 +178,7 @@ impl Arguments {
         let part = self.crop.unwrap_or([0, 0, width, height]);
         let rows = rows_of(part, width, height)?;
         interrupt::listen();
-        let origin = || Origin::new(config, scene, self.scatter);
+        let origin = || Origin::new(config, scene, &name_of(&self.scatter));
         let (from, mut run) = self.stages.begin(origin, prepared.size, rows, options)?;
         let first = from.as_ref().map_or(0, |from| from.rows);
         bar.set_length(rows as u64);

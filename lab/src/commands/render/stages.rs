@@ -149,13 +149,12 @@ impl Run {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::ScatterName;
 
     #[test]
     fn a_finished_picture_does_not_need_its_last_checkpoint() {
         let scene = generator::scene(&generator::Options::default());
         let end = |row| {
-            let origin = Origin::new(&cpu::Config::default(), &scene, ScatterName::Statement);
+            let origin = Origin::new(&cpu::Config::default(), &scene, "statement");
             let (path, options, every) = (PathBuf::from("c"), Options::default(), Duration::ZERO);
             let failed = Some("full".into());
             let keep = Some(Keep { path, options, origin, every, written: Instant::now(), failed });
