@@ -10,7 +10,7 @@ use std::env::var_os;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use digest::{read_sums, sha256};
+use digest::sha256;
 use rspirv::binary::Disassemble;
 use shaders::module::MODULES;
 use shaders::{Error, Features, Library, Precision, Target, Translation, translate};
@@ -105,42 +105,26 @@ fn translations_are_those_of_the_digests() {
     for (name, text) in &translations {
         assert!(text.lines().count() > 20, "{name} is all but empty:\n{text}");
     }
-    let digests = translations.iter().map(|(name, text)| (name.clone(), sha256(text.as_bytes())));
-    let digests: Vec<_> = digests.collect();
+    assert!(translations.len() >= 140, "{} translations", translations.len());
+    let digest = |(name, text): (&String, &String)| format!("{}  {name}\n", sha256(text.as_bytes()));
+    let list: String = translations.iter().map(digest).collect();
     let mut expected: BTreeMap<_, _> =
         translations.into_iter().filter(|(name, _)| name.split('.').next() == Some(SHOWN)).collect();
     assert_eq!(expected.len(), 7, "five languages in f32 and two in f64");
-    let list = digests.iter().map(|(name, digest)| format!("{digest}  {name}\n")).collect::<String>();
     expected.insert("SHA256SUMS".to_owned(), format!("{HEAD}{list}"));
     if var_os("BLESS").is_some_and(|value| value == "1") {
         fs::remove_dir_all(folder()).expect("goldens/ is there");
         write(&folder(), &expected);
     }
-    let mut goldens = files(&folder());
-    let list = goldens.remove("SHA256SUMS").expect("goldens/ has a list of digests");
-    let mut faults: Vec<String> = Vec::new();
-    let old: BTreeMap<_, _> = read_sums(&list).expect("it is a list").into_iter().collect();
-    let new: BTreeMap<_, _> = digests.into_iter().collect();
-    for name in old.keys().chain(new.keys().filter(|name| !old.contains_key(*name))) {
-        match (old.get(name), new.get(name)) {
-            (Some(old), Some(new)) if old == new => {}
-            (Some(_), Some(_)) => faults.push(format!("{name} has changed")),
-            (Some(_), None) => faults.push(format!("{name} is no translation any more")),
-            (None, _) => faults.push(format!("{name} is not in the list")),
-        }
-    }
-    expected.remove("SHA256SUMS");
-    for (name, text) in &expected {
-        if let Some(golden) = goldens.get(name).filter(|golden| *golden != text) {
-            faults.push(format!("{name}, {}", first_difference(golden, text)));
-        }
-    }
+    let goldens = files(&folder());
+    assert!(goldens.keys().eq(expected.keys()), "goldens/ has exactly the translations of {SHOWN}, and their digests");
+    let changed = goldens.iter().filter(|(name, golden)| expected[*name] != **golden);
+    let fault = |(name, golden): (&String, &String)| format!("{name}, {}", first_difference(golden, &expected[name]));
+    let faults: Vec<_> = changed.map(fault).collect();
     assert!(
         faults.is_empty(),
         "{}\n`shaders/translations --since HEAD` shows the difference. \
          If it is meant: BLESS=1 cargo test -p shaders --test goldens",
         faults.join("\n")
     );
-    assert!(goldens.keys().eq(expected.keys()), "goldens/ has exactly the translations of {SHOWN}, and their digests");
-    assert!(new.len() >= 140, "{} translations", new.len());
 }

@@ -42,7 +42,7 @@ impl Case {
     /// is increased by 100, because a pixel takes time even without objects.
     pub fn within(mut self, tests: usize) -> Self {
         let objects = self.scene.objects.len() + 100;
-        while self.config.image_width > 16
+        while self.config.image_width > 8
             && self.config.image_size().is_ok_and(|size| size.pixels().saturating_mul(objects) > tests)
         {
             self.config.image_width = self.config.image_width * 3 / 4;

@@ -71,7 +71,7 @@ impl<'a> Examiner<'a> {
         let exact = exact::all().map(|kernel| (kernel, kernel.rows(EXACT_CASES, 44)));
         let kernels = plain.into_iter().chain(exact).collect();
         let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
-        let scenes = scenes.map(|case| case.within(TESTS)).chain([scenes::long_paths()]);
+        let scenes = scenes.chain([scenes::long_paths()]).map(|case| case.within(TESTS));
         let pictures = scenes.map(|case| (by_reference(&case), case));
         let pictures = pictures.map(|(means, case)| (case, means)).collect();
         let sampled = (0..SAMPLED_SCENES).flat_map(|seed| {
