@@ -61,7 +61,7 @@ fn pages_have_the_figures_of_the_measurements() {
     let cell = |name: &str| row(&page, name)[0].trim_end_matches(".0").to_owned();
     let [one, two, three, four, spheres, .., thousand, most] = WORKLOADS.map(cell);
     let readme = project.text("README.md");
-    let example = speed.split("scenes/spheres/scene.txt: ").nth(1).and_then(|text| text.split(", 3 rounds").next());
+    let example = speed.split("scenes/spheres/scene.txt: ").nth(1).and_then(|text| text.split(", 5 rounds").next());
     for text in [
         example.expect("the example is measured").to_owned() + ")",
         format!("{one}, {two}, {three} and {four} times as fast, and {thousand} times with 1,000 objects"),
