@@ -83,12 +83,15 @@ pub fn edges() -> Vec<Case> {
         .collect()
 }
 
+/// The number of objects that are added to make paths too long for one run.
+pub const LONG_PATHS: usize = 30_000;
+
 /// Returns a scene whose paths a device traces in several runs, of two surfaces each, because it has so many objects.
 /// With several samples for each pixel, a run ends within a pixel.
 pub fn long_paths() -> Case {
     let mut case = edges().into_iter().find(|case| case.name == "glass in air in glass").expect("it is there");
     let behind = Shape::Sphere(Sphere { center: Vec3::new(0.0, 0.0, -900.0), radius: 1.0 });
-    case.scene.objects.extend(std::iter::repeat_n(Object { shape: behind, material: 0 }, 30_000));
+    case.scene.objects.extend(std::iter::repeat_n(Object { shape: behind, material: 0 }, LONG_PATHS));
     (case.config.image_width, case.config.samples_per_pixel) = (16, 5);
     Case { name: "long paths".to_owned(), ..case }
 }
