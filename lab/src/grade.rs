@@ -155,12 +155,13 @@ fn timed_scenes(folder: &Path, file: &File) -> Result<Vec<Case>, Failure> {
         };
         return file.scene.iter().map(scene).collect();
     }
-    let own = |name: &str| {
+    // A scene of the repository that this program contains, in a small picture.
+    let contained = |name: &str| {
         let (config, scene) = scenes::named(name)?;
         let config = Config { image_width: 240, samples_per_pixel: 16, ..config };
         Some(case(name, [generator::write::config(&config), generator::write::scene(&scene)].map(Into::into)))
     };
-    Ok(["materials", "grid"].into_iter().filter_map(own).collect())
+    Ok(["materials", "grid"].into_iter().filter_map(contained).collect())
 }
 
 /// Computes the points of all programs.

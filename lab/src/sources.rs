@@ -1,5 +1,7 @@
 //! Reads the configuration and the scene, and applies the settings of `--set`.
 
+pub mod located;
+
 use std::collections::HashSet;
 use std::fs;
 use std::io::{self, BufReader};
@@ -13,13 +15,9 @@ use cpu::{Config, Error, Scene};
 use output::{Options, Output};
 
 use crate::format::faults::{self, MOST_FAULTS};
-use crate::format::hint::{Hint, Kind, Language, shown};
+use crate::format::hint::{Hint, Kind, Language};
 use crate::format::recorder::Recorder;
 use crate::{Failure, terminal};
-
-/// Largest number of characters that a message shows of each of three parts of a line: before the wrong token, the
-/// token itself, and after it.
-const AROUND: usize = 60;
 
 /// Returns the configuration in the file `path`, changed by `settings`. Each setting is `key=value`, such as `gamma=1`
 /// or `camera_position=0 0 -5`. It counts as one more line of the file, and the last line with a key is used.
@@ -193,7 +191,7 @@ fn read<T>(
     parse(&mut recorder).map_err(|error| {
         let mut messages = Vec::new();
         faults::each(kind, &mut recorder, &error, |error, recorder| {
-            messages.extend(message(error, kind, &path, recorder.last_line(), recorder.names()));
+            messages.extend(located::message(error, kind, &path, recorder.last_line(), recorder.names()));
             messages.len() <= MOST_FAULTS
         });
         if messages.is_empty() {
@@ -204,29 +202,6 @@ fn read<T>(
         }
         messages.join("\n\n").into()
     })
-}
-
-/// Returns the message for `error`, which occurred in line number `line` of the file `path`, with the bytes `text`.
-/// Returns `None` for an error that does not belong to a line. `names` are the materials defined above the line.
-fn message(error: &Error, kind: Kind, path: &Path, (line, text): (u64, &[u8]), names: &[Vec<u8>]) -> Option<String> {
-    let Hint { span, problem, remedy } = Hint::new(error, kind, text, names, Language::English)?;
-    let column = String::from_utf8_lossy(&text[..span.start]).chars().count() + 1;
-    let path = terminal::name(path);
-    Some(format!("{path}:{line}:{column}: {problem}\n{}{remedy}", excerpt(line, text, span.start, span.end)))
-}
-
-/// Returns the line with its number, and below it carets under the bytes from `start` to `end`. A long line is
-/// shortened.
-fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
-    let [before, meant, after] = [&text[..start], &text[start..end], &text[end..]].map(shown);
-    let cut = before.chars().count().saturating_sub(AROUND);
-    let before: String = before.chars().skip(cut).collect();
-    let meant: String = meant.chars().take(AROUND).collect();
-    let after: String = after.chars().take(AROUND).collect();
-    let margin = format!("{line} | {}", if cut > 0 { "..." } else { "" });
-    let missing = if meant.is_empty() { 1 } else { 0 };
-    let indent = margin.chars().count() + before.chars().count() + missing;
-    format!("{margin}{before}{meant}{after}\n{:indent$}{}\n", "", "^".repeat(meant.chars().count().max(1)))
 }
 
 fn bare(key: &str) -> &str {

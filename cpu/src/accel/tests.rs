@@ -24,17 +24,6 @@ fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
     parsed(&objects_text(count, size, seed))
 }
 
-#[test]
-fn spheres_have_the_first_numbers_and_cylinders_the_others() {
-    let objects = objects(20, 1.0, 1);
-    let spheres = objects.sphere_count();
-    assert!(spheres > 0 && objects.cylinder_count() > 0);
-    for id in 0..20_usize {
-        let expected = id.checked_sub(spheres).map_or(ObjectRef::Sphere(id), ObjectRef::Cylinder);
-        assert_eq!(ObjectRef::of(&objects, id as ObjectId), expected);
-    }
-}
-
 fn objects_text(count: usize, size: f64, seed: u64) -> String {
     let mut draws = Uniform::new(seed);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -120 0 110 m\n");
@@ -136,6 +125,17 @@ fn agrees_for_far_rays(accel: &Accel, objects: &AosObjects, rays: usize, far: f6
 
 fn accel(objects: &mut AosObjects) -> Accel {
     Accel::new(objects, &Extent { max_coordinate: 240.0, moderate: true, has_tiny: false }).expect("it fits")
+}
+
+#[test]
+fn spheres_have_the_first_numbers_and_cylinders_the_others() {
+    let objects = objects(20, 1.0, 1);
+    let spheres = objects.sphere_count();
+    assert!(spheres > 0 && objects.cylinder_count() > 0);
+    for id in 0..20_usize {
+        let expected = id.checked_sub(spheres).map_or(ObjectRef::Sphere(id), ObjectRef::Cylinder);
+        assert_eq!(ObjectRef::of(&objects, id as ObjectId), expected);
+    }
 }
 
 #[test]

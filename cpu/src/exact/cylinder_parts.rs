@@ -167,8 +167,8 @@ pub struct PlainSide<'a, T: Real> {
     /// `h^2 - a c`, and its square root.
     discriminant: T,
     root: T,
-    /// The distance of the ray's origin, along the axis, from the plane halfway between the caps, and the distance that
-    /// the ray's point moves along the axis if lambda grows by one.
+    /// Two distances along the axis. The first leads from the middle of the cylinder to the ray's origin. The second is
+    /// the way of the ray's point if lambda grows by one.
     start_and_slope: [T; 2],
 }
 

@@ -164,6 +164,7 @@ impl Parser {
                     return Err(too_many_names(self.line).into());
                 }
                 // Names differ, and have at most 2^28 bytes together, so the number fits.
+                debug_assert!(MaterialId::try_from(self.scene.materials.len()).is_ok());
                 let id = self.scene.materials.len() as MaterialId;
                 push(&mut self.scene.materials, material, "the materials")?;
                 self.names.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the materials" })?;

@@ -56,9 +56,14 @@ fn special(base: f64, exponent: f64) -> f64 {
 #[cold]
 #[inline(never)]
 fn decided(base: f64, exponent: f64, candidate: f64) -> f64 {
-    let rounded = |bits| nearest(candidate, |midpoint| compare(base, exponent, midpoint, bits));
     // 192 bits nearly always decide.
-    (0..).find_map(|doublings| rounded(192 << doublings)).unwrap_or(f64::NAN)
+    let mut bits = 192;
+    loop {
+        if let Some(power) = nearest(candidate, |midpoint| compare(base, exponent, midpoint, bits)) {
+            return power;
+        }
+        bits *= 2;
+    }
 }
 
 /// Compares `base^exponent` with a midpoint by logarithms of `bits` bits. The result is `None` if the errors of the

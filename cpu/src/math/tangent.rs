@@ -21,7 +21,13 @@ pub fn tangent(angle: f64) -> f64 {
         return f64::NAN;
     }
     // 192 bits nearly always decide.
-    (0..).find_map(|doublings| rounded(angle, 192 << doublings)).unwrap_or(f64::NAN)
+    let mut bits = 192;
+    loop {
+        if let Some(tangent) = rounded(angle, bits) {
+            return tangent;
+        }
+        bits *= 2;
+    }
 }
 
 /// Returns the tangent if `bits` bits decide its rounding, and otherwise `None`.

@@ -75,6 +75,7 @@ fn code(decision: Decision<Found>) -> [f64; 2] {
     match decision {
         Decision::Uncertain => [0.0, 0.0],
         Decision::Certain(None) => [1.0, 0.0],
+        // The hits have the numbers after that of a miss, in the order of the parts.
         Decision::Certain(Some((lambda, part))) => [2.0 + part.number::<f64>(), lambda],
     }
 }

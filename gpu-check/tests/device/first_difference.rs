@@ -15,7 +15,7 @@ use crate::scenes;
 
 /// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a pixel that
 /// differs takes seconds.
-const STEP: usize = 8;
+const STEP: usize = 4;
 
 /// The aim for the time of a search. It is printed and not checked, because the machine may be busy.
 const AIM: Duration = Duration::from_secs(5);

@@ -68,7 +68,7 @@ pub struct Tally {
     /// Number of cases whose first result is neither zero nor infinite nor NaN. For kernels that distinguish hits from
     /// misses, these are the hits.
     pub ordinary: usize,
-    /// Number of cases in which at least one result differs.
+    /// Number of cases for which WGSL and Rust have different results.
     pub differing: usize,
     /// Texts that describe the first differing cases, at most five.
     shown: Vec<String>,

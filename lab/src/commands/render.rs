@@ -219,8 +219,11 @@ fn parse_crop(text: &str) -> Result<[usize; 4], String> {
         .ok_or_else(|| "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT, the last two positive".to_owned())
 }
 
-/// Returns the number of rows to render for a part of the picture (x, y, width, height): all rows down to the last one
-/// of the part. Returns an error if the part goes beyond the picture.
+/// Returns how many rows must be rendered for a part of the picture (x, y, width, height): those down to the last row
+/// of the part.
+///
+/// # Errors
+/// A message if the part goes beyond the picture.
 fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: usize) -> Result<usize, String> {
     let within = |start: usize, length: usize, all| start.checked_add(length).filter(|&end| end <= all);
     match (within(x, part_width, width), within(y, part_height, height)) {

@@ -106,12 +106,13 @@ fn error(results: &Results, language: Language) -> Option<String> {
     let parts = results.curves.iter().filter_map(|curve| {
         let points: Vec<_> = curve.points.iter().map(|p| (p.samples as f64, p.linear.median)).collect();
         let law = PowerLaw::through(&points)?;
-        let (scene, exponent) = (&curve.scene, with_error(law.exponent, law.exponent_error));
-        Some(language.say(EXPONENT, &[&exponent, scene, &short(curve.reference_error)]))
+        let (exponent, rest) = (with_error(law.exponent, law.exponent_error), short(curve.reference_error));
+        Some(language.say(EXPONENT, &[&exponent, &curve.scene, &rest]))
     });
     Some(language.say(ERROR, &[&joined(parts, ", ")?]))
 }
 
+/// The exponent of the samples, the scene, and the error that the converged picture still has.
 const EXPONENT: Words =
     ["{} ({}; the converged picture's own error is {})", "{} ({}; el error propio de la imagen convergida es {})"];
 const ERROR: Words = [
