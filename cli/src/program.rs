@@ -38,19 +38,3 @@ fn render_files<L: Renderable>(config: &Path, scene: &Path, out: &Path, scatter:
     let image = cpu::render::<L>(&config, scene, scatter).map_err(|error| error.in_file(config_path))?;
     Ok(output.fill(|file| cpu::write_ppm(&image, file))?)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_first_error_is_returned_with_its_message() {
-        let message = |arguments: &[&str]| {
-            let error = run::<cpu::Aos>(arguments.iter().map(OsString::from)).expect_err("there are no such files");
-            String::from_utf8(error.message(false)).expect("the message is text")
-        };
-        assert_eq!(message(&["config.txt", "scene.txt"]), "Invalid number of arguments: 2");
-        let missing = message(&["no/config.txt", "no/scene.txt", "no/out.ppm"]);
-        assert!(missing.starts_with("Cannot read file [no/config.txt]: "), "{missing}");
-    }
-}

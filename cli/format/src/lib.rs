@@ -213,12 +213,7 @@ mod tests {
 
     #[test]
     fn every_key_is_one_of_the_renderers_and_its_default_is_the_renderers() {
-        let mut config = Config { image_width: 1, gamma: 9.0, max_depth: 77, ..Config::default() };
-        for line in CONFIG {
-            config.set(format!("{} {}", line.tag, line.default).as_bytes()).expect("the table is right");
-        }
-        assert_eq!(config, Config::default());
-        // Here every value differs from its default, so a key that is missing in the table would stay different.
+        // Every value differs from its default, so a key that is missing in the table would stay different.
         let mut changed = Config {
             aspect_ratio: [1, 1],
             image_width: 1,

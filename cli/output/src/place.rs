@@ -129,14 +129,15 @@ fn special(path: &Path, kind: FileType) -> io::Result<Place> {
 
 #[cfg(test)]
 mod tests {
+    use test_support::folder::Folder;
+
     use super::*;
 
     #[test]
     fn only_a_missing_file_counts_as_removed() {
-        let folder = std::env::temp_dir().join(format!("render-place-{}", std::process::id()));
-        fs::create_dir_all(&folder).expect("the temporary folder is writable");
-        let [file, link, endless, missing] = ["file", "link", "endless", "missing"].map(|name| folder.join(name));
-        fs::write(&file, "").expect("the folder is writable");
+        let folder = Folder::new();
+        let (file, missing) = (folder.write("file", ""), folder.file("missing"));
+        let [link, endless] = ["link", "endless"].map(|name| folder.file(name));
         std::os::unix::fs::symlink("file", &link).expect("links are allowed");
         std::os::unix::fs::symlink("endless", &endless).expect("links are allowed");
         let found = [
@@ -146,7 +147,6 @@ mod tests {
             // The system refuses to follow this link, as it refuses a forbidden one.
             has_name(&endless, &file).ok(),
         ];
-        fs::remove_dir_all(&folder).expect("it is ours");
         assert_eq!(found, [Some(true), Some(false), Some(true), None]);
     }
 }

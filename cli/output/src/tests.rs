@@ -3,34 +3,11 @@
 use std::fs::Permissions;
 use std::os::unix::fs::{PermissionsExt, symlink};
 
+use test_support::folder::Folder;
+
 use crate::*;
 
 mod special;
-
-/// A folder for one test. It is removed when this value is dropped.
-pub(crate) struct Folder(pub(crate) PathBuf);
-
-impl Folder {
-    pub(crate) fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("render-output-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("the temporary folder is writable");
-        Self(path)
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(&self.0).expect("the folder exists");
-        let mut names: Vec<_> =
-            entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned()).collect();
-        names.sort();
-        names
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {
     open(path)?.fill(|out| out.write_all(text.as_bytes()))
@@ -46,8 +23,8 @@ fn mode(path: &Path) -> u32 {
 
 #[test]
 fn a_file_is_created_and_replaced_whole() {
-    let folder = Folder::new("replace");
-    let path = folder.0.join("out.ppm");
+    let folder = Folder::new();
+    let path = folder.file("out.ppm");
     write(&path, "a longer first text").expect("the folder is writable");
     write(&path, "second").expect("the folder is writable");
     assert_eq!(fs::read_to_string(&path).expect("written"), "second");
@@ -55,41 +32,32 @@ fn a_file_is_created_and_replaced_whole() {
 }
 
 #[test]
-fn after_a_failure_only_the_old_file_is_left() {
-    let folder = Folder::new("failure");
-    let path = folder.0.join("out.ppm");
-    write(&path, "old").expect("the folder is writable");
-    let result = open(&path).expect("the folder is writable").fill(|out| {
-        out.write_all(b"half of the ne")?;
-        Err(io::ErrorKind::StorageFull.into())
-    });
-    assert!(matches!(result, Err(Error { .. })));
-    assert_eq!(fs::read_to_string(&path).expect("still there"), "old");
-    assert_eq!(folder.names(), ["out.ppm"]);
-}
-
-#[test]
-fn opening_changes_nothing() {
-    let folder = Folder::new("open");
-    let path = folder.0.join("out.ppm");
-    let output = open(&path).expect("the folder is writable");
-    drop(output);
-    assert!(folder.names().is_empty());
-    write(&path, "old").expect("the folder is writable");
-    let mut output = open(&path).expect("the folder is writable");
-    output.write_all(b"half").expect("the disk has room");
-    drop(output);
-    assert_eq!(fs::read_to_string(&path).expect("still there"), "old");
-    assert_eq!(folder.names(), ["out.ppm"]);
+fn an_output_without_a_commit_changes_nothing() {
+    let folder = Folder::new();
+    let path = folder.file("out.ppm");
+    for old in [None, Some("old")] {
+        old.into_iter().for_each(|old| drop(folder.write("out.ppm", old)));
+        let names = folder.names();
+        drop(open(&path).expect("the folder is writable"));
+        let mut dropped = open(&path).expect("the folder is writable");
+        dropped.write_all(b"half").expect("the disk has room");
+        drop(dropped);
+        let failed = open(&path).expect("the folder is writable").fill(|out| {
+            out.write_all(b"half of the ne")?;
+            Err(io::ErrorKind::StorageFull.into())
+        });
+        assert!(failed.is_err());
+        assert_eq!((fs::read_to_string(&path).ok().as_deref(), folder.names()), (old, names));
+    }
 }
 
 #[test]
 fn folders_and_missing_folders_are_refused_at_once() {
-    let folder = Folder::new("refused");
-    assert!(open(&folder.0).is_err());
-    assert!(open(&folder.0.join("missing/out.ppm")).is_err());
-    assert!(open(&folder.0.join("out.ppm/")).is_err());
-    assert!(open(&folder.0.join("out.ppm/.")).is_err());
+    let folder = Folder::new();
+    assert!(open(folder.path()).is_err());
+    assert!(open(&folder.file("missing/out.ppm")).is_err());
+    assert!(open(&folder.file("out.ppm/")).is_err());
+    assert!(open(&folder.file("out.ppm/.")).is_err());
     assert!(open(Path::new("")).is_err());
 }
 
@@ -97,12 +65,12 @@ fn folders_and_missing_folders_are_refused_at_once() {
 fn only_the_owner_may_open_a_file_that_is_being_written() {
     use crate::temporary::Temporary;
 
-    let folder = Folder::new("private");
-    let path = folder.0.join("out.ppm");
+    let folder = Folder::new();
+    let path = folder.file("out.ppm");
     let half = |folder: &Folder| folder.names().into_iter().find(|name| name.starts_with(".render-"));
     let common = {
-        File::create(folder.0.join("common")).expect("the folder is writable");
-        mode(&folder.0.join("common"))
+        File::create(folder.file("common")).expect("the folder is writable");
+        mode(&folder.file("common"))
     };
     // Cases: with and without a temporary name; the file is new, or replaces a file with these permissions.
     for named in [true, false] {
@@ -116,7 +84,7 @@ fn only_the_owner_may_open_a_file_that_is_being_written() {
             let mut file = file.expect("the folder is writable");
             file.write_all(b"half").expect("the disk has room");
             match half(&folder) {
-                Some(name) => assert_eq!(mode(&folder.0.join(name)), 0o600),
+                Some(name) => assert_eq!(mode(&folder.file(name)), 0o600),
                 None => assert!(!named, "the temporary file has no name"),
             }
             file.commit().expect("the folder is writable");
@@ -131,8 +99,8 @@ fn only_the_owner_may_open_a_file_that_is_being_written() {
 fn a_named_temporary_file_is_removed_when_it_is_dropped() {
     use crate::temporary::Temporary;
 
-    let folder = Folder::new("named");
-    let path = folder.0.join("out.ppm");
+    let folder = Folder::new();
+    let path = folder.file("out.ppm");
     // Uses 8 of the 16 slots for names of a process, since other tests of this process write files at the same time.
     let files: Vec<_> = (0..8).map(|_| Temporary::named(&path, true).expect("the folder is writable")).collect();
     assert_eq!(folder.names().len(), 8);
@@ -142,8 +110,8 @@ fn a_named_temporary_file_is_removed_when_it_is_dropped() {
 
 #[test]
 fn a_file_that_another_process_creates_meanwhile_is_replaced() {
-    let folder = Folder::new("meanwhile");
-    let path = folder.0.join("out.ppm");
+    let folder = Folder::new();
+    let path = folder.file("out.ppm");
     for sync in [false, true] {
         let mut output = Output::open(&path, Options { sync }).expect("the folder is writable");
         fs::write(&path, "another's").expect("the folder is writable");
@@ -157,8 +125,8 @@ fn a_file_that_another_process_creates_meanwhile_is_replaced() {
 
 #[test]
 fn a_folder_that_is_renamed_meanwhile_gets_the_file() {
-    let folder = Folder::new("renamed");
-    let [before, after] = ["before", "after"].map(|name| folder.0.join(name));
+    let folder = Folder::new();
+    let [before, after] = ["before", "after"].map(|name| folder.file(name));
     fs::create_dir(&before).expect("the folder is writable");
     let mut output = open(&before.join("out.ppm")).expect("the folder is writable");
     fs::rename(&before, &after).expect("it is ours");
@@ -171,8 +139,8 @@ fn a_folder_that_is_renamed_meanwhile_gets_the_file() {
 
 #[test]
 fn an_output_that_is_an_input_is_refused_under_any_name() {
-    let folder = Folder::new("inputs");
-    let [scene, link, hard, other] = ["scene", "link", "hard", "other"].map(|name| folder.0.join(name));
+    let folder = Folder::new();
+    let [scene, link, hard, other] = ["scene", "link", "hard", "other"].map(|name| folder.file(name));
     fs::write(&scene, "text").expect("the folder is writable");
     fs::write(&other, "text").expect("the folder is writable");
     symlink("scene", &link).expect("links are allowed");
@@ -184,7 +152,7 @@ fn an_output_that_is_an_input_is_refused_under_any_name() {
         assert!(error.starts_with(&expected), "{error}");
     }
     assert!(refuse_inputs(&other, &[&scene]).is_ok());
-    assert!(refuse_inputs(&folder.0.join("new"), &[&scene]).is_ok());
+    assert!(refuse_inputs(&folder.file("new"), &[&scene]).is_ok());
     assert!(refuse_inputs(Path::new("/dev/null"), &[Path::new("/dev/null")]).is_ok());
 }
 
@@ -209,8 +177,8 @@ fn a_failed_write_fails_the_commit_too_when_its_error_was_ignored() {
 
 #[test]
 fn an_interrupted_write_is_no_failure_and_the_first_failure_is_reported() {
-    let folder = Folder::new("interrupted");
-    let path = folder.0.join("out.ppm");
+    let folder = Folder::new();
+    let path = folder.file("out.ppm");
     let mut output = open(&path).expect("the folder is writable");
     output.remember(&io::ErrorKind::Interrupted.into());
     output.write_all(b"whole").expect("the disk has room");
@@ -227,8 +195,8 @@ fn an_interrupted_write_is_no_failure_and_the_first_failure_is_reported() {
 
 #[test]
 fn two_outputs_to_one_file_are_refused_and_named() {
-    let folder = Folder::new("two");
-    let (path, link) = (folder.0.join("out.ppm"), folder.0.join("link.ppm"));
+    let folder = Folder::new();
+    let (path, link) = (folder.file("out.ppm"), folder.file("link.ppm"));
     symlink("out.ppm", &link).expect("links are allowed");
     let error = refuse_one_file(&[&path, &link]).expect_err("the link leads to the file");
     assert!(error.to_string().contains(&format!("the same file as the output [{}]", path.display())), "{error}");
@@ -238,8 +206,8 @@ fn two_outputs_to_one_file_are_refused_and_named() {
 
 #[test]
 fn standard_output_is_known_by_its_names_and_is_no_regular_file() {
-    let folder = Folder::new("names");
-    let path = folder.0.join("out.ppm");
+    let folder = Folder::new();
+    let path = folder.file("out.ppm");
     assert!(is_stdout(Path::new("/dev/stdout")) && !is_stdout(&path));
     assert!(open(&path).expect("the folder is writable").is_regular());
     assert!(!open(Path::new("/dev/null")).expect("everybody may write to it").is_regular());

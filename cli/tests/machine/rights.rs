@@ -48,7 +48,7 @@ fn sticky() -> Result<(), Failed> {
     // All users may write to the file, but in this folder only its owner may replace it.
     set_mode(&out, 0o666)?;
     refuse_at_once(&place, &out, "Operation not permitted", true)?;
-    check_old(&out)
+    check_old(&place, "d")
 }
 
 /// Checks that no link of another user in a sticky folder is followed, whether the file at its end exists or not. Linux
@@ -63,7 +63,7 @@ fn sticky_link() -> Result<(), Failed> {
         symlink(&target, &link)?;
         lchown(&link, Some(NOBODY), Some(NOBODY))?;
         refuse_at_once(&place, &link, "", false)?;
-        check_old(&place.file("own/out.ppm"))?;
+        check_old(&place, "own")?;
         // The owner of the folder made this link, so it is followed.
         lchown(&link, Some(0), Some(0))?;
         fs::write(place.file("config.txt"), CONFIG)?;
@@ -87,7 +87,7 @@ fn mounted() -> Result<(), Failed> {
         fs::write(&out, "")?;
         let bound = Mount::bind(&source, &out)?;
         refuse_at_once(&place, &out, "a file is mounted here", false)?;
-        check_old(&out)?;
+        check_old(&place, "d")?;
         drop(bound);
     }
     Ok(())
@@ -118,10 +118,10 @@ fn appends() -> Result<(), Failed> {
             if !output.status.success() {
                 return Err(format!("{output:?}").into());
             }
-            check_names(&place.file("d"), &["out.ppm"])?;
+            check_names(&place, "d", &["out.ppm"])?;
             let output = promptly(&place.render(program, &out), false)?;
             check_refusal(&output, &out, "Operation not permitted")?;
-            check_names(&place.file("d"), &["out.ppm"])?;
+            check_names(&place, "d", &["out.ppm"])?;
         }
         fs::remove_file(&out)?;
     }
@@ -129,39 +129,19 @@ fn appends() -> Result<(), Failed> {
 }
 
 fn set_user_id() -> Result<(), Failed> {
-    let place = Place::new()?;
-    let out = place.folder("d", 0o777)?.join("out.ppm");
-    for program in PROGRAMS {
-        let _ = fs::remove_file(&out);
-        fs::write(&out, "old")?;
-        set_mode(&out, 0o6757)?;
-        let output = without_rights(place.render(program, &out), true).output()?;
-        let metadata = fs::metadata(&out)?;
-        // The new file has another owner and another group than the old one. So it has no set-user-ID bit, and its
-        // group and all other users have only the permissions that both had.
-        if !output.status.success() || metadata.uid() != NOBODY || metadata.mode() & 0o7777 != 0o755 {
-            return Err(format!("{output:?}, mode {:o}", metadata.mode()).into());
-        }
-    }
-    Ok(())
+    // The new file has another owner and another group than the old one. So it has no set-user-ID bit, and its group
+    // and all other users have only the permissions that both had.
+    let is_narrowed = |_: &Path, new: &Metadata| new.uid() == NOBODY && permissions(new) == 0o755;
+    replaces_with_rights(true, |out| Ok(set_mode(out, 0o6757)?), is_narrowed)
 }
 
 fn owner() -> Result<(), Failed> {
-    let place = Place::new()?;
-    let out = place.file("out.ppm");
-    for program in PROGRAMS {
-        fs::write(&out, "old")?;
-        chown(&out, Some(NOBODY), Some(NOBODY))?;
-        set_mode(&out, 0o4750)?;
-        let output = place.render(program, &out).output()?;
-        let metadata = fs::metadata(&out)?;
-        let kept = (metadata.uid(), metadata.gid(), metadata.mode() & 0o7777) == (NOBODY, NOBODY, 0o4750);
-        if !output.status.success() || !kept || fs::read(&out)? == b"old" {
-            return Err(format!("{output:?}, {metadata:?}").into());
-        }
-        fs::remove_file(&out)?;
-    }
-    Ok(())
+    let give_away = |out: &Path| {
+        chown(out, Some(NOBODY), Some(NOBODY))?;
+        Ok(set_mode(out, 0o4750)?)
+    };
+    let is_kept = |_: &Path, new: &Metadata| (new.uid(), new.gid(), permissions(new)) == (NOBODY, NOBODY, 0o4750);
+    replaces_with_rights(false, give_away, is_kept)
 }
 
 /// Runs a command of the system, and returns an error if the command fails.

@@ -1,6 +1,6 @@
 //! The tests of `machine.rs` for systems with users, permissions and mounts.
 
-use std::fs::{self, Permissions};
+use std::fs::{self, Metadata, Permissions};
 use std::ops::Deref;
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::os::unix::process::CommandExt;
@@ -91,19 +91,43 @@ fn check_refusal(output: &Output, out: &Path, reason: &str) -> Result<(), Failed
     if as_it_should { Ok(()) } else { Err(format!("{output:?} instead of {expected}").into()) }
 }
 
-/// Checks that the folder holds exactly the files `names`.
-fn check_names(folder: &Path, names: &[&str]) -> Result<(), Failed> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        found.push(entry?.file_name().to_string_lossy().into_owned());
-    }
+/// Checks that the folder named `folder` holds exactly the files `names`.
+fn check_names(place: &Place, folder: &str, names: &[&str]) -> Result<(), Failed> {
+    let found = place.names_in(folder);
     if found == names { Ok(()) } else { Err(format!("{found:?} instead of {names:?}").into()) }
 }
 
-/// Checks that `out` still has its old content, and that its folder holds no other file.
-fn check_old(out: &Path) -> Result<(), Failed> {
-    check_names(out.parent().ok_or("it lies in a folder")?, &["out.ppm"])?;
-    if fs::read(out)? == b"old" { Ok(()) } else { Err("the old content is gone".into()) }
+/// Checks that the picture in the folder named `folder` still has its old content, and that the folder holds no other
+/// file.
+fn check_old(place: &Place, folder: &str) -> Result<(), Failed> {
+    check_names(place, folder, &["out.ppm"])?;
+    if fs::read(place.file(folder).join("out.ppm"))? == b"old" { Ok(()) } else { Err("the old content is gone".into()) }
+}
+
+/// Returns the permission bits of a file.
+fn permissions(file: &Metadata) -> u32 {
+    file.mode() & 0o7777
+}
+
+/// Renders over an old picture with each program, as the user nobody if `as_nobody` is true. `prepare` gives the old
+/// picture its rights, and `check` tells whether the new one has those that it should have.
+fn replaces_with_rights(
+    as_nobody: bool,
+    prepare: impl Fn(&Path) -> Result<(), Failed>,
+    check: impl Fn(&Path, &Metadata) -> bool,
+) -> Result<(), Failed> {
+    for program in PROGRAMS {
+        let place = Place::new()?;
+        let out = place.folder("d", 0o777)?.join("out.ppm");
+        fs::write(&out, "old")?;
+        prepare(&out)?;
+        let output = without_rights(place.render(program, &out), as_nobody).output()?;
+        let new = fs::metadata(&out)?;
+        if !output.status.success() || fs::read(&out)? == b"old" || !check(&out, &new) {
+            return Err(format!("{output:?}, {new:?}").into());
+        }
+    }
+    Ok(())
 }
 
 /// Checks a write that fails in the middle of the file, as on a full disk. This test needs no right to mount a disk.
@@ -117,7 +141,7 @@ fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
         // The limit is 16 blocks. Its signal is ignored, so the write returns an error as on a full disk.
         shell.args(["-c", "trap '' XFSZ; ulimit -f 16; exec \"$@\"", "limited"]).arg(command.get_program());
         check_refusal(&shell.args(command.get_args()).output()?, &out, "File too large")?;
-        check_old(&out)?;
+        check_old(&place, "d")?;
     }
     Ok(())
 }
@@ -130,7 +154,7 @@ fn a_full_disk_leaves_the_old_file() -> Result<(), Failed> {
     for program in PROGRAMS {
         let output = place.render(program, &out).output()?;
         check_refusal(&output, &out, "No space left on device")?;
-        check_old(&out)?;
+        check_old(&place, "disk")?;
     }
     Ok(())
 }
@@ -147,7 +171,7 @@ fn a_read_only_place_takes_no_picture(is_root: bool) -> Result<(), Failed> {
         for program in PROGRAMS {
             let output = without_rights(place.render(program, &out), is_root).output()?;
             check_refusal(&output, &out, "Permission denied")?;
-            if old.is_some() { check_old(&out)? } else { check_names(&place.file(name), &[])? }
+            if old.is_some() { check_old(&place, name)? } else { check_names(&place, name, &[])? }
         }
     }
     Ok(())

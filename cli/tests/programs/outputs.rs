@@ -109,21 +109,7 @@ fn a_device_may_be_input_and_output() {
 
 #[cfg(unix)]
 #[test]
-fn a_standard_output_that_appends_is_appended_to() {
-    let bench = Bench::new(SMALL, "");
-    let expected = [b"before\n", &bench.render()[..]].concat();
-    for program in PROGRAMS {
-        fs::write(bench.file("redirected"), "before\n").expect("the folder is writable");
-        let file = File::options().append(true).open(bench.file("redirected")).expect("it is ours");
-        let status = bench.command(program, "/dev/stdout").stdout(file).status().expect("the program runs");
-        assert!(status.success());
-        assert!(fs::read(bench.file("redirected")).expect("it was written") == expected);
-    }
-}
-
-#[cfg(unix)]
-#[test]
-fn standard_output_takes_the_picture_through_a_pipe_and_into_a_file() {
+fn standard_output_takes_the_picture_through_a_pipe_into_a_file_and_after_other_text() {
     let bench = Bench::new(LARGE, "");
     let expected = bench.render();
     assert!(expected.len() > 1 << 16);
@@ -132,10 +118,13 @@ fn standard_output_takes_the_picture_through_a_pipe_and_into_a_file() {
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         assert!(output.stdout == expected);
 
-        let file = File::create(bench.file("redirected")).expect("the folder is writable");
-        let status = bench.command(program, "/dev/stdout").stdout(file).status().expect("the program runs");
-        assert!(status.success());
-        assert!(fs::read(bench.file("redirected")).expect("it was written") == expected);
+        for (append, before) in [(false, ""), (true, "before\n")] {
+            bench.write("redirected", before);
+            let file = File::options().write(true).append(append).open(bench.file("redirected")).expect("it is ours");
+            let status = bench.command(program, "/dev/stdout").stdout(file).status().expect("the program runs");
+            assert!(status.success());
+            assert!(bench.read("redirected") == [before.as_bytes(), &expected].concat());
+        }
         assert_eq!(bench.outputs(), ["redirected"]);
     }
 }

@@ -1,10 +1,11 @@
 //! Tests of how a folder opens its files, as Linux reports it.
 
+use test_support::folder::Folder as Own;
+
 use super::*;
-use crate::tests::Folder as Own;
 
 fn open(own: &Own) -> Folder {
-    Folder::open(&own.0, false).expect("it is there")
+    Folder::open(own.path(), false).expect("it is there")
 }
 
 /// Returns the flags with which `file` was opened.
@@ -17,7 +18,7 @@ fn flags(file: &File) -> c_int {
 #[test]
 fn files_are_opened_only_for_writing_and_closed_when_a_program_is_started() {
     let Some(Flags { write, close_on_exec, no_follow, nonblocking, .. }) = FLAGS else { return };
-    let own = Own::new("flags");
+    let own = Own::new();
     let folder = open(&own);
     let expected = write | close_on_exec | no_follow;
     // 3 are the bits that tell whether a file is open for reading, writing or both.
@@ -30,42 +31,42 @@ fn files_are_opened_only_for_writing_and_closed_when_a_program_is_started() {
 
 #[test]
 fn a_new_file_does_not_get_the_name_of_an_existing_file_or_link() {
-    let own = Own::new("exclusive");
+    let own = Own::new();
     let folder = open(&own);
-    std::os::unix::fs::symlink("nothing", own.0.join("link")).expect("links are allowed");
+    std::os::unix::fs::symlink("nothing", own.file("link")).expect("links are allowed");
     drop(folder.create(c"new", 0o600).expect("the name is free"));
     for name in [c"new", c"link"] {
         let error = folder.create(name, 0o600).expect_err("the name is taken");
         assert_eq!(error.kind(), ErrorKind::AlreadyExists);
     }
     assert!(folder.open_for_writing(c"link").is_err(), "a link is not followed");
-    assert!(!own.0.join("nothing").exists());
+    assert!(!own.file("nothing").exists());
 }
 
 #[test]
 fn a_file_may_be_replaced_but_no_folder_and_no_missing_file() {
-    let own = Own::new("may-replace");
+    let own = Own::new();
     let folder = open(&own);
     drop(folder.create(c"file", 0o600).expect("the name is free"));
     folder.may_replace(c"file").expect("the folder is ours");
     assert_eq!(folder.may_replace(c"missing").map_err(|error| error.kind()), Err(ErrorKind::NotFound));
-    std::fs::create_dir(own.0.join("full")).expect("the folder is writable");
-    std::fs::write(own.0.join("full/file"), "").expect("the folder is writable");
+    std::fs::create_dir(own.file("full")).expect("the folder is writable");
+    std::fs::write(own.file("full/file"), "").expect("the folder is writable");
     assert!(folder.may_replace(c"full").is_err());
-    assert!(own.0.join("file").exists() && own.0.join("full/file").exists());
+    assert!(own.file("file").exists() && own.file("full/file").exists());
 }
 
 #[test]
 fn the_right_to_write_is_checked_without_opening_the_file() {
-    let own = Own::new("may");
-    std::fs::write(own.0.join("file"), "").expect("the folder is writable");
-    may_write(&own.0.join("file")).expect("it is ours");
-    assert_eq!(may_write(&own.0.join("missing")).map_err(|error| error.kind()), Err(ErrorKind::NotFound));
+    let own = Own::new();
+    std::fs::write(own.file("file"), "").expect("the folder is writable");
+    may_write(&own.file("file")).expect("it is ours");
+    assert_eq!(may_write(&own.file("missing")).map_err(|error| error.kind()), Err(ErrorKind::NotFound));
 }
 
 #[test]
 fn a_file_on_another_mount_is_noticed() {
-    let own = Own::new("mounts");
+    let own = Own::new();
     let folder = open(&own);
     let file = folder.create(c"file", 0o600).expect("the name is free");
     assert!(!folder.is_mount_point(&file).expect("both are open"));

@@ -5,15 +5,10 @@ use std::fs::File;
 use std::os::fd::AsRawFd;
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::process::ExitStatusExt;
-use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus};
+use std::path::Path;
+use std::process::Command;
 
-/// Creates a file in the temporary folder, and returns its path.
-fn file(name: &str) -> PathBuf {
-    let path = std::env::temp_dir().join(format!("render-stop-{name}-{}", std::process::id()));
-    std::fs::write(&path, "text").expect("the temporary folder is writable");
-    path
-}
+use test_support::folder::Folder;
 
 /// Registers a file as temporary. Its folder stays open until the process ends.
 fn remember(path: &Path) -> Remembered {
@@ -26,13 +21,11 @@ fn remember(path: &Path) -> Remembered {
 
 #[test]
 fn a_file_that_is_dropped_is_removed_and_a_forgotten_one_is_not() {
-    let [dropped, forgotten] = ["dropped", "forgotten-2"].map(file);
-    let (one, other) = (remember(&dropped), remember(&forgotten));
-    drop(one);
-    other.forget();
-    assert!(!dropped.exists());
-    assert!(forgotten.exists());
-    std::fs::remove_file(forgotten).expect("it is there");
+    let folder = Folder::new();
+    let [dropped, forgotten] = ["dropped", "forgotten"].map(|name| remember(&folder.write(name, "")));
+    drop(dropped);
+    forgotten.forget();
+    assert_eq!(folder.names(), ["forgotten"]);
 }
 
 /// The code of the child processes that the tests below start. It registers files and raises a signal in itself.
@@ -69,10 +62,11 @@ fn a_process_raises_a_signal() {
     }
 }
 
-/// Runs a process that registers `files` as temporary and raises the signal `number`. Returns how it ended, and whether
-/// it continued after the first signal.
-fn signalled(number: c_int, before: &str, files: &[&Path]) -> (ExitStatus, bool) {
-    let files: Vec<_> = files.iter().map(|file| file.to_str().expect("the name is ours")).collect();
+/// Runs a process that registers two files as temporary and raises the signal `number`. Returns the signal that ended
+/// it, whether it continued after the first signal, and the number of files that are left.
+fn signalled(number: c_int, before: &str) -> (Option<c_int>, bool, usize) {
+    let folder = Folder::new();
+    let files = ["one", "other"].map(|name| folder.write(name, "text").display().to_string());
     let output = Command::new(std::env::current_exe().expect("this process has a program"))
         .args(["--exact", "--ignored", "--nocapture", "stop::tests::a_process_raises_a_signal"])
         .env("RENDER_STOP_SIGNAL", number.to_string())
@@ -81,17 +75,20 @@ fn signalled(number: c_int, before: &str, files: &[&Path]) -> (ExitStatus, bool)
         .output()
         .expect("the program runs");
     let went_on = String::from_utf8_lossy(&output.stdout).contains("it goes on");
-    assert!(went_on || !output.status.success(), "{output:?}");
-    (output.status, went_on)
+    let signal = output.status.signal();
+    assert!(signal.is_some() || (went_on && output.status.success()), "{output:?}");
+    (signal, went_on, folder.names().len())
+}
+
+/// The signals that end a process, and whose handler removes its files.
+fn listed() -> impl Iterator<Item = c_int> {
+    REQUESTS.iter().chain(&FATAL).chain(MORE).copied()
 }
 
 #[test]
 fn every_signal_that_ends_a_process_removes_its_files() {
-    for &number in REQUESTS.iter().chain(&FATAL).chain(MORE) {
-        let [one, other] = ["one", "other"].map(|name| file(&format!("{name}-{number}")));
-        let (status, went_on) = signalled(number, "", &[&one, &other]);
-        assert_eq!((status.signal(), went_on), (Some(number), false));
-        assert!(!one.exists() && !other.exists(), "signal {number}");
+    for number in listed() {
+        assert_eq!(signalled(number, ""), (Some(number), false, 0));
     }
 }
 
@@ -103,42 +100,30 @@ fn the_lists_have_every_signal_that_ends_a_process() {
     // that the C library reserves for itself.
     let left_out = [7, 9, 11, 19, 20, 21, 22, 25, 32, 33];
     for number in (1..=64).filter(|number| !left_out.contains(number)) {
-        let file = file(&format!("unhandled-{number}"));
-        let ends = signalled(number, "unhandled", &[&file]).0.signal() == Some(number);
-        let listed = REQUESTS.iter().chain(&FATAL).chain(MORE).any(|&listed| listed == number);
-        assert_eq!(listed, ends, "signal {number}");
-        std::fs::remove_file(file).expect("it is there");
+        let ends = signalled(number, "unhandled").0 == Some(number);
+        assert_eq!(listed().any(|listed| listed == number), ends, "signal {number}");
     }
 }
 
 #[test]
 fn a_file_that_has_its_final_name_stays() {
-    let file = file("forgotten");
-    assert_eq!(signalled(15, "forgotten", &[&file]).0.signal(), Some(15));
-    std::fs::remove_file(file).expect("it is there");
+    assert_eq!(signalled(15, "forgotten"), (Some(15), false, 2));
 }
 
 #[test]
 fn signals_that_were_ignored_stay_ignored() {
-    let file = file("ignored");
-    assert!(signalled(1, "ignored", &[&file]).0.success());
-    std::fs::remove_file(file).expect("it is there");
+    assert_eq!(signalled(1, "ignored"), (None, true, 2));
 }
 
 #[test]
 fn a_first_request_may_be_noted_and_a_second_ends_the_process() {
     for number in REQUESTS {
-        let file = file(&format!("noted-{number}"));
-        let (status, went_on) = signalled(number, "noted", &[&file]);
-        assert_eq!((status.signal(), went_on), (Some(number), true));
-        assert!(!file.exists());
+        assert_eq!(signalled(number, "noted"), (Some(number), true, 0));
     }
 }
 
 #[cfg(any(target_os = "linux", target_os = "macos"))]
 #[test]
 fn the_limit_on_file_sizes_ends_no_process() {
-    let file = file("size");
-    assert!(signalled(FILE_SIZE.expect("it has one"), "", &[&file]).0.success());
-    std::fs::remove_file(file).expect("it is there");
+    assert_eq!(signalled(FILE_SIZE.expect("it has one"), ""), (None, true, 2));
 }
