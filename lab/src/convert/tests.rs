@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use cpu::internals::math::vec3::Vec3;
 use test_support::folder::Folder;
 
 use super::complete::complete;
@@ -76,21 +77,14 @@ fn a_scene_of_pbrt_is_read_with_notes_on_what_has_no_match() {
 fn a_scene_of_mitsuba_is_read_with_notes_on_what_has_no_match() {
     let (config, scene, notes) = read("a.xml", MITSUBA.as_bytes()).expect("it is a scene");
     assert!(config.starts_with("aspect_ratio: 2 1\nimage_width: 200\n"), "{config}");
-    let number = |key: &str| {
-        let values = config.lines().find_map(|line| line.strip_prefix(key)).expect("it is there");
-        values.split(' ').map(|value| value.parse().expect("it is a number")).collect::<Vec<f64>>()
-    };
-    let is_near = |key, expected: &[f64]| {
-        let found = number(key);
-        assert!(found.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-12), "{key} {found:?}");
-    };
-    is_near("field_of_view: ", &[2.0 * (0.5 * 30_f64.to_radians().tan()).atan().to_degrees()]);
-    is_near("camera_position: ", &[-4.0, 0.0, 0.0]);
-    is_near("camera_target: ", &[-3.0, 0.0, 0.0]);
-    assert!(
-        config.contains("samples_per_pixel: 9\nmax_depth: 100\n") && config.ends_with("color: 1 0 0\n"),
-        "{config}"
-    );
+    let parsed = cpu::Config::parse(config.as_bytes()).expect("it is valid");
+    let fov = 2.0 * (0.5 * 30_f64.to_radians().tan()).atan().to_degrees();
+    let [position, target] = [[-4.0, 0.0, 0.0], [-3.0, 0.0, 0.0]].map(|[x, y, z]| Vec3::new(x, y, z));
+    assert!((parsed.field_of_view - fov).abs() < 1e-12, "{config}");
+    assert!((parsed.camera_position - position).length() < 1e-12, "{config}");
+    assert!((parsed.camera_target - target).length() < 1e-12, "{config}");
+    assert!(config.contains("samples_per_pixel: 9\nmax_depth: 100\n"), "{config}");
+    assert!(config.ends_with("color: 1 0 0\n"), "{config}");
     assert_eq!(
         scene,
         "metal: m0 1 0.78 0.34 0\nmetal: m1 1 1 1 0.5\nmatte: m2 0.5 0.5 0.5\nsphere: 1 0 0 1 m0\n\

@@ -154,21 +154,3 @@ fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     read(u64::MAX, &mut bytes)?;
     Ok(bytes)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_ending_of_a_name_decides_what_is_written() {
-        for (name, kind) in [("a.ppm", Kind::Ppm), ("a.PNG", Kind::Png), ("/dev/stdout", Kind::Ppm), ("-", Kind::Ppm)] {
-            assert_eq!(Kind::of(Path::new(name), Kind::Ppm), Ok(kind), "{name}");
-        }
-        assert_eq!(Kind::of(Path::new("-"), Kind::Png), Ok(Kind::Png));
-        let message = Kind::of(Path::new("o.jpg"), Kind::Ppm).expect_err("there is no such writer");
-        assert_eq!(
-            message,
-            "o.jpg: a picture cannot be written as .jpg; its name must end in .ppm, .png, .pfm, .npy or .exr"
-        );
-    }
-}

@@ -50,9 +50,13 @@ fn refused(view: &View, method: &str, path: &str, body: &str, expected: &str) ->
 }
 
 fn asked_by(server: &TcpStream, view: &View, method: &str, path: &str, body: &str) -> (&'static str, String) {
-    let request = Request { method: method.to_owned(), path: path.to_owned(), body: body.into() };
-    let answer = view.answer(&request, &Client::new(server));
+    let answer = answer(server, view, method, path, body);
     (&answer.status[..3], String::from_utf8_lossy(&answer.body).into_owned())
+}
+
+fn answer(server: &TcpStream, view: &View, method: &str, path: &str, body: &str) -> Answer {
+    let request = Request { method: method.to_owned(), path: path.to_owned(), body: body.into() };
+    view.answer(&request, &Client::new(server))
 }
 
 #[test]
@@ -130,8 +134,7 @@ fn the_answer_with_the_files_is_counted_and_refused_with_the_numbers() {
     );
     drop(share);
     let [_client, server] = connection();
-    let request = Request { method: "GET".to_owned(), path: "/view/files".to_owned(), body: Vec::new() };
-    let answer = view.answer(&request, &Client::new(&server));
+    let answer = answer(&server, &view, "GET", "/view/files", "");
     assert_eq!((answer.status, view.budget.taken()), ("200 OK", answer.body.len()), "until it is sent");
     drop(answer);
     assert_eq!(view.budget.taken(), 0);

@@ -57,8 +57,10 @@ fn limits_end_a_program_and_what_it_has_started() {
     let large = "x=$(head -c 200000000 /dev/zero | tr '\\0' x); echo $x";
     // It leaves its session, works on for a while, and is waited for.
     let left = "setsid sh -c 'echo $$ >pid; while :; do :; done' & sleep 1";
-    for (script, end) in [(endless, "time_out"), (large, "over_memory"), (left, "status"), (wait, "time_out")] {
-        let line = "$lab supervise --seconds 2 --memory 100 --printed . -- sh -c \"$script\"";
+    for (script, seconds, end) in
+        [(endless, 2, "time_out"), (large, 60, "over_memory"), (left, 2, "status"), (wait, 2, "time_out")]
+    {
+        let line = format!("$lab supervise --seconds {seconds} --memory 100 --printed . -- sh -c \"$script\"");
         let output = bash(&folder, &format!("script='{}'; {line}", script.replace('\'', "'\\''")));
         let run = String::from_utf8_lossy(&output.stdout);
         assert!(run.contains(end), "{script}: {output:?}");

@@ -66,7 +66,8 @@ fn an_output_that_is_an_input_is_refused_under_any_name_and_stays() {
 #[test]
 fn complaints_name_the_file_and_the_remedy() {
     let folder = Folder::new();
-    folder.write("same", "camera_position: 0 0 0\n");
+    let same = "camera_position: 0 0 0\n";
+    folder.write("same", same);
     folder.write("empty", "");
     bash(
         &folder,
@@ -107,10 +108,21 @@ fn complaints_name_the_file_and_the_remedy() {
         ("render same empty o.ppm --crop -1,2,3,4", "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT"),
         ("render same empty o.ppm --rows 3..3", "two rows are needed, the second larger, as in 0..100 or ..100"),
         ("render same empty o.ppm --rows 10", "two rows are needed, the second larger, as in 0..100 or ..100"),
-        ("render same empty o.jpg", "cannot be written as .jpg"),
+        (
+            "render same empty o.jpg",
+            "o.jpg: a picture cannot be written as .jpg; its name must end in .ppm, .png, .pfm, .npy or .exr",
+        ),
         ("render same empty o.exr --checkpoint c", "are for pictures of colours"),
         ("render - - o.ppm", "can be only one of the files"),
         ("render same empty - --json", "both write to standard output"),
+        (
+            "render empty empty same --set gamma=0",
+            "Error: --set gamma=0: gamma: [0] is not a number above 0; the line is: ",
+        ),
+        ("render empty empty same --set image_width=100000000", "--set image_width=100000000: the image is too large"),
+        ("render /nowhere empty same", "Error: Cannot read file [/nowhere]: "),
+        ("render empty empty /nowhere/o.png", "Error: Cannot write file [/nowhere/o.png]: "),
+        ("render empty empty", "required arguments were not provided"),
         ("animate same empty -", "no standard output (-)"),
         ("compare o o --max 3", "--heatmap"),
         ("compare o o --heatmap map.jpg", "cannot be written as .jpg"),
@@ -133,6 +145,7 @@ fn complaints_name_the_file_and_the_remedy() {
         let message = bash_complaint(&folder, &format!("$lab {line}"));
         assert!(message.contains(words) && folder.names() == names, "{line}: {message}");
     }
+    assert_eq!(folder.read("same"), same.as_bytes(), "the old file stays");
 }
 
 #[test]

@@ -68,24 +68,6 @@ fn counts_are_those_of_a_scene_known_by_hand() {
 }
 
 #[test]
-fn what_is_wrong_is_said_and_the_old_file_stays() {
-    let folder = Folder::new();
-    let out = folder.name("out.ppm");
-    fs::write(&out, "old").expect("the folder is writable");
-    let error = complaint(&["render", CONFIG, SCENE, &out, "--set", "gamma=0"]);
-    let wanted = "gamma: [0] is not a number above 0; the line is: gamma: number > 0";
-    assert_eq!(error, format!("Error: --set gamma=0: {wanted}\n"));
-    let error = complaint(&["render", CONFIG, SCENE, &out, "--set", "image_width=100000000"]);
-    assert!(error.starts_with("Error: --set image_width=100000000: the image is too large"), "{error}");
-    let error = complaint(&["render", "/nowhere", SCENE, &out]);
-    assert!(error.starts_with("Error: Cannot read file [/nowhere]: "), "{error}");
-    let error = complaint(&["render", CONFIG, SCENE, "/nowhere/out.png"]);
-    assert!(error.starts_with("Error: Cannot write file [/nowhere/out.png]: "), "{error}");
-    assert_eq!(fs::read_to_string(&out).expect("still there"), "old");
-    assert_eq!(run(&["render", CONFIG, SCENE]).status.code(), Some(2), "a name is missing");
-}
-
-#[test]
 fn the_end_is_told_with_file_size_and_time_unless_it_is_to_be_quiet() {
     let folder = Folder::new();
     let out = folder.name("out.png");
@@ -113,8 +95,8 @@ fn a_dash_is_standard_input_or_output() {
     let folder = Folder::new();
     let expected = expected(Scatter::Statement);
     let root = test_support::project_root();
-    for (config, scene, input) in [("-", SCENE, CONFIG), (CONFIG, "-", SCENE)] {
-        let arguments = [&["render", config, scene, "-"][..], &SMALL].concat();
+    for (config, scene, input, out) in [("-", SCENE, CONFIG, "-"), (CONFIG, "-", SCENE, "/dev/stdout")] {
+        let arguments = [&["render", config, scene, out][..], &SMALL].concat();
         let input = fs::File::open(root.join(input)).expect("it is committed");
         let output = crate::lab(&arguments).stdin(Stdio::from(input)).output().expect("the program runs");
         assert!(output.status.success() && output.stdout == expected, "{config} {scene}: {:?}", output.status);

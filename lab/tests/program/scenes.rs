@@ -5,7 +5,7 @@ use std::fs;
 use cpu::{Config, Scene};
 use test_support::folder::Folder;
 
-use crate::{complaint, run};
+use crate::{complaint, printed, run};
 
 #[test]
 fn every_scene_comes_back_from_both_formats_with_the_same_numbers() {
@@ -25,10 +25,8 @@ fn every_scene_comes_back_from_both_formats_with_the_same_numbers() {
     for [config, scene] in inputs {
         for other in ["other.pbrt", "other.xml"] {
             let name = |path: &std::path::Path| path.display().to_string();
-            let there = run(&["convert", &name(&config), &name(&scene), &folder.name(other)]);
-            assert!(there.status.success() && there.stdout.is_empty(), "{there:?}");
-            let back = run(&["convert", &folder.name(other), &folder.name("c.txt"), &folder.name("s.txt")]);
-            assert!(back.status.success(), "{back:?}");
+            assert_eq!(printed(&["convert", &name(&config), &name(&scene), &folder.name(other)]), "");
+            printed(&["convert", &folder.name(other), &folder.name("c.txt"), &folder.name("s.txt")]);
             let defaults = Config::default();
             // Gamma and seeds have no match.
             let expected = Config {
@@ -91,7 +89,7 @@ fn what_has_no_match_is_listed_and_a_wrong_file_changes_nothing() {
     let sky = "<scene><emitter type='envmap'><string name='filename' value='one.ppm'/></emitter></scene>";
     folder.write("one.xml", sky);
     for from in ["one.pbrt", "one.xml"] {
-        assert!(run(&["convert", &folder.name(from), &folder.name("one.c"), &folder.name("one.s")]).status.success());
+        printed(&["convert", &folder.name(from), &folder.name("one.c"), &folder.name("one.s")]);
         let config = Config::read(&folder.file("one.c")).expect("it is valid");
         let sky = [config.background_dark_color, config.background_light_color];
         assert_eq!(sky.map(|color| color.to_array()), [[1.0; 3]; 2], "{from}");

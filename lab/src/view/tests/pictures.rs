@@ -62,20 +62,21 @@ fn until_rendering(view: &View) {
 }
 
 #[test]
-fn only_the_picture_with_the_number_is_cancelled_and_soon() {
-    let body = endless();
-    let (_folder, view) = view();
-    std::thread::scope(|scope| {
-        let picture = scope.spawn(|| asked(&view, "POST", "/view/render/7", &body));
-        until_rendering(&view);
-        assert_eq!(asked(&view, "POST", "/view/cancel/8", "").0, "200");
-        assert!(!picture.is_finished());
-        let start = Instant::now();
-        assert_eq!(asked(&view, "POST", "/view/cancel/7", "").0, "200");
-        assert_eq!(picture.join().expect("it does not panic").0, "409");
-        assert!(start.elapsed() < soon(), "{:?}", start.elapsed());
-        assert_eq!(view.budget.taken(), 0);
-    });
+fn a_picture_is_stopped_by_its_number_alone_or_by_a_new_picture_and_soon() {
+    for (path, body) in [("/view/cancel/7", ""), ("/view/render/8", &texts("image_width: 8\n", ""))] {
+        let (_folder, view) = view();
+        std::thread::scope(|scope| {
+            let picture = scope.spawn(|| asked(&view, "POST", "/view/render/7", &endless()));
+            until_rendering(&view);
+            assert_eq!(asked(&view, "POST", "/view/cancel/8", "").0, "200");
+            assert!(!picture.is_finished());
+            let start = Instant::now();
+            assert_eq!(asked(&view, "POST", path, body).0, "200");
+            assert_eq!(picture.join().expect("it does not panic").0, "409");
+            assert!(start.elapsed() < soon(), "{path}: {:?}", start.elapsed());
+            assert_eq!(view.budget.taken(), 0);
+        });
+    }
 }
 
 #[test]
@@ -108,20 +109,6 @@ fn a_picture_whose_client_has_gone_is_cancelled_and_the_next_one_comes_soon() {
 }
 
 #[test]
-fn a_new_picture_stops_the_one_before_it() {
-    let body = endless();
-    let (_folder, view) = view();
-    std::thread::scope(|scope| {
-        let picture = scope.spawn(|| asked(&view, "POST", "/view/render/1", &body));
-        until_rendering(&view);
-        let start = Instant::now();
-        assert_eq!(asked(&view, "POST", "/view/render/2", &texts("image_width: 8\n", "")).0, "200");
-        assert!(start.elapsed() < soon(), "{:?}", start.elapsed());
-        assert_eq!(picture.join().expect("it does not panic").0, "409");
-    });
-}
-
-#[test]
 fn a_path_that_hits_too_many_surfaces_is_refused_with_the_number() {
     let (_folder, view) = view();
     let one = "image_width: 1\naspect_ratio: 1 1\nsamples_per_pixel: 1\nmax_depth:";
@@ -136,16 +123,14 @@ fn a_path_that_hits_too_many_surfaces_is_refused_with_the_number() {
 #[test]
 fn a_picture_is_counted_and_one_that_does_not_fit_is_refused_with_the_numbers() {
     let (_folder, mut view) = view();
-    let body = |pixels: u64| texts(&format!("image_width: {pixels}\naspect_ratio: {pixels} 1\n"), "").into_bytes();
+    let body = |pixels: u64| texts(&format!("image_width: {pixels}\naspect_ratio: {pixels} 1\n"), "");
     let (paths, text) = (12 << 23, body(64).len());
     let all = paths + 64 * 15 + text;
     let budget = Budget::new(all);
     view.native = Native::new(budget.clone());
     let render = |pixels: u64| {
         let [_client, server] = connection();
-        let body = body(pixels);
-        let request = Request { method: "POST".to_owned(), path: "/view/render/1".to_owned(), body };
-        view.answer(&request, &Client::new(&server))
+        answer(&server, &view, "POST", "/view/render/1", &body(pixels))
     };
     let answer = render(64);
     assert_eq!((answer.status, budget.taken()), ("200 OK", answer.body.len()), "until it is sent");
