@@ -231,9 +231,8 @@ mod tests {
     #[test]
     fn settings_replace_what_the_file_says() {
         let folder = Folder::new();
-        let path = folder.file("config.txt");
         // The file has no line end. If settings were appended to its text, the first setting would join the last line.
-        fs::write(&path, "image_width: 8\ngamma: 2").expect("the folder is writable");
+        let path = folder.write("config.txt", "image_width: 8\ngamma: 2");
         let settings = ["gamma=1", "camera_north=1 0 0", "camera_position: = 0 0 -5"].map(str::to_owned);
         let config = config(&path, &settings).expect("all is valid");
         assert_eq!((config.image_width, config.gamma, config.camera_north.x), (8, 1.0, 1.0));
@@ -259,8 +258,7 @@ mod tests {
 
     fn about(file: &str, kind: Kind) -> String {
         let folder = Folder::new();
-        let path = folder.file("file");
-        fs::write(&path, file).expect("the folder is writable");
+        let path = folder.write("file", file);
         let result = match kind {
             Kind::Config => config(&path, &[]).map(drop),
             Kind::Scene => scene(&path).map(drop),

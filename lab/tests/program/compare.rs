@@ -38,19 +38,18 @@ fn the_verdict_is_the_exit_status() {
 fn the_heatmap_is_bright_where_pictures_differ() {
     let folder = Folder::new();
     let [a, b] = pair(&folder, "6 0 12");
-    printed(&["compare", &a, &b, "--heatmap", &folder.name("map.png")]);
-    let map = Picture::read(&folder.file("map.png")).expect("it is a picture");
+    let drawn = |name: &str, options: &[&str]| {
+        printed(&[&["compare", &a, &b, "--heatmap", &folder.name(name)], options].concat());
+        Picture::read(&folder.file(name)).expect("it is a picture")
+    };
+    let map = drawn("map.png", &[]);
     let brightness = |[x, y]: [usize; 2]| map.pixels[y * map.width + x].iter().map(|&c| u32::from(c)).sum::<u32>();
     assert!(brightness([0, 1]) > 500 && [[0, 0], [1, 0], [1, 1]].into_iter().all(|place| brightness(place) < 10));
     // On a scale with a larger maximum the difference has a darker colour. With `--signed` it is red.
-    printed(&["compare", &a, &b, "--heatmap", &folder.name("wide.png"), "--max", "255"]);
-    let wide = Picture::read(&folder.file("wide.png")).expect("it is a picture");
-    assert!(wide.pixels[wide.width] < map.pixels[map.width]);
-    printed(&["compare", &a, &b, "--heatmap", &folder.name("signed.png"), "--signed"]);
-    let [red, _, blue] = Picture::read(&folder.file("signed.png")).expect("it is a picture").pixels[wide.width];
+    assert!(drawn("wide.png", &["--max", "255"]).pixels[map.width] < map.pixels[map.width]);
+    let [red, _, blue] = drawn("signed.png", &["--signed"]).pixels[map.width];
     assert!(red > 90 && blue < 60, "the second picture is brighter: {red} {blue}");
     // The ending of its name decides the format of a heat map too.
-    printed(&["compare", &a, &b, "--heatmap", &folder.name("map.ppm")]);
-    assert_eq!(Picture::read(&folder.file("map.ppm")).ok(), Picture::read(&folder.file("map.png")).ok());
+    assert_eq!(drawn("map.ppm", &[]), map);
     assert!(folder.read("map.ppm").starts_with(b"P3"));
 }

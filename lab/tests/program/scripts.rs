@@ -6,11 +6,11 @@ use std::process::{Command, Output};
 
 use test_support::folder::Folder;
 
-/// Runs a script of the project with a `PATH` that has only the programs in `folder`.
-fn script(name: &str, arguments: &[&str], folder: &Folder) -> Output {
+/// Runs a script of the project with a `PATH` that has only the programs in `folder`. `words` may begin with variables
+/// of the environment, such as `NAME=1`.
+fn script(words: &[&str], folder: &Folder) -> Output {
     Command::new("/usr/bin/env")
-        .args(["bash", name])
-        .args(arguments)
+        .args(words)
         .current_dir(test_support::project_root())
         .env("PATH", folder.path())
         .output()
@@ -21,7 +21,7 @@ fn script(name: &str, arguments: &[&str], folder: &Folder) -> Output {
 /// real programs.
 fn programs(names: &[&str]) -> Folder {
     let folder = Folder::new();
-    for name in ["bash", "dirname", "sed", "grep", "id"] {
+    for name in ["bash", "dirname", "sed", "grep", "id", "awk", "mktemp", "rm", "timeout"] {
         let real = ["/usr/bin", "/bin"].map(|place| format!("{place}/{name}"));
         let real = real.into_iter().find(|path| fs::metadata(path).is_ok()).expect("every system has it");
         std::os::unix::fs::symlink(real, folder.file(name)).expect("the folder is writable");
@@ -36,14 +36,14 @@ fn programs(names: &[&str]) -> Folder {
 #[test]
 fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
     let folder = programs(&["cargo", "rustc", "dpkg-query", "apt-get"]);
-    let output = script("tests/run", &["--no-install", "--browser", "--slurm"], &folder);
+    let output = script(&["bash", "tests/run", "--no-install", "--browser", "--slurm"], &folder);
     assert_eq!(output.status.code(), Some(1));
     let message = String::from_utf8(output.stderr).expect("it is text");
     let list = "mesa-vulkan-drivers valgrind strace chromium npm rustc-web rust-web-src lld slurm-wlm munge";
     assert!(message.starts_with(&format!("tests/run: missing: {list}; as root: apt-get install")), "{message}");
     // Without `--no-install` the script prints the names of the packages, and then installs them. In this test apt-get
     // fails.
-    let output = script("tests/run", &[], &folder);
+    let output = script(&["bash", "tests/run"], &folder);
     let said = String::from_utf8(output.stdout).expect("it is text");
     assert!(
         said.contains("are installed now (--no-install ends instead): mesa-vulkan-drivers valgrind strace\n"),
@@ -56,9 +56,6 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
 /// faults, and with status `check` when it should compare the dependencies with it.
 fn programs_with_deny(fetch: i32, check: i32) -> Folder {
     let folder = programs(&["cargo", "cargo-deny"]);
-    for name in ["awk", "mktemp", "rm", "timeout"] {
-        std::os::unix::fs::symlink(format!("/usr/bin/{name}"), folder.file(name)).expect("the folder is writable");
-    }
     folder.write("cargo", "#!/bin/sh\nexec \"cargo-$1\" \"$@\"\n");
     let deny = format!(
         "#!/bin/sh\ncase \"$*\" in\n\"deny fetch db\") echo reason >&2; exit {fetch};;\n\
@@ -71,10 +68,7 @@ fn programs_with_deny(fetch: i32, check: i32) -> Folder {
 #[test]
 fn known_faults_fail_and_a_missing_list_is_ignored_unless_it_is_required() {
     let advisories = |folder: &Folder, required: &str| {
-        let mut env = Command::new("/usr/bin/env");
-        env.args(["bash", "tests/advisories.sh"]).current_dir(test_support::project_root());
-        let output =
-            env.env("PATH", folder.path()).env("ADVISORIES_REQUIRED", required).output().expect("bash is there");
+        let output = script(&[&format!("ADVISORIES_REQUIRED={required}"), "bash", "tests/advisories.sh"], folder);
         (output.status.code(), String::from_utf8(output.stdout).expect("it is text"))
     };
     let manifests = ["Cargo.toml", "python/Cargo.toml", "tests/fuzz/targets/Cargo.toml"];
@@ -108,7 +102,7 @@ fn scripts_refuse_what_they_do_not_know() {
         ("docs/measure-perf", &["perf.csv", "many"]),
         ("docs/measure-perf", &["9", "perf.csv"]),
     ] {
-        let output = script(name, arguments, &folder);
+        let output = script(&[&["bash", name], arguments].concat(), &folder);
         assert_eq!(output.status.code(), Some(2), "{name} {arguments:?}");
         let message = String::from_utf8(output.stderr).expect("it is text");
         assert!(message.contains(name) && output.stdout.is_empty(), "{message}");
