@@ -214,7 +214,7 @@ impl<B: Boxes> Accelerator for Bvh<B> {
             }
         }
         if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
-            closest.intersect_dominant_sphere(objects, index, ray);
+            closest.intersect_uncertain_sphere(objects, index, ray);
         }
         if start_object != NO_OBJECT && !self.dominant.is(start_object) {
             let mut again = ClosestHit::NOTHING;

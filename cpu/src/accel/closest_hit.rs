@@ -90,11 +90,11 @@ impl ClosestHit {
         self.update_by_lambda(objects, index, ray, lambda);
     }
 
-    /// Intersects the dominant sphere, which is at `index` among the spheres, and updates the closest hit. The
-    /// compensated formula is inlined into this function, because the filter is often uncertain for rays that start
-    /// near the dominant sphere.
+    /// Intersects the sphere at `index` among the spheres, and updates the closest hit. The compensated formula is
+    /// inlined into this function. This serves spheres about which the filter is often uncertain, such as the dominant
+    /// sphere for rays that start near it.
     #[inline(always)]
-    pub(crate) fn intersect_dominant_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub(crate) fn intersect_uncertain_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::SphereTests, 1);
         let lambda = match exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray) {
             Decision::Certain(lambda) => lambda,

@@ -163,7 +163,7 @@ impl Accelerator for FlatFilter {
         }
         let (spheres, mut cylinders) = self.may_hit::<S>(ray);
         if !starts_on_dominant && let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
-            closest.intersect_dominant_sphere(objects, index, ray);
+            closest.intersect_uncertain_sphere(objects, index, ray);
         }
         // Most rays certainly hit no object. One branch returns for all of them, as early as possible.
         if spheres | cylinders == 0 {
