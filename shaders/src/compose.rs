@@ -254,17 +254,6 @@ mod tests {
     }
 
     #[test]
-    fn lines_are_traced_to_their_files() {
-        let composition = Library::standard().compose("sphere", Precision::F32).expect("it exists");
-        let lines: Vec<_> = composition.source().lines().collect();
-        let place = lines.iter().position(|line| line.starts_with("fn ray_at")).expect("ray is needed");
-        let (path, line) = composition.origin(place + 1);
-        assert_eq!(path, "shaders/wgsl/ray.wgsl");
-        let original = module::find("ray").expect("it exists").source;
-        assert_eq!(original.lines().nth(line - 1), Some(lines[place]));
-    }
-
-    #[test]
     fn the_parts_joined_are_the_source() {
         let composition = Library::standard().compose("kernels/image", Precision::F32).expect("it exists");
         let parts: Vec<_> = composition.parts().collect();

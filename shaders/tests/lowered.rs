@@ -131,61 +131,33 @@ fn every_kernel_can_be_translated_into_every_language() {
 }
 
 #[test]
-fn what_has_no_form_in_integers_is_refused_with_its_place() {
-    let inside = |body: &str| {
-        format!(
-            "@group(0) @binding(0) var<storage, read_write> x: f64; \
-             @group(0) @binding(1) var<storage> list: array<u32>;\n\n\
-             @compute @workgroup_size(1)\nfn main() {{\n    x = x +\n        {body};\n}}\n"
-        )
-    };
-    let statements = [
-        ("ldexp(x, 3)", "`ldexp` of f64"),
-        ("f64(i64(x))", "a conversion of f64 to i64"),
-        ("f64(u64(arrayLength(&list)))", "a conversion of u64 to f64"),
-    ];
-    for (body, what) in statements {
-        let error = lower(&inside(body)).expect_err("it is refused").to_string();
-        println!("{error}");
-        assert!(error.starts_with("my.wgsl:6:"), "{error}");
-        assert!(error.contains(&format!("{what} cannot be lowered to integers")), "{error}");
-        assert!(error.ends_with('^'), "{error}");
-    }
-    let declarations = [
-        ("\nvar<private> m: mat3x3<f64>;", "2:1"),
-        ("\noverride n = 3u;\nvar<workgroup> a: array<f64, n>;", "3:1"),
-        ("\noverride a: f64 = 1.0lf;", "2:1"),
-        ("\nstruct S { a: vec3<f64>, b: f64 }\n@group(0) @binding(0) var<uniform> s: S;", "3:23"),
-        ("\nfn f() {\n  let m = mat2x2<f64>(1.0lf, 2.0lf, 3.0lf, 4.0lf);\n}", "3:11"),
-        ("\nfn f() {\n  var m: array<mat2x3<f64>, 2>;\n}", "3:3"),
-        ("\nfn f(a: f64,\n     m: ptr<function, mat4x4<f64>>) {}", "3:6"),
-        ("const a = 1;\nstruct S { a: f64,\n  m: mat2x2<f64> }\nvar<private> s: S;", "2:1"),
-        ("\nvar<workgroup> a: atomic<u32>;", "2:1"),
-        ("@group(0) @binding(0) var t: texture_2d<f32>;", "1:23"),
-        ("\nfn f(x: f32) -> f32 {\n  return dpdx(x);\n}", "3:10"),
-        ("\nvar<workgroup> a: u32;\nfn f() -> u32 {\n  return workgroupUniformLoad(&a);\n}", "4:10"),
-        ("override n = 3u;\n@compute @workgroup_size(n) fn main() {}", "2:1"),
-    ];
-    for (declaration, place) in declarations {
-        let error = lower(declaration).expect_err("it is refused").to_string();
-        println!("{error}");
-        assert!(error.contains("cannot be lowered to integers"), "{error}");
-        assert!(error.starts_with(&format!("my.wgsl:{place}: ")), "{place}: {error}");
-    }
-}
-
-#[test]
-fn an_invalid_text_is_refused_with_its_place() {
-    let texts = [
-        ("fn f() -> f64 { return 1.0lf + }", "1:32"),
-        ("\nvar<private> small: u32;\nvar<private> a: array<u32, 4294967295>;", "3:1"),
-        ("\n\nfn f() {\n  var a: array<u32, 4294967295>;\n}", "4:3"),
-        ("\n@compute\n@workgroup_size(0)\nfn main() {}", "4:1"),
-    ];
-    for (text, place) in texts {
-        let error = lower(text).expect_err("it is not valid").to_string();
-        println!("{error}");
-        assert!(error.starts_with(&format!("my.wgsl:{place}: ")), "{place}: {error}");
+fn what_has_no_form_in_integers_or_is_not_valid_is_refused_with_its_place() {
+    const NONE: &str = "cannot be lowered to integers";
+    let expression = |body: &str| format!("\nfn f(x: f64, n: u32) -> f64 {{\n  return {body};\n}}");
+    for (text, place, what) in [
+        (&*expression("ldexp(x, 3)"), "3:10", "`ldexp` of f64 cannot be lowered to integers"),
+        (&expression("f64(i64(x))"), "3:14", "a conversion of f64 to i64 cannot be lowered to integers"),
+        (&expression("f64(u64(n))"), "3:10", "a conversion of u64 to f64 cannot be lowered to integers"),
+        ("\nvar<private> m: mat3x3<f64>;", "2:1", NONE),
+        ("\noverride n = 3u;\nvar<workgroup> a: array<f64, n>;", "3:1", NONE),
+        ("\noverride a: f64 = 1.0lf;", "2:1", NONE),
+        ("\nstruct S { a: vec3<f64>, b: f64 }\n@group(0) @binding(0) var<uniform> s: S;", "3:23", NONE),
+        ("\nfn f() {\n  let m = mat2x2<f64>(1.0lf, 2.0lf, 3.0lf, 4.0lf);\n}", "3:11", NONE),
+        ("\nfn f() {\n  var m: array<mat2x3<f64>, 2>;\n}", "3:3", NONE),
+        ("\nfn f(a: f64,\n     m: ptr<function, mat4x4<f64>>) {}", "3:6", NONE),
+        ("const a = 1;\nstruct S { a: f64,\n  m: mat2x2<f64> }\nvar<private> s: S;", "2:1", NONE),
+        ("\nvar<workgroup> a: atomic<u32>;", "2:1", NONE),
+        ("@group(0) @binding(0) var t: texture_2d<f32>;", "1:23", NONE),
+        ("\nfn f(x: f32) -> f32 {\n  return dpdx(x);\n}", "3:10", NONE),
+        ("\nvar<workgroup> a: u32;\nfn f() -> u32 {\n  return workgroupUniformLoad(&a);\n}", "4:10", NONE),
+        ("override n = 3u;\n@compute @workgroup_size(n) fn main() {}", "2:1", NONE),
+        ("fn f() -> f64 { return 1.0lf + }", "1:32", "expected expression"),
+        ("\nvar<private> small: u32;\nvar<private> a: array<u32, 4294967295>;", "3:1", "Size exceeds"),
+        ("\n\nfn f() {\n  var a: array<u32, 4294967295>;\n}", "4:3", "Size exceeds"),
+        ("\n@compute\n@workgroup_size(0)\nfn main() {}", "4:1", "orkgroup"),
+    ] {
+        let error = lower(text).expect_err("it is refused").to_string();
+        assert!(error.starts_with(&format!("my.wgsl:{place}: ")) && error.contains(what), "{place}: {error}");
     }
 }
 

@@ -2,34 +2,40 @@
 
 use crate::{Error, Library, Precision};
 
-fn message(source: &str) -> String {
+/// Returns the message for the module `scatter` if `source` stands in for `module`, which it needs or is.
+fn message_of(module: &str, source: &str, precision: Precision) -> String {
     let mut library = Library::standard();
-    library.replace("scatter", "mine.wgsl", source).expect("it exists");
-    let error = library.compose("scatter", Precision::F32).expect("it exists").validate();
-    match error.expect_err("the text is wrong") {
+    library.replace(module, "mine.wgsl", source).expect("it exists");
+    let error = library.compose("scatter", precision).expect("it exists").validate();
+    match error.expect_err(source) {
         Error::Invalid(diagnostic) => diagnostic.to_string(),
         other => panic!("{other}"),
     }
 }
 
+fn message(source: &str) -> String {
+    message_of("scatter", source, Precision::F32)
+}
+
 #[test]
-fn a_fault_of_grammar_is_shown_with_a_caret() {
-    let message = message("// One.\nfn f() -> real {\n    return vec3_dat(1.0);\n}\n");
-    assert!(message.starts_with("mine.wgsl:3:12: no definition in scope for identifier"), "{message}");
-    assert!(message.ends_with("3 |     return vec3_dat(1.0);\n               ^^^^^^^^"), "{message}");
+fn a_fault_of_grammar_or_of_types_is_shown_with_a_caret() {
+    let grammar = message("// One.\nfn f() -> real {\n    return vec3_dat(1.0);\n}\n");
+    assert!(grammar.starts_with("mine.wgsl:3:12: no definition in scope for identifier"), "{grammar}");
+    assert!(grammar.ends_with("3 |     return vec3_dat(1.0);\n               ^^^^^^^^"), "{grammar}");
+    let types = message("fn f(v: vec3<real>) -> real {\n    return v + v;\n}\n");
+    assert!(types.starts_with("mine.wgsl:2:12: Function"), "{types}");
+    assert!(types.ends_with("2 |     return v + v;\n               ^^^^^"), "{types}");
 }
 
 #[test]
 fn a_brace_that_is_not_closed_is_shown_in_its_own_module() {
-    let mut library = Library::standard();
+    let library = Library::standard();
     let text = library.source("vec3").expect("it exists").trim_end().strip_suffix('}').expect("a function ends it");
-    let (line, text) = (text.lines().count(), text.to_owned());
-    library.replace("vec3", "mine.wgsl", text).expect("it exists");
-    let message = library.compose("scatter", Precision::F32).expect("it exists").validate().expect_err("it goes on");
-    let message = message.to_string();
+    let message = message_of("vec3", text, Precision::F32);
     assert!(message.starts_with("mine.wgsl:") && message.contains(": the `{` of this line has no `}`\n"), "{message}");
     let place: usize = message.split(':').nth(1).and_then(|line| line.parse().ok()).expect("it is a number");
-    assert!((line - 5..=line).contains(&place), "{message}");
+    let lines = text.lines().count();
+    assert!((lines - 5..=lines).contains(&place), "{message}");
 }
 
 #[test]
@@ -66,20 +72,11 @@ fn every_fault_in_a_replaced_module_is_shown_with_its_file_and_the_types_of_wgsl
     ];
     for precision in Precision::ALL {
         for fault in faults {
-            let mut library = Library::standard();
-            library.replace("scatter", "mine.wgsl", fault).expect("it exists");
-            let result = library.compose("scatter", precision).expect("it exists").validate();
-            let message = result.err().unwrap_or_else(|| panic!("{fault} is wrong")).to_string();
-            println!("{fault}{message}\n");
+            let message = message_of("scatter", fault, precision);
             assert!(message.starts_with("mine.wgsl:"), "{fault}{message}");
             let first = message.lines().next().unwrap_or_default();
-            assert!(
-                !first.contains("kind:")
-                    && !first.contains("Scalar")
-                    && !first.contains("Some(")
-                    && !first.contains(" ["),
-                "{message}"
-            );
+            let of_naga = ["kind:", "Scalar", "Some(", " ["];
+            assert!(!of_naga.iter().any(|word| first.contains(word)), "{message}");
             // An index that was left out leaves no hole after a word that needs a noun.
             for word in [" of", " in", " to", " with", " and", " for", " type"] {
                 for hole in [" (", " doesn't", " can't", " is"] {
@@ -129,11 +126,4 @@ fn a_type_is_named_as_wgsl_names_it() {
         super::plain("Operation Multiply can't work with [3] (of type u32) and [4] (of type f64)"),
         "Operation Multiply can't work with the operand (of type u32) and the operand (of type f64)"
     );
-}
-
-#[test]
-fn a_fault_of_types_is_shown_with_a_caret() {
-    let message = message("fn f(v: vec3<real>) -> real {\n    return v + v;\n}\n");
-    assert!(message.starts_with("mine.wgsl:2:12: Function"), "{message}");
-    assert!(message.ends_with("2 |     return v + v;\n               ^^^^^"), "{message}");
 }

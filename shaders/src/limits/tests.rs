@@ -11,48 +11,32 @@ fn validate(text: &str) -> Result<(), Error> {
     library.compose("scatter", Precision::F32).expect("the module exists").validate().map(drop)
 }
 
-/// Returns a text in which `count` operators, brackets or branches of the kind `kind` are nested or chained.
-fn nested(kind: &str, count: usize) -> String {
-    let chain = |part: &str| part.repeat(count);
-    match kind {
-        "not" => format!("fn f(b: bool) -> bool {{ return {}b; }}", chain("!")),
-        "complement" => format!("fn f(b: i32) -> i32 {{ return {}b; }}", chain("~")),
-        "sum" => format!("fn f(b: f32) -> f32 {{ return {}b; }}", chain("1.0+")),
-        "parentheses" => format!("fn f(b: f32) -> f32 {{ return {}b{}; }}", chain("("), chain(")")),
-        "calls" => format!("fn f(b: f32) -> f32 {{ return {}b{}; }}", chain("abs("), chain(")")),
-        "else if" => format!("fn f(b: bool) {{ if b {{}} {} }}", chain("else if b {} ")),
-        "blocks" => format!("fn f() {{ {}{} }}", chain("{"), chain("}")),
-        "else if with conditions" => format!("fn f(b: f32) {{ if true {{}} {} }}", chain("else if (b+b < b) {} ")),
-        _ => format!("const c = {}1{};", chain("array("), chain(")")),
-    }
-}
-
-const KINDS: [&str; 9] =
-    ["not", "complement", "sum", "parentheses", "calls", "else if", "blocks", "else if with conditions", "arrays"];
-
-/// Returns the largest count of nested parts of the kind `kind` that [`check`] accepts.
-fn largest(kind: &str) -> usize {
-    let excess = (1..=MAX_NESTING + 1).find(|&count| check(&nested(kind, count)).is_err());
-    excess.unwrap_or_else(|| panic!("{kind}: any count is taken")) - 1
-}
+/// The kinds of parts that can be nested or chained, and a text of each: its start, the part, the text between all
+/// parts and their ends, the end of a part, and the end of the text.
+const KINDS: [(&str, [&str; 5]); 9] = [
+    ("not", ["fn f(b: bool) -> bool { return ", "!", "b; }", "", ""]),
+    ("complement", ["fn f(b: i32) -> i32 { return ", "~", "b; }", "", ""]),
+    ("sum", ["fn f(b: f32) -> f32 { return ", "1.0+", "b; }", "", ""]),
+    ("parentheses", ["fn f(b: f32) -> f32 { return ", "(", "b", ")", "; }"]),
+    ("calls", ["fn f(b: f32) -> f32 { return ", "abs(", "b", ")", "; }"]),
+    ("else if", ["fn f(b: bool) { if b {} ", "else if b {} ", "}", "", ""]),
+    ("blocks", ["fn f() { ", "{", "", "}", " }"]),
+    ("else if with conditions", ["fn f(b: f32) { if true {} ", "else if (b+b < b) {} ", "}", "", ""]),
+    ("arrays", ["const c = ", "array(", "1", ")", ";"]),
+];
 
 #[test]
-fn naga_survives_every_nesting_up_to_the_limit() {
-    for kind in KINDS {
-        let most = largest(kind);
-        assert!(most >= MAX_NESTING / 10, "{kind}: {most}");
+fn naga_survives_every_nesting_up_to_the_limit_and_one_more_is_refused_with_its_place() {
+    for (kind, [start, part, between, part_end, end]) in KINDS {
+        let nested = |count| [start, &part.repeat(count), between, &part_end.repeat(count), end].concat();
+        let excess = (1..=MAX_NESTING + 1).find(|&count| check(&nested(count)).is_err()).expect(kind);
+        assert!(excess > MAX_NESTING / 10, "{kind}: {excess}");
         // naga may find the text invalid, but its stack must not overflow.
-        if let Err(Error::Invalid(diagnostic)) = validate(&nested(kind, most)) {
+        if let Err(Error::Invalid(diagnostic)) = validate(&nested(excess - 1)) {
             assert!(!diagnostic.message.contains("nested in one statement"), "{kind}: {diagnostic}");
         }
-    }
-}
-
-#[test]
-fn one_nesting_more_is_refused_with_its_place() {
-    for kind in KINDS {
-        for count in [largest(kind) + 1, 30_000] {
-            let error = validate(&nested(kind, count)).expect_err("it is nested too deeply").to_string();
+        for count in [excess, 30_000] {
+            let error = validate(&nested(count)).expect_err("it is nested too deeply").to_string();
             assert!(error.starts_with("mine.wgsl:1:"), "{kind}: {error}");
             assert!(error.contains("more than 500 brackets, operators or branches"), "{kind}: {error}");
         }
