@@ -11,13 +11,11 @@ mod uses;
 use std::collections::BTreeSet;
 
 use crates::{crates, faults, sources};
-use uses::{Sources, Uses, against_the_order, at_depth, in_circles, read, uses, without_parents};
+use uses::{Uses, against_the_order, at_depth, in_circles, read, uses, without_parents};
 
 /// Returns the uses of the modules of `cpu`.
 fn uses_of_cpu() -> Uses {
-    let mut sources = Sources::new();
-    read(&test_support::project_root().join("cpu/src"), &Vec::new(), &mut sources);
-    uses(&sources)
+    uses(&read(&test_support::project_root().join("cpu/src")))
 }
 
 fn page_on_the_design() -> String {
@@ -54,35 +52,30 @@ fn no_files_and_no_folders_of_the_renderer_use_each_other_in_a_circle() {
 
 #[test]
 fn circles_and_uses_against_the_order_are_found() {
-    let source = |module: &str, text: &str| (module.split("::").map(str::to_owned).collect(), text.to_owned());
-    let sources = Sources::from([
-        source("a", "use crate::b::{c::C, D};"),
-        source("b", "mod c; #[cfg(test)] mod tests { use crate::a::A; } fn f() { c::g(); }"),
-        source("b::c", "fn g() { assert!(crate::a::is_so()); }"),
-        source("d", "use crate::a::A; use std::fmt;"),
+    let uses_in = |sources: &[(&str, &str)]| {
+        let source =
+            |(module, text): &(&str, &str)| (module.split("::").map(str::to_owned).collect(), (*text).to_owned());
+        uses(&sources.iter().map(source).collect())
+    };
+    let found = uses_in(&[
+        ("a", "use crate::b::{c::C, D};"),
+        ("b", "mod c; #[cfg(test)] mod tests { use crate::a::A; } fn f() { c::g(); }"),
+        ("b::c", "fn g() { assert!(crate::a::is_so()); }"),
+        ("d", "use crate::a::A; use std::fmt;"),
     ]);
-    let uses = uses(&sources);
-    assert_eq!(against_the_order(&uses, &["a", "b", "d"]), ["a uses b", "a uses b::c"]);
-    assert_eq!(against_the_order(&uses, &["b", "a"]), ["b::c uses a", "d uses a"]);
-    assert_eq!(in_circles(&uses), ["a", "b", "b::c"]);
+    assert_eq!(against_the_order(&found, &["a", "b", "d"]), ["a uses b", "a uses b::c"]);
+    assert_eq!(against_the_order(&found, &["b", "a"]), ["b::c uses a", "d uses a"]);
+    assert_eq!(in_circles(&found), ["a", "b", "b::c"]);
     // A part may use the file that it is a part of, but not a file beside that one, by `super` neither.
-    let mut sources = Sources::from([
-        source("a", "mod b; use crate::a::b::B; use crate::d::D;"),
-        source("a::b", "use super::A;"),
-        source("d", "fn f() {}"),
-    ]);
-    assert_eq!(in_circles(&without_parents(self::uses(&sources))), [""; 0]);
-    sources.extend([source("d", "use crate::a::b::B;"), source("a::b", "use super::super::d::D;")]);
-    assert_eq!(in_circles(&without_parents(self::uses(&sources))), ["a::b", "d"]);
+    let a = ("a", "mod b; use crate::a::b::B; use crate::d::D;");
+    let found = uses_in(&[a, ("a::b", "use super::A;"), ("d", "fn f() {}")]);
+    assert_eq!(in_circles(&without_parents(found)), [""; 0]);
+    let found = uses_in(&[a, ("a::b", "use super::super::d::D;"), ("d", "use crate::a::b::B;")]);
+    assert_eq!(in_circles(&without_parents(found)), ["a::b", "d"]);
     // Two folders use each other, but no two files do.
-    let sources = Sources::from([
-        source("a::b", "use crate::d::e::E;"),
-        source("a::c", "fn f() {}"),
-        source("d::e", "fn f() {}"),
-        source("d::f", "use crate::a::c::C;"),
-    ]);
-    let uses = self::uses(&sources);
-    assert_eq!((in_circles(&uses), in_circles(&at_depth(&uses, 1))), (vec![], vec!["a".to_owned(), "d".to_owned()]));
+    let files = [("a::b", "use crate::d::e::E;"), ("a::c", ""), ("d::e", ""), ("d::f", "use crate::a::c::C;")];
+    let found = uses_in(&files);
+    assert_eq!((in_circles(&found), in_circles(&at_depth(&found, 1))), (vec![], vec!["a".to_owned(), "d".to_owned()]));
 }
 
 /// The top folders that have crates. A crate needs only crates in its own folder and in those before it, so no product

@@ -18,20 +18,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Returns the files in `folder` with the time of the last change of each. The folders `target` and `.git` are left
-/// out, and `node_modules`, whose scripts are those of other projects.
+/// Returns the files in `folder` with the time of the last change of each.
 fn files(folder: &Path) -> BTreeMap<PathBuf, SystemTime> {
-    let mut found = BTreeMap::new();
-    for entry in std::fs::read_dir(folder).expect("the folder is readable") {
-        let path = entry.expect("the folder is readable").path();
-        let is_own = |name: &str| path.file_name().is_some_and(|own| own == name);
-        if path.is_dir() && !path.is_symlink() {
-            if !["target", ".git", "node_modules"].into_iter().any(is_own) {
-                found.append(&mut files(&path));
-            }
-        } else if let Ok(changed) = path.symlink_metadata().and_then(|metadata| metadata.modified()) {
-            found.insert(path, changed);
-        }
-    }
-    found
+    let changed = |path: PathBuf| {
+        let changed = path.symlink_metadata().and_then(|metadata| metadata.modified()).ok()?;
+        Some((path, changed))
+    };
+    test_support::files_below(folder).into_iter().filter_map(changed).collect()
 }

@@ -1,10 +1,7 @@
 //! Lists and reads the files of the project.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-
-/// Names of folders that are skipped: build output, git's data, output of this project's commands, and packages of npm.
-const SKIPPED: [&str; 4] = ["target", ".git", "out", "node_modules"];
+use std::path::PathBuf;
 
 /// The files and folders of the project. A path is relative to the project's root and has slashes.
 #[derive(Debug)]
@@ -16,11 +13,17 @@ pub struct Project {
 }
 
 impl Project {
-    /// Lists all files and folders of the project.
+    /// Lists all files and folders of the project, except for folders `out`, which have the output of its commands.
     pub fn read() -> Self {
         let root = test_support::project_root();
         let mut paths = BTreeSet::new();
-        list(&root, "", &mut paths);
+        for file in test_support::files_below(&root) {
+            let own = file.strip_prefix(&root).expect("it is below the root");
+            if own.iter().all(|part| part != "out") {
+                paths.extend(own.ancestors().map(|path| path.to_string_lossy().replace('\\', "/")));
+            }
+        }
+        paths.remove("");
         let folders = paths.iter().filter(|path| !path.contains('/') && root.join(path).is_dir()).cloned().collect();
         Self { root, paths, folders }
     }
@@ -47,23 +50,6 @@ impl Project {
     /// Returns the text of the file at `path`.
     pub fn text(&self, path: &str) -> String {
         std::fs::read_to_string(self.root.join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
-    }
-}
-
-/// Adds the paths of all files and folders in `folder` to `paths`, each with `prefix` before it. Subfolders are
-/// included.
-fn list(folder: &Path, prefix: &str, paths: &mut BTreeSet<String>) {
-    for entry in std::fs::read_dir(folder).expect("the folder is there") {
-        let entry = entry.expect("the folder can be read");
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if SKIPPED.contains(&name.as_str()) {
-            continue;
-        }
-        let path = format!("{prefix}{name}");
-        if entry.file_type().expect("the entry can be asked").is_dir() {
-            list(&entry.path(), &format!("{path}/"), paths);
-        }
-        paths.insert(path);
     }
 }
 

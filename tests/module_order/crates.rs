@@ -42,8 +42,7 @@ pub fn sources(folder: &Path) -> Vec<Sources> {
     let programs = programs.map(|entry| entry.expect("the folder can be read").path()).filter(|path| path.is_dir());
     let library = folder.is_dir().then(|| folder.to_owned());
     let read_one = |folder: PathBuf| {
-        let mut sources = Sources::new();
-        read(&folder, &Vec::new(), &mut sources);
+        let mut sources = read(&folder);
         // The files below `bin` are programs of their own.
         sources.retain(|module, _| module.first().is_none_or(|first| first != "bin"));
         sources

@@ -1,7 +1,7 @@
 //! Finds out which modules of a crate use which other modules.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use syn::visit::Visit;
 
@@ -103,18 +103,14 @@ pub fn without_parents(mut uses: Uses) -> Uses {
     uses
 }
 
-/// Reads all sources in `folder`, which belongs to the module `module`, into `sources`. Subfolders are included.
-pub fn read(folder: &Path, module: &Module, sources: &mut Sources) {
-    for entry in std::fs::read_dir(folder).expect("the folder is there") {
-        let path = entry.expect("the folder can be read").path();
-        let name = path.file_stem().and_then(|name| name.to_str()).expect("names are plain").to_owned();
-        let below = [module.clone(), vec![name.clone()]].concat();
-        if path.is_dir() {
-            read(&path, &below, sources);
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
-            let is_root = module.is_empty() && ["lib", "main"].contains(&name.as_str());
-            let key = if is_root { Vec::new() } else { below };
-            sources.insert(key, std::fs::read_to_string(&path).expect("a source is text"));
-        }
-    }
+/// Returns all sources below `folder`, the folder of a crate's root.
+pub fn read(folder: &Path) -> Sources {
+    let is_source = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "rs");
+    let source = |path: PathBuf| {
+        let own = path.strip_prefix(folder).expect("it is below the folder").with_extension("");
+        let module: Module = own.iter().map(|part| part.to_str().expect("names are plain").to_owned()).collect();
+        let is_root = module == ["lib"] || module == ["main"];
+        (if is_root { Vec::new() } else { module }, std::fs::read_to_string(&path).expect("a source is text"))
+    };
+    test_support::files_below(folder).into_iter().filter(is_source).map(source).collect()
 }

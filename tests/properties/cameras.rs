@@ -4,19 +4,13 @@
 use cpu::Scatter;
 use generator::cameras::hard_camera;
 use proptest::prelude::*;
-use test_support::agreement::SCATTERS;
 
-use crate::runner::{Shown, agreed, check};
+use crate::runner::{agreed, check_scenes};
 
 #[test]
 fn scenes_with_hard_cameras_give_the_references_bytes_and_means() {
-    let shown = Shown::default();
     let objects = prop_oneof![1 => Just(0_usize), 4 => 1..=8_usize, 3 => 9..=64_usize, 1 => 65..=140_usize];
-    check(250, (any::<u64>(), objects), |(seed, objects)| {
-        let (scene, config) = hard_camera(seed, objects);
-        shown.compare(&config, &scene, SCATTERS[(seed % 3) as usize])
-    });
-    assert!(shown.conclude() > 0.5, "most scenes are moderate");
+    assert!(check_scenes(250, objects, hard_camera) > 0.5, "most scenes are moderate");
 }
 
 #[test]

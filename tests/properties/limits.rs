@@ -80,21 +80,15 @@ impl Case {
     /// is the sum of two numbers of f64: the object's centre, and its radius or half of its height. Lambda is this
     /// distance divided by that of the target.
     fn counts(&self) -> bool {
-        let units = |text: String| {
-            let value: f64 = text.parse().expect("it is a decimal");
-            let bits = value.abs().to_bits();
-            let (fraction, exponent) = ((bits & ((1 << 52) - 1)) | 1 << 52, (bits >> 52) as i64 - 1075);
-            // All numbers are multiples of 2^-56 below 2^14.
-            let magnitude = if value == 0.0 { 0 } else { i128::from(fraction) << (exponent + 60) };
-            if value < 0.0 { -magnitude } else { magnitude }
-        };
-        let (center, size) = (units(decimal(self.center())), units(decimal(i64::from(self.size))));
+        // A product with a power of two is exact, and all numbers are multiples of 2^-56.
+        let units = |tenths: i64| (tenths as f64 / 10.0 * 2.0_f64.powi(60)) as i128;
+        let (center, size) = (units(self.center()), units(self.size.into()));
         // The height of a cylinder is twice its size, and the product with 2 is exact in f64 and as a decimal.
         let surface = if self.from_inside { center + size } else { center - size };
-        let target = units(decimal(1000 * i64::from(self.tenths)));
+        let target = units(1000 * i64::from(self.tenths));
         // The limit is the midpoint between 1e-3 and the f64 below it: (2 f - 1) / 2 units in the last place, 2^-62.
-        let fraction = i128::from((1e-3_f64.to_bits() & ((1 << 52) - 1)) | 1 << 52);
-        assert_eq!(1e-3_f64.to_bits() >> 52, 1023 - 10);
+        let fraction = (1e-3 * 2.0_f64.powi(62)) as i128;
+        assert!((1 << 52..1 << 53).contains(&fraction));
         // surface / target >= (2 f - 1) / 2^63. Both sides are positive, so the quotient may be rounded down.
         (surface << 63) / target >= 2 * fraction - 1
     }

@@ -6,10 +6,9 @@ use cpu::internals::input::scene::{Cylinder, Object, Shape, Sphere};
 use cpu::{Material, Scene, Vec3};
 use generator::Draws;
 use proptest::prelude::*;
-use test_support::agreement::SCATTERS;
 
 use crate::odd_scenes::cube;
-use crate::runner::{Shown, check};
+use crate::runner::check_scenes;
 
 /// Returns a shape of which some surface nearly coincides with one of `shape`.
 fn near(draws: &mut Draws, shape: &Shape) -> Shape {
@@ -86,11 +85,6 @@ fn scene_and_config(seed: u64, count: usize) -> (Scene, Config) {
 
 #[test]
 fn scenes_of_many_near_surfaces_give_the_references_bytes_and_means() {
-    let shown = Shown::default();
     let objects = prop_oneof![2 => 2..=8_usize, 2 => 9..=64_usize, 1 => 65..=300_usize];
-    check(200, (any::<u64>(), objects), |(seed, objects)| {
-        let (scene, config) = scene_and_config(seed, objects);
-        shown.compare(&config, &scene, SCATTERS[(seed % 3) as usize])
-    });
-    shown.conclude();
+    check_scenes(200, objects, scene_and_config);
 }

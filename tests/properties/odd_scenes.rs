@@ -9,9 +9,8 @@ use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Material, Scatter, Scene, Vec3};
 use generator::Draws;
 use proptest::prelude::*;
-use test_support::agreement::SCATTERS;
 
-use crate::runner::{Shown, agreed, check};
+use crate::runner::{agreed, check_scenes};
 
 fn material(draws: &mut Draws) -> Material {
     let reflectance = Vec3::new(draws.between(0.2, 1.0), draws.between(0.2, 1.0), draws.between(0.2, 1.0));
@@ -101,11 +100,6 @@ fn long_directions_out_of_glass_meet_what_is_far_away() {
 
 #[test]
 fn scenes_of_odd_magnitudes_give_the_references_bytes_and_means() {
-    let shown = Shown::default();
     let objects = prop_oneof![1 => 1..=8_usize, 2 => 9..=64_usize, 1 => 65..=140_usize];
-    check(300, (any::<u64>(), objects), |(seed, objects)| {
-        let (scene, config) = scene_and_config(seed, objects);
-        shown.compare(&config, &scene, SCATTERS[(seed % 3) as usize])
-    });
-    shown.conclude();
+    check_scenes(300, objects, scene_and_config);
 }

@@ -4,16 +4,17 @@ use std::cell::Cell;
 
 use cpu::internals::Prepared;
 use cpu::{Aos, Config, Scatter, Scene};
+use proptest::prelude::any;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{self, RngSeed, TestCaseError, TestCaseResult, TestRunner};
-use test_support::agreement::{Picture, equals_reference, reference};
+use test_support::agreement::{Picture, SCATTERS, equals_reference, reference};
+use test_support::number_of;
 
 /// Checks `property` for `cases` random values of `strategy`. If the variable `RENDER_PROPERTY_CASES` is set, its
 /// number replaces `cases`.
 pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -> TestCaseResult) {
-    let cases =
-        from_environment("RENDER_PROPERTY_CASES").map_or(cases, |cases| u32::try_from(cases).unwrap_or(u32::MAX));
-    let seed = from_environment("RENDER_PROPERTY_SEED").unwrap_or(1);
+    let cases = number_of("RENDER_PROPERTY_CASES").map_or(cases, |cases| u32::try_from(cases).unwrap_or(u32::MAX));
+    let seed = number_of("RENDER_PROPERTY_SEED").unwrap_or(1);
     assert!(cases > 0, "no case would be tried");
     let config = test_runner::Config {
         cases,
@@ -32,6 +33,21 @@ pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -
         panic!("with RENDER_PROPERTY_SEED={seed} RENDER_PROPERTY_CASES={cases}: {failure}");
     }
     assert_eq!(tried.get(), cases);
+}
+
+/// Checks that the pictures of `cases` random scenes are the reference's, with each way to scatter in turn. `make`
+/// returns the scene of a seed with a number of objects. Returns the share of moderate scenes.
+pub fn check_scenes(
+    cases: u32,
+    objects: impl Strategy<Value = usize>,
+    make: impl Fn(u64, usize) -> (Scene, Config),
+) -> f64 {
+    let shown = Shown::default();
+    check(cases, (any::<u64>(), objects), |(seed, objects)| {
+        let (scene, config) = make(seed, objects);
+        shown.compare(&config, &scene, SCATTERS[(seed % 3) as usize])
+    });
+    shown.conclude()
 }
 
 /// Renders two texts, and fails if a renderer differs from the reference.
@@ -70,9 +86,4 @@ impl Shown {
         assert!(2 * shown > rendered, "only {shown} of {rendered} pictures show an object");
         f64::from(moderate) / f64::from(rendered)
     }
-}
-
-fn from_environment(name: &str) -> Option<u64> {
-    let text = std::env::var(name).ok()?;
-    Some(text.parse().unwrap_or_else(|_| panic!("{name}={text} is not a number")))
 }

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use cpu::internals::input::scene::Shape;
+use cpu::internals::input::scene::{Object, Shape};
 use cpu::{Config, Material, Scene};
 use generator::{self, Arrangement, Options};
 
@@ -18,12 +18,6 @@ fn text(scene: &str, file: &str) -> String {
 
 fn scene(name: &str) -> Scene {
     Scene::parse(text(name, "scene.txt").as_bytes()).expect("committed scenes are valid")
-}
-
-/// Returns the number of spheres and the number of cylinders.
-fn kinds(scene: &Scene) -> (usize, usize) {
-    let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
-    (spheres, scene.objects.len() - spheres)
 }
 
 #[test]
@@ -40,18 +34,14 @@ fn every_committed_scene_is_listed_and_makes_a_picture() {
 }
 
 #[test]
-fn scenes_of_one_kind_have_one_kind() {
-    assert_eq!(kinds(&scene("spheres")), (15, 0));
-    assert_eq!(kinds(&scene("cylinders")), (0, 11));
-}
-
-#[test]
-fn the_scene_of_materials_uses_all_of_them() {
+fn scenes_have_the_kinds_and_materials_of_their_names() {
+    let is_sphere = |object: &Object| matches!(object.shape, Shape::Sphere(_));
+    assert!(scene("spheres").objects.iter().all(is_sphere) && !scene("cylinders").objects.iter().any(is_sphere));
     let scene = scene("materials");
     let used: Vec<Material> = scene.objects.iter().map(|object| scene.materials[object.material as usize]).collect();
     assert!(scene.materials.iter().all(|material| used.contains(material)));
-    assert!(used.iter().any(|material| matches!(material, Material::Matte { .. })));
-    assert!(used.iter().any(|material| matches!(material, Material::Metal { .. })));
+    let has = |is: fn(&Material) -> bool| used.iter().any(is);
+    assert!(has(|it| matches!(it, Material::Matte { .. })) && has(|it| matches!(it, Material::Metal { .. })));
     let refractive = used.iter().filter(|material| matches!(material, Material::Refractive { .. })).count();
     assert!(refractive >= 4, "glass in glass, and air in glass");
 }

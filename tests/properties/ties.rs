@@ -49,8 +49,16 @@ fn seen(way: Way, others: &str, objects: &[&str]) -> usize {
 /// The numbers of other objects. They give a small scene with and without lanes, the flat filter, and the BVH.
 const OTHERS: [usize; 5] = [0, 3, 20, 100, 300];
 
-fn every_structure_and(ways: &[Way]) -> impl Iterator<Item = (usize, Way)> {
-    OTHERS.iter().flat_map(|&count| ways.iter().map(move |&way| (count, way)))
+/// Checks which object is seen in each of `cases`, with every structure and each of `ways`. A case has the lines of the
+/// objects, and the place of the one that is seen.
+#[track_caller]
+fn check(ways: &[Way], cases: &[(&[&str], usize)]) {
+    for count in OTHERS {
+        let others = others(count);
+        for (&way, (objects, place)) in ways.iter().flat_map(|way| cases.iter().map(move |case| (way, case))) {
+            assert_eq!(seen(way, &others, objects), *place, "{count} others, {way:?}, {objects:?}");
+        }
+    }
 }
 
 /// Returns lines of small objects below the plane, away from the camera's axis.
@@ -69,37 +77,29 @@ fn others(count: usize) -> String {
 #[test]
 fn of_coplanar_caps_the_first_counts() {
     let wide = "cylinder: 0 0 0 2 0 2 0";
-    for (count, way) in every_structure_and(&[Way::Straight, Way::ThroughGlass, Way::Mirrored]) {
-        let others = others(count);
-        for second in ["cylinder: 0 0 0 1 0 2 0", "cylinder: 0 .5 0 3 0 1 0", "cylinder: 0 0 0 1 0 -2 0"] {
-            assert_eq!(seen(way, &others, &[wide, second]), 0, "{count} others, {way:?}, {second}");
-            assert_eq!(seen(way, &others, &[second, wide]), 0, "{count} others, {way:?}, {second}");
-        }
-        assert_eq!(seen(way, &others, &[wide, wide, wide]), 0, "{count} others, {way:?}");
+    for second in ["cylinder: 0 0 0 1 0 2 0", "cylinder: 0 .5 0 3 0 1 0", "cylinder: 0 0 0 1 0 -2 0"] {
+        let cases: [(&[&str], usize); 3] = [(&[wide, second], 0), (&[second, wide], 0), (&[wide, wide, wide], 0)];
+        check(&[Way::Straight, Way::ThroughGlass, Way::Mirrored], &cases);
     }
 }
 
 #[test]
 fn a_sphere_that_touches_the_plane_of_a_cap_counts_in_any_order() {
     let (cap, sphere) = ("cylinder: 0 0 0 2 0 2 0", "sphere: 0 .5 0 .5");
-    for (count, way) in every_structure_and(&[Way::Straight, Way::ThroughGlass]) {
-        let others = others(count);
-        assert_eq!(seen(way, &others, &[cap, sphere]), 1, "{count} others, {way:?}");
-        assert_eq!(seen(way, &others, &[sphere, cap]), 0, "{count} others, {way:?}");
-        assert_eq!(seen(way, &others, &[cap, sphere, cap]), 1, "{count} others, {way:?}");
-        assert_eq!(seen(way, &others, &[sphere, cap, sphere]), 2, "{count} others, {way:?}");
-    }
+    let cases: [(&[&str], usize); 4] =
+        [(&[cap, sphere], 1), (&[sphere, cap], 0), (&[cap, sphere, cap], 1), (&[sphere, cap, sphere], 2)];
+    check(&[Way::Straight, Way::ThroughGlass], &cases);
 }
 
 #[test]
 fn of_sides_at_the_same_lambda_the_last_counts_and_no_cap_replaces_it() {
     // The first two cylinders lie on their sides, and touch the plane of the third one's cap.
     let (lying, across, cap) = ("cylinder: 0 0 0 1 2 0 0", "cylinder: 0 0 0 1 0 0 2", "cylinder: 0 0 0 2 0 2 0");
-    for (count, way) in every_structure_and(&[Way::Straight, Way::ThroughGlass]) {
-        let others = others(count);
-        assert_eq!(seen(way, &others, &[lying, across, cap]), 1, "{count} others, {way:?}");
-        assert_eq!(seen(way, &others, &[cap, lying, across]), 2, "{count} others, {way:?}");
-        assert_eq!(seen(way, &others, &[lying, cap, across]), 2, "{count} others, {way:?}");
-        assert_eq!(seen(way, &others, &[lying, "sphere: 0 .5 0 .5", cap]), 1, "{count} others, {way:?}");
-    }
+    let cases: [(&[&str], usize); 4] = [
+        (&[lying, across, cap], 1),
+        (&[cap, lying, across], 2),
+        (&[lying, cap, across], 2),
+        (&[lying, "sphere: 0 .5 0 .5", cap], 1),
+    ];
+    check(&[Way::Straight, Way::ThroughGlass], &cases);
 }

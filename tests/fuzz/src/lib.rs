@@ -126,12 +126,4 @@ mod unit {
             assert_eq!(unquote(line), None, "{line}");
         }
     }
-
-    #[test]
-    fn every_target_has_seeds_and_a_dictionary() {
-        for (name, _) in TARGETS {
-            assert!(inputs(name).len() >= 5, "{name}");
-            assert!(dictionary(name).len() >= 10, "{name}");
-        }
-    }
 }

@@ -5,6 +5,7 @@
 use cpu::internals::sampling::uniform::Uniform;
 use fuzz_oracles::mutate::{below, mutate};
 use fuzz_oracles::{check, dictionary, inputs};
+use test_support::number_of;
 
 /// A description of an input and the input. It prints both if it is dropped during a panic, so that the input can be
 /// kept as a regression.
@@ -18,16 +19,17 @@ impl Drop for Tried<'_> {
     }
 }
 
-fn smoke(target: &str, cases: usize) {
+fn smoke(target: &str, cases: u64) {
     let try_one = |what: &str, input: &[u8]| {
         let _shown = Tried(what, input);
         check(target, input);
     };
     let (kept, tokens) = (inputs(target), dictionary(target));
+    assert!(kept.len() >= 5 && tokens.len() >= 10, "{} inputs and {} tokens", kept.len(), tokens.len());
     kept.iter().for_each(|input| try_one("an input that it begins with", input));
-    let seed = from_environment("RENDER_SMOKE_SEED").unwrap_or(1);
-    let mut random = Uniform::new(seed as u64);
-    let cases = from_environment("RENDER_SMOKE_CASES").unwrap_or(cases);
+    let seed = number_of("RENDER_SMOKE_SEED").unwrap_or(1);
+    let mut random = Uniform::new(seed);
+    let cases = number_of("RENDER_SMOKE_CASES").unwrap_or(cases);
     assert!(cases > 0, "nothing would be tried");
     for case in 0..cases {
         let input = &kept[below(&mut random, kept.len())];
@@ -35,11 +37,6 @@ fn smoke(target: &str, cases: usize) {
         try_one(&format!("mutation {case} of seed {seed}"), &input);
     }
     println!("{cases} mutations of {} inputs", kept.len());
-}
-
-fn from_environment(name: &str) -> Option<usize> {
-    let text = std::env::var(name).ok()?;
-    Some(text.parse().unwrap_or_else(|_| panic!("{name}={text} is not a number")))
 }
 
 #[test]

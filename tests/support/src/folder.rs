@@ -102,22 +102,3 @@ impl AsRef<Path> for Folder {
         self.path()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_folder_has_what_was_written_and_goes_with_it() {
-        let folder = Folder::with_scene("c", "s");
-        folder.write("a", "text");
-        fs::create_dir(folder.file("d")).expect("the folder is writable");
-        folder.write("d/b", "");
-        assert_eq!(folder.names(), ["a", "config.txt", "d", "scene.txt"]);
-        assert_eq!((folder.names_in("d"), folder.read("a")), (vec!["b".to_owned()], b"text".to_vec()));
-        let path = folder.path().to_owned();
-        assert_eq!(folder.name("a"), path.join("a").display().to_string());
-        drop(folder);
-        assert!(!path.exists());
-    }
-}

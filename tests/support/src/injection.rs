@@ -124,38 +124,30 @@ impl Job {
         if !output.status.success() || new.is_empty() {
             return Err(format!("undisturbed: {new:?}, {output:?}"));
         }
-        let calls = self.calls(&new, &[])?;
-        let runs = match disturbance {
-            Disturbance::Errors => self.each(calls, |calls| self.fail(&new, calls, &[]))?,
-            Disturbance::Signal => self.each(calls, |calls| self.signal(&new, calls, &[], false))?,
-            Disturbance::SignalAsProcessOne => self.each(calls, |calls| self.signal(&new, calls, &[], true))?,
-            Disturbance::Named | Disturbance::NamedAsProcessOne => {
-                let unnamed = calls.iter().find(|call| call.text.contains("O_TMPFILE"));
-                let unnamed = unnamed.ok_or("no file without a name was made")?;
-                let inject = format!("inject=openat:error=EOPNOTSUPP:when={}", unnamed.number);
-                let first = ["-e", &inject[..]];
-                // strace applies only one rule to a call, and `first` is already a rule for `openat`. So `openat` is
-                // left out.
-                let mut calls = self.calls(&new, &first)?;
-                if !calls.iter().any(|call| call.text.contains("O_EXCL")) {
-                    return Err("no file with a name was made".to_owned());
-                }
-                calls.retain(|call| call.name != "openat");
-                if disturbance.is_as_process_one() {
-                    self.each(calls, |calls| self.signal(&new, calls, &first, true))?
-                } else {
-                    self.each(calls, |calls| {
-                        Ok(self.fail(&new, calls, &first)? + self.signal(&new, calls, &first, false)?)
-                    })?
-                }
+        let (mut calls, mut more) = (self.calls(&new, &[])?, Vec::new());
+        let inject;
+        if matches!(disturbance, Disturbance::Named | Disturbance::NamedAsProcessOne) {
+            let unnamed = calls.iter().find(|call| call.text.contains("O_TMPFILE"));
+            let unnamed = unnamed.ok_or("no file without a name was made")?;
+            inject = format!("inject=openat:error=EOPNOTSUPP:when={}", unnamed.number);
+            more = vec!["-e", &inject[..]];
+            // strace applies only one rule to a call, and `more` is already a rule for `openat`. So `openat` is left
+            // out.
+            calls = self.calls(&new, &more)?;
+            if !calls.iter().any(|call| call.text.contains("O_EXCL")) {
+                return Err("no file with a name was made".to_owned());
             }
-        };
+            calls.retain(|call| call.name != "openat");
+        }
+        let calls = calls::spread(calls, self.most);
+        let mut runs = 0;
+        if matches!(disturbance, Disturbance::Errors | Disturbance::Named) {
+            runs += self.fail(&new, &calls, &more)?;
+        }
+        if disturbance != Disturbance::Errors {
+            runs += self.signal(&new, &calls, &more, disturbance.is_as_process_one())?;
+        }
         if runs == 0 { Err("nothing was disturbed".to_owned()) } else { Ok(runs) }
-    }
-
-    /// Chooses some of `calls` and runs `disturb` on them. Returns the number of runs.
-    fn each(&self, calls: Vec<Call>, disturb: impl Fn(&[Call]) -> Result<usize, String>) -> Result<usize, String> {
-        disturb(&calls::spread(calls, self.most))
     }
 
     fn fail(&self, new: &Files, calls: &[Call], more: &[&str]) -> Result<usize, String> {

@@ -26,6 +26,36 @@ pub fn project_root() -> PathBuf {
     package.ancestors().nth(2).expect("the package is in tests/support").to_owned()
 }
 
+/// Returns the number in an environment variable, or `None` if the variable is not set.
+///
+/// # Panics
+/// If its value is not a whole number.
+#[must_use]
+pub fn number_of(variable: &str) -> Option<u64> {
+    let text = std::env::var(variable).ok()?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{variable}={text} is not a number")))
+}
+
+/// Returns the paths of all files below `folder`. The folders `target` and `.git` are left out, and `node_modules`,
+/// whose files are those of other projects.
+///
+/// # Panics
+/// If a folder cannot be read.
+#[must_use]
+pub fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).expect("the folder is readable") {
+        let path = entry.expect("the folder is readable").path();
+        let is_own = |name: &str| path.file_name().is_some_and(|own| own == name);
+        if !path.is_dir() || path.is_symlink() {
+            found.push(path);
+        } else if !["target", ".git", "node_modules"].into_iter().any(is_own) {
+            found.append(&mut files_below(&path));
+        }
+    }
+    found
+}
+
 /// Runs cargo with the committed lock file in a folder of the project, and returns what it prints.
 ///
 /// # Panics

@@ -9,17 +9,7 @@ use super::{Files, Job};
 
 /// Returns all files in `folder` and in its subfolders, with their contents.
 pub fn files(folder: &Path) -> io::Result<Files> {
-    let mut found = Files::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            found.append(&mut files(&path)?);
-        } else {
-            let content = fs::read(&path)?;
-            found.insert(path, content);
-        }
-    }
-    Ok(found)
+    crate::files_below(folder).into_iter().map(|path| Ok((path.clone(), fs::read(&path)?))).collect()
 }
 
 impl Job {
