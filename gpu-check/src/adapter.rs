@@ -54,27 +54,11 @@ fn no_adapter(names: &[String], wanted: Option<&str>) -> Error {
 mod tests {
     use super::*;
 
-    fn names() -> Vec<String> {
-        ["NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"].map(str::to_owned).to_vec()
-    }
-
     #[test]
-    fn lavapipe_is_the_default_even_beside_a_faster_one() {
-        assert_eq!(pick(&names(), None), Some(1));
-    }
-
-    #[test]
-    fn a_name_in_the_environment_replaces_the_default() {
-        assert_eq!(pick(&names(), Some("nvidia")), Some(0));
-        assert_eq!(pick(&names(), Some("radeon")), None);
-    }
-
-    #[test]
-    fn the_message_says_in_one_line_what_is_missing_and_how_to_get_it() {
-        let message = no_adapter(&[], None).to_string();
-        assert!(message.starts_with("no GPU adapter is lavapipe: there is none at all; on Debian: apt-get install "));
-        assert!(!message.contains('\n'));
-        let message = no_adapter(&names(), Some("radeon")).to_string();
+    fn lavapipe_is_the_default_even_beside_a_faster_one_and_a_name_in_the_environment_replaces_it() {
+        let names = ["NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"].map(str::to_owned);
+        assert_eq!([None, Some("nvidia"), Some("radeon")].map(|name| pick(&names, name)), [Some(1), Some(0), None]);
+        let message = no_adapter(&names, Some("radeon")).to_string();
         assert!(message.contains("has [radeon] in its name (WGPU_ADAPTER_NAME): there is [\"NVIDIA H200\", "));
     }
 }

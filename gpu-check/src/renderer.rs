@@ -109,21 +109,14 @@ impl<'a, T: Float> Renderer<'a, T> {
 mod tests {
     use super::*;
     use crate::packed::buffer;
-    use shaders::Precision;
-
-    /// Returns the size in bytes that WGSL gives to the structure `name`.
-    fn size_in_wgsl(name: &str, precision: Precision) -> usize {
-        let composition = Library::standard().compose("kernels/image", precision).expect("it exists");
-        let shader = composition.validate().expect("it is valid");
-        shader.size_of(name).expect("the structure exists") as usize
-    }
 
     fn structures_have_the_size_of_their_twins<T: Float>() {
+        let composition = Library::standard().compose("kernels/image", T::PRECISION).expect("it exists");
+        let shader = composition.validate().expect("it is valid");
+        let size = |name| shader.size_of(name).expect("the structure exists") as usize;
         let text = "matte: a 1 1 1\nsphere: 0 0 0 1 a\ncylinder: 0 0 0 1 0 1 0 a\n";
-        let scene = cpu::internals::input::scene::Scene::parse(text.as_bytes()).expect("it is valid");
-        let picture =
-            Picture::<T>::new(&cpu::internals::input::config::Config::default(), &scene).expect("it is valid");
-        let size = |name| size_in_wgsl(name, T::PRECISION);
+        let scene = cpu::Scene::parse(text.as_bytes()).expect("it is valid");
+        let picture = Picture::<T>::new(&cpu::Config::default(), &scene).expect("it is valid");
         assert_eq!(buffer(&picture.spheres).len(), size("PlacedSphere"));
         assert_eq!(buffer(&picture.cylinders).len(), size("PlacedCylinder"));
         assert_eq!(buffer(&picture.materials).len(), size("PackedMaterial"));

@@ -106,29 +106,3 @@ const SHOWN: usize = 10;
 fn unequal<T: Float>(Unequal { name, cpu, wgsl }: &Unequal<T>) -> String {
     format!("  {name:<28} CPU {cpu:?}, WGSL {wgsl:?}\n{}", bits(*cpu, *wgsl))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn changed_lines_are_those_of_the_user() {
-        let mut library = Library::standard();
-        let source = library.source("ray").expect("it exists").replace("real(1e-3)", "real(1e-4)");
-        library.replace("ray", "my.wgsl", source).expect("it exists");
-        let composition = library.compose("kernels/sphere", shaders::Precision::F64).expect("it exists");
-        let trace = composition.with_call_trace().expect("it is valid");
-        let function = "in_range".to_owned();
-        let number = Unequal { name: "result".to_owned(), cpu: 0.0, wgsl: 1.0 };
-        let arguments = vec![("lambda".to_owned(), 5e-4)];
-        let found = FirstDifference::Call { function, inside: Vec::new(), arguments, number };
-        let places = Places::new(&trace, &found).expect("the modules exist");
-        let [(name, [(file, first), (_, last)])] = &places.functions[..] else { panic!("{places:?}") };
-        assert_eq!((&name[..], &file[..], last - first), ("in_range", "my.wgsl", 2));
-        assert_eq!(places.changed, [("my.wgsl".to_owned(), first + 1)]);
-        let text = report(&trace, &found).expect("the modules exist");
-        let expected = format!("first difference: the result of in_range, my.wgsl:{first}\n  lambda ");
-        assert!(text.starts_with(&expected), "{text}");
-        assert!(text.ends_with(&format!("changed lines: my.wgsl:{}\n", first + 1)), "{text}");
-    }
-}

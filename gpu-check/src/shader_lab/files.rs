@@ -153,47 +153,43 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_is_the_module_of_its_name() {
-        assert_eq!(name(Path::new("mine/sphere.wgsl"), "// Mine.\n"), "sphere");
-        assert_eq!(name(Path::new("mine/kernels/sphere.wgsl"), ""), "kernels/sphere");
-    }
-
-    #[test]
-    fn the_first_line_of_a_file_may_name_another_module() {
-        assert_eq!(name(Path::new("mine/normals.wgsl"), "// module: kernels/image\n"), "kernels/image");
+    fn a_file_is_the_module_of_its_name_unless_its_first_line_names_another() {
+        for (path, text, module) in [
+            ("mine/sphere.wgsl", "// Mine.\n", "sphere"),
+            ("mine/kernels/sphere.wgsl", "", "kernels/sphere"),
+            ("mine/normals.wgsl", "// module: kernels/image\n", "kernels/image"),
+            ("anything.wgsl", super::super::TEMPLATE, "kernels/image"),
+        ] {
+            assert_eq!(name(Path::new(path), text), module);
+        }
     }
 
     #[test]
     fn byte_order_marks_line_ends_and_blanks_are_those_of_any_editor() {
         let folder = Folder::new();
         for text in ["\u{feff}\u{feff}// module: sphere\n", "// module: sphere\r", " //module:\u{a0}sphere\r\n"] {
-            fs::write(folder.file("my.wgsl"), text).expect("the folder is writable");
-            let modules = read(&folder.file("my.wgsl")).expect("the first line names the module");
+            let modules = read(&folder.write("my.wgsl", text)).expect("the first line names the module");
             assert!(modules[0].name == "sphere" && modules[0].text.ends_with("sphere\n"), "{text:?}: {modules:?}");
         }
-        fs::write(folder.file("my.wgsl"), "// module: \u{200b}sphere\n").expect("the folder is writable");
-        let message = read(&folder.file("my.wgsl")).expect_err("the name has one more character").to_string();
+        let path = folder.write("my.wgsl", "// module: \u{200b}sphere\n");
+        let message = read(&path).expect_err("the name has one more character").to_string();
         assert!(message.contains(r"no module is called [\u{200b}sphere]"), "{message}");
     }
 
     #[test]
     fn a_module_of_exactly_the_limit_is_read_and_one_byte_more_refused() {
         let folder = Folder::new();
-        let path = folder.file("sphere.wgsl");
-        fs::write(&path, " ".repeat(MAX_BYTES as usize)).expect("the folder is writable");
-        assert_eq!(read(&path).expect("it is as large as may be").len(), 1);
-        fs::write(&path, " ".repeat(MAX_BYTES as usize + 1)).expect("the folder is writable");
-        assert!(read(&path).is_err_and(|error| error.to_string().ends_with("larger than 1048576 bytes")));
+        let read_bytes = |count: usize| read(&folder.write("sphere.wgsl", " ".repeat(count)));
+        assert_eq!(read_bytes(MAX_BYTES as usize).expect("it is as large as may be").len(), 1);
+        let error = read_bytes(MAX_BYTES as usize + 1).expect_err("it is larger").to_string();
+        assert!(error.ends_with("larger than 1048576 bytes"), "{error}");
     }
 
     #[test]
     fn a_folder_may_hold_a_limited_number_of_modules() {
         let folder = Folder::new();
-        let put = |index: usize| {
-            let path = folder.file(format!("{index}.wgsl"));
-            fs::write(path, "// module: sphere\n").expect("the folder is writable");
-        };
-        (0..MAX_FILES).for_each(put);
+        let put = |index: usize| folder.write(&format!("{index}.wgsl"), "// module: sphere\n");
+        (0..MAX_FILES).for_each(|index| drop(put(index)));
         assert_eq!(read(folder.path()).expect("they are as many as may be").len(), MAX_FILES);
         put(MAX_FILES);
         let message = read(folder.path()).expect_err("it is one too many").to_string();
@@ -208,11 +204,5 @@ mod tests {
         assert!(hierarchy("background", WORTHWHILE));
         assert!(hierarchy("hierarchy", 10_000));
         assert!(!hierarchy("closest_hit", 10_000));
-    }
-
-    #[test]
-    fn the_template_says_which_module_it_is() {
-        let name = name(Path::new("anything.wgsl"), super::super::TEMPLATE);
-        assert!(module::find(&name).is_some(), "{name}");
     }
 }

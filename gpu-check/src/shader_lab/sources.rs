@@ -90,17 +90,6 @@ mod tests {
     use super::super::args::Arguments;
     use super::*;
 
-    fn options(folder: &Path, config: &str) -> Options {
-        let text =
-            format!("shader-lab {0}/m.wgsl --config {config} --scene {0}/scene --out {0}/o.png", folder.display());
-        let Ok(Arguments { options: Some(options), .. }) =
-            Arguments::read(text.split(' ').map(std::ffi::OsString::from))
-        else {
-            panic!("{text} is a command line");
-        };
-        options
-    }
-
     #[test]
     fn files_of_exactly_the_limit_are_read_and_one_byte_more_refused() {
         let folder = Folder::new();
@@ -125,9 +114,9 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn endless_devices_are_refused_and_not_read_again() {
-        let folder = Folder::new();
-        fs::write(folder.file("scene"), "").expect("the folder is writable");
-        let options = options(folder.path(), "/dev/zero");
+        let line =
+            "shader-lab m.wgsl --config /dev/zero --scene s --out o.png".split(' ').map(std::ffi::OsString::from);
+        let options = Arguments::read(line).expect("it is a command line").options.expect("it has options");
         let first = Sources::read(&options, None);
         let message = first.parse(&options).expect_err("it has no end").to_string();
         assert_eq!(message, "Cannot read file [/dev/zero]: it is larger than 16777216 bytes");

@@ -25,39 +25,27 @@ fn conformance(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_conformance")).args(arguments).output().expect("the program starts")
 }
 
-/// Returns the command that runs `probes` in a process of the program.
-fn process_for(probes: &[Probe]) -> Command {
-    isolated::command(Path::new(env!("CARGO_BIN_EXE_conformance")), Form::AsWritten, probes)
-}
-
-/// Checks that the verdicts in `table` on the driver whose description begins with `driver` are those of
-/// docs/gpu/probes.csv. The number of wrong cases is not compared, because it depends on how many invocations a driver
-/// runs at once.
-fn check_documented(table: &Table, driver: &str) {
-    let text = std::fs::read_to_string(project_root().join("docs/gpu/probes.csv")).expect("it is committed");
-    let documented = Table::parse(&text).expect("conformance wrote it");
-    let [found, documented] = [table, &documented].map(|table| table.column(driver).expect("the driver has a column"));
-    assert_eq!(found.len(), documented.len(), "the documented table has a line for each probe");
-    let is_same = |one: &[&str; 3], other: &[&str; 3]| {
-        let both_fail = [one, other].iter().all(|row| row[2].starts_with("failure"));
-        one[..2] == other[..2] && (one[2] == other[2] || both_fail)
-    };
-    let different: Vec<_> = found.iter().zip(&documented).filter(|(one, other)| !is_same(one, other)).collect();
-    assert!(different.is_empty(), "{driver}: found and documented verdicts differ: {different:#?}");
-}
-
 #[test]
 fn the_verdicts_on_lavapipe_are_the_documented_ones() {
     if !common::gpu().is_lavapipe() {
         return;
     }
     let folder = Folder::new();
-    let file = folder.file("probes.csv");
-    std::fs::write(&file, "\"probe\",\"program\",\"other\"\n\"sum\",\"a + b\",\"as written\"\n").expect("writable");
-    let output = conformance(&["--csv", file.to_str().expect("it is text")]);
+    folder.write("probes.csv", "\"probe\",\"program\",\"other\"\n\"sum\",\"a + b\",\"as written\"\n");
+    let output = conformance(&["--csv", &folder.name("probes.csv")]);
     assert_eq!(output.status.code(), Some(1), "{output:?}");
-    let table = Table::parse(&std::fs::read_to_string(&file).expect("it is written")).expect("it is a table");
-    check_documented(&table, "llvmpipe");
+    let table = Table::parse(&String::from_utf8_lossy(&folder.read("probes.csv"))).expect("it is a table");
+    let text = std::fs::read_to_string(project_root().join("docs/gpu/probes.csv")).expect("it is committed");
+    let documented = Table::parse(&text).expect("conformance wrote it");
+    let [found, documented] = [&table, &documented].map(|table| table.column("llvmpipe").expect("it has a column"));
+    assert_eq!(found.len(), documented.len(), "the documented table has a line for each probe");
+    // The number of wrong cases is not compared, because it depends on how many invocations a driver runs at once.
+    let is_same = |one: &[&str; 3], other: &[&str; 3]| {
+        let both_fail = [one, other].iter().all(|row| row[2].starts_with("failure"));
+        one[..2] == other[..2] && (one[2] == other[2] || both_fail)
+    };
+    let different: Vec<_> = found.iter().zip(&documented).filter(|(one, other)| !is_same(one, other)).collect();
+    assert!(different.is_empty(), "found and documented verdicts differ: {different:#?}");
     let others = table.column("other").expect("the column stays");
     assert!(others.iter().all(|[name, _, verdict]| verdict.is_empty() != (*name == "sum")), "{others:?}");
 }
@@ -76,15 +64,13 @@ fn a_driver_that_crashes_fails_one_probe_and_the_table_is_complete() {
     let (gpu, probes) = (common::gpu(), probes::all());
     // The first process crashes after the outcomes of five probes.
     let start = |rest: &[Probe]| {
-        let whole = process_for(rest);
+        let whole = isolated::command(Path::new(env!("CARGO_BIN_EXE_conformance")), Form::AsWritten, rest);
         if rest.len() < probes.len() {
             return whole;
         }
         let mut crashing = Command::new("sh");
-        crashing
-            .args(["-c", "\"$0\" \"$@\" | head -n 5; kill -SEGV $$"])
-            .arg(whole.get_program())
-            .args(whole.get_args());
+        crashing.args(["-c", "\"$0\" \"$@\" | head -n 5; kill -SEGV $$"]).arg(whole.get_program());
+        crashing.args(whole.get_args());
         crashing
     };
     let run = Run { driver: native::driver(&gpu), outcomes: isolated::run(&probes, start).expect("processes start") };
@@ -139,10 +125,9 @@ fn help_and_the_list_need_no_driver_and_mistakes_have_status_2() {
     let help = String::from_utf8(conformance(&["--help"]).stdout).expect("it is text");
     assert!(help.contains("Examples:\n  conformance ") && help.contains("Exit status:"), "{help}");
     let folder = Folder::new();
-    let text = folder.file("text");
-    std::fs::write(&text, "no table").expect("writable");
-    let text = text.to_str().expect("it is text");
-    for arguments in [&["--probe", "cancel"][..], &["more"], &["--csv", "/nowhere/x"], &["--csv", text]] {
+    folder.write("text", "no table");
+    for arguments in [&["--probe", "cancel"][..], &["more"], &["--csv", "/nowhere/x"], &["--csv", &folder.name("text")]]
+    {
         let output = conformance(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
         assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{output:?}");

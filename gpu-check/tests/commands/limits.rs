@@ -27,12 +27,6 @@ fn kernel(before: &str, body: &str) -> String {
     )
 }
 
-/// Returns a kernel that makes naga store and compare `count` elements of about 16 bytes each. naga refuses the
-/// comparison.
-fn many_elements(count: usize) -> String {
-    kernel(&format!("const many = array<i32, {count}>();\nconst_assert many == many;"), "")
-}
-
 #[track_caller]
 fn assert_ended(result: Result<(), Error>, how: &str) {
     let message = result.expect_err("a limit is exceeded").to_string();
@@ -42,7 +36,8 @@ fn assert_ended(result: Result<(), Error>, how: &str) {
 
 #[test]
 fn compiling_ends_at_the_limit_on_memory() {
-    let text = || many_elements(20_000_000);
+    // naga stores and compares elements of about 16 bytes each.
+    let text = || kernel("const many = array<i32, 20000000>();\nconst_assert many == many;", "");
     let limits = |memory: u64| Limits { memory: memory << 20, ..Limits::STANDARD };
     assert_ended(check(limits(384), text()), "at most 384 MiB of memory");
     // naga refuses this text too, but `check` returns no error for that: the caller compiles the text again to report

@@ -1,7 +1,6 @@
 //! Runs `shader-lab` with more and more address space. As long as that is too little, the program must end with a
 //! message and status 2, and not by a panic or a signal.
 
-use std::fs;
 use std::process::Command;
 
 use gpu_check::shader_lab::TEMPLATE;
@@ -17,8 +16,8 @@ const MOST: usize = 4_000_000;
 #[test]
 fn with_too_little_memory_the_program_says_so_and_never_dies() {
     let folder = Folder::new();
-    fs::write(folder.file("config"), "image_width: 8\nmax_depth: 1\n").expect("the folder is writable");
-    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    folder.write("config", "image_width: 8\nmax_depth: 1\n");
+    folder.write("my.wgsl", TEMPLATE);
     for (refused, kilobytes) in (LEAST..MOST).step_by(STEP).enumerate() {
         let mut shell = Command::new("bash");
         shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", env!("CARGO_BIN_EXE_shader-lab")]);

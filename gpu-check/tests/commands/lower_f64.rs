@@ -1,7 +1,5 @@
 //! Runs the program `lower-f64` as a user does.
 
-use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
 
 use test_support::folder::Folder;
@@ -15,8 +13,8 @@ fn huge(count: usize) -> String {
     ["a", "b", "c"].map(line).concat()
 }
 
-fn lower(folder: &Path, name: &str, text: &str) -> Output {
-    fs::write(folder.join(name), text).expect("the folder is writable");
+fn lower(folder: &Folder, name: &str, text: &str) -> Output {
+    folder.write(name, text);
     let mut command = Command::new(env!("CARGO_BIN_EXE_lower-f64"));
     command.current_dir(folder).arg(name).output().expect("the program starts")
 }
@@ -31,12 +29,12 @@ fn fault(output: &Output) -> String {
 #[test]
 fn a_module_is_lowered_and_an_error_has_its_place() {
     let folder = Folder::new();
-    let output = lower(folder.path(), "good.wgsl", GOOD);
+    let output = lower(&folder, "good.wgsl", GOOD);
     assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
     let text = String::from_utf8(output.stdout).expect("it is text");
     assert!(text.contains("f64_add(") && !text.contains(": f64"), "{text}");
     let text = "\n\nvar<private> m: mat2x2<f64>;\n";
-    let message = fault(&lower(folder.path(), "bad.wgsl", text));
+    let message = fault(&lower(&folder, "bad.wgsl", text));
     assert!(message.starts_with("Error: bad.wgsl:3:1: a matrix of f64 cannot be lowered to integers\n"), "{message}");
 }
 
@@ -46,7 +44,7 @@ fn a_module_that_takes_too_much_is_refused_and_a_smaller_one_is_not() {
     let folder = Folder::new();
     // The separate process keeps a limit that is lower than its own. Without one this module takes 4 GiB.
     let limited = |name: &str, text: String| {
-        fs::write(folder.file(name), text).expect("the folder is writable");
+        folder.write(name, text);
         let mut shell = Command::new("bash");
         shell.args(["-c", "ulimit -v 800000; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_lower-f64"), name]);
         shell.current_dir(folder.path()).output().expect("the shell starts")
@@ -64,7 +62,7 @@ fn a_module_that_takes_too_much_is_refused_and_a_smaller_one_is_not() {
 fn no_message_can_control_a_terminal() {
     let folder = Folder::new();
     let name = "red\u{1b}[31m\n.wgsl";
-    let message = fault(&lower(folder.path(), name, "\u{1b}[2J"));
+    let message = fault(&lower(&folder, name, "\u{1b}[2J"));
     assert!(message.starts_with("Error: red\\u{1b}[31m\\n.wgsl:1:1: "), "{message}");
     assert!(!message.contains('\u{1b}'), "{message}");
     let missing = fault(&Command::new(env!("CARGO_BIN_EXE_lower-f64")).arg("\u{1b}c").output().expect("it starts"));
@@ -75,7 +73,7 @@ fn no_message_can_control_a_terminal() {
 #[test]
 fn a_standard_output_that_cannot_be_written_is_an_error() {
     let folder = Folder::new();
-    fs::write(folder.file("good.wgsl"), GOOD).expect("the folder is writable");
+    folder.write("good.wgsl", GOOD);
     for (redirection, reason) in [(">&-", "standard output is closed"), (">/dev/full", "No space left on device")] {
         let mut shell = Command::new("sh");
         shell.args(["-c", &format!("\"$1\" good.wgsl {redirection}"), "sh", env!("CARGO_BIN_EXE_lower-f64")]);

@@ -1,7 +1,6 @@
 //! Runs the program `stress` as a user does. Checks its help, and that it writes only into the given folder.
 
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
 
 use test_support::folder::Folder;
@@ -9,16 +8,10 @@ use test_support::project_root;
 
 use crate::common;
 
-fn stress(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stress"))
-        .args(arguments)
-        .current_dir(project_root().join(""))
-        .output()
-        .expect("the program starts")
-}
-
-fn in_text(path: &Path) -> &str {
-    path.to_str().expect("temporary names are text")
+fn stress(out: &Folder, arguments: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_stress"));
+    command.arg("--out").arg(out.path()).args(arguments.split(' ')).current_dir(project_root().join(""));
+    command.output().expect("the program starts")
 }
 
 #[test]
@@ -26,7 +19,7 @@ fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
     let folder = Folder::new();
     let table = folder.file("pictures.csv");
     fs::copy(project_root().join("docs/accuracy/pictures.csv"), &table).expect("it is committed");
-    let output = stress(&["--out", in_text(folder.path()), "--case", "case-2", "c", "s"]);
+    let output = stress(&folder, "--case case-2 c s");
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8(output.stderr).expect("it is text");
     assert!(
@@ -41,7 +34,7 @@ fn tables_are_written_into_the_folder_alone() {
     common::gpu();
     let folder = Folder::new();
     let before = fs::read(project_root().join("docs/accuracy/errors.csv")).expect("it is committed");
-    let output = stress(&["--out", in_text(folder.path()), "--rays", "1000"]);
+    let output = stress(&folder, "--rays 1000");
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
     let text = |name: &str| fs::read_to_string(folder.file(name)).expect("it was written");
@@ -54,8 +47,7 @@ fn tables_are_written_into_the_folder_alone() {
     ] {
         assert!(text(table).contains(row), "{table}: {}", text(table));
     }
-    let files = fs::read_dir(folder.path()).expect("it is there").count();
-    assert_eq!(files, 4 + 1, "tables and run.txt");
+    assert_eq!(folder.names().len(), 4 + 1, "tables and run.txt");
     assert_eq!(
         fs::read(project_root().join("docs/accuracy/errors.csv")).ok(),
         Some(before),

@@ -25,8 +25,9 @@ pub fn in_folder(folder: &str) -> Vec<Case> {
 /// Returns all scenes of the repository, the edge cases, and `random` random scenes, each [within](Case::within)
 /// `tests`.
 pub fn all(random: u64, tests: usize) -> Vec<Case> {
-    let repository = ["tests/cases", "scenes"].into_iter().flat_map(in_folder);
-    let cases = repository.chain(edges()).chain((0..random).map(self::random));
+    let repository: Vec<_> = ["tests/cases", "scenes"].into_iter().flat_map(in_folder).collect();
+    assert!(repository.len() >= 22, "the repository has only {} scenes", repository.len());
+    let cases = repository.into_iter().chain(edges()).chain((0..random).map(self::random));
     cases.map(|case| case.within(tests)).collect()
 }
 

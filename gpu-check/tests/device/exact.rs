@@ -13,10 +13,11 @@ mod rays;
 use cpu::internals::exact::error_bound::Decision;
 use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::math::error_free::two_product;
-use gpu_check::first_difference::twins::Numbers;
+use gpu_check::first_difference::twins::{Numbers, Twin};
 use gpu_check::reader::Reader;
 use shaders::Library;
 use stability::record::{Found, Record};
+use test_support::number_of;
 
 use crate::common;
 use crate::kernels::kernel::Kernel;
@@ -25,26 +26,15 @@ use crate::kernels::{cylinder, sphere};
 /// Number of cases of each kind, unless the variable sets another one.
 const CASES: usize = 20_000;
 
-fn count() -> usize {
-    match std::env::var("RENDER_EXACT_CASES") {
-        Ok(text) => text.parse().unwrap_or_else(|error| panic!("RENDER_EXACT_CASES: {error}")),
-        Err(_) => CASES,
-    }
-}
-
 /// Returns the exact kernels: the product and sum with one rounding (fused multiply-add) and products with their
 /// rounding errors, the intersections with a sphere and with a cylinder, and which of two spheres a ray hits first.
 pub fn all() -> [Kernel<f64>; 4] {
+    let of = |module, inputs, twin: Twin<f64>, cases| Kernel { module, inputs, twin, cases };
     [
-        Kernel { module: "kernels/mul_add", inputs: 3, twin: |_, row| mul_add(row), cases: rays::products },
-        Kernel { module: "kernels/exact_sphere", inputs: 10, twin: |_, row| steps(row, sphere), cases: rays::spheres },
-        Kernel {
-            module: "kernels/exact_cylinder",
-            inputs: 13,
-            twin: |_, row| steps(row, cylinder),
-            cases: rays::cylinders,
-        },
-        Kernel { module: "kernels/exact_order", inputs: 14, twin: |_, row| order(row), cases: rays::two_spheres },
+        of("kernels/mul_add", 3, |_, row| mul_add(row), rays::products),
+        of("kernels/exact_sphere", 10, |_, row| steps(row, sphere), rays::spheres),
+        of("kernels/exact_cylinder", 13, |_, row| steps(row, cylinder), rays::cylinders),
+        of("kernels/exact_order", 14, |_, row| order(row), rays::two_spheres),
     ]
 }
 
@@ -100,13 +90,14 @@ fn order(mut row: Reader<'_, f64>) -> Option<Numbers<f64>> {
 #[test]
 fn every_step_has_the_bits_of_cpu() {
     let gpu = common::gpu();
+    let count = number_of("RENDER_EXACT_CASES").map_or(CASES, |count| count as usize);
     for kernel in all() {
-        let cases = kernel.rows(count(), 30);
+        let cases = kernel.rows(count, 30);
         let pipeline = kernel.compile(&gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
         let tally = kernel.check(&gpu, &pipeline, &cases).unwrap_or_else(|error| panic!("{error}"));
         println!("{tally}");
         assert_eq!(tally.differing, 0, "{tally}");
-        assert!(tally.cases > count(), "{tally}");
+        assert!(tally.cases > count, "{tally}");
         if kernel.module != "kernels/mul_add" {
             // Each step decides some rays or pairs, and some are left for dyadic arithmetic.
             let mut answers = [0; 4];

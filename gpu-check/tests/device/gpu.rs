@@ -6,11 +6,13 @@ use gpu_check::conformance::verdict::Verdict;
 use gpu_check::conformance::{native, probes};
 use gpu_check::pipeline::{Content, Pipeline};
 use gpu_check::rows::results;
-use gpu_check::{Error, Float, Form, Gpu, Picture, Renderer};
-use shaders::{Composition, Features, Library, Precision};
+use gpu_check::{Error, Float, Form, Gpu};
+use shaders::{Composition, Library, Precision};
 
 use crate::common;
 use crate::kernels;
+use crate::pictures::prepared;
+use crate::scenes::Case;
 
 /// Returns the pipeline of `kernels/sphere`, which turns 10 numbers into 10, and a case for it.
 fn sphere_pipeline(gpu: &Gpu) -> (Pipeline, Vec<f64>) {
@@ -68,11 +70,10 @@ fn a_buffer_beyond_the_limit_is_an_error_that_says_so() {
     let error = pipeline.run(&gpu, &contents, 1).expect_err("it is too large");
     assert!(error.to_string().starts_with("an output takes 134217736 bytes and the device binds at most 134217728"));
 
-    let config = cpu::Config { max_depth: 100_000, image_width: 2, ..cpu::internals::input::config::Config::default() };
-    let picture = Picture::<f64>::new(&config, &cpu::internals::input::scene::Scene::default())
-        .expect("the configuration is valid");
-    let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &Features::all(picture.max_depth), &[]);
-    let error = renderer.and_then(|renderer| renderer.render(&picture)).expect_err("the path is too long");
+    let config = cpu::Config { max_depth: 100_000, image_width: 2, ..cpu::Config::default() };
+    let case = Case { name: "a long path".to_owned(), config, scene: cpu::Scene::default() };
+    let (renderer, picture) = prepared::<f64>(&gpu, &Library::standard(), &case).expect("it compiles");
+    let error = renderer.render(&picture).expect_err("the path is too long");
     assert!(error.to_string().starts_with("0 objects to a depth of 100000 are more than one run can loop"), "{error}");
 }
 
@@ -138,6 +139,7 @@ fn a_shader_without_floating_point_is_right_in_every_form() {
     let results = Form::ALL.map(|form| {
         let gpu = common::gpu().with_form(form);
         let composition = Composition::of_text(text.to_owned(), Precision::F32);
+        assert!(Pipeline::new(&gpu, &composition, &[("nothing", 1.0)]).is_err(), "{form}");
         let pipeline = Pipeline::new(&gpu, &composition, &[("factor", 3.0)]).expect("it is valid");
         let contents = [Content::Input(bytemuck::cast_slice(&cases)), Content::Output(4 * cases.len() as u64)];
         let run = pipeline.run(&gpu, &contents, cases.len() as u64).unwrap_or_else(|error| panic!("{error}"));
@@ -150,10 +152,4 @@ fn a_shader_without_floating_point_is_right_in_every_form() {
         assert!(cases.iter().zip(results).all(is_right), "{results:?}");
     }
     assert!(results[0].iter().zip(&cases).all(|(result, case)| *result == case * 3 + last), "{results:?}");
-    let missing = [("nothing", 1.0)];
-    for form in Form::ALL {
-        let gpu = common::gpu().with_form(form);
-        let composition = Composition::of_text(text.to_owned(), Precision::F32);
-        assert!(Pipeline::new(&gpu, &composition, &missing).is_err(), "{form}");
-    }
 }

@@ -7,14 +7,14 @@
 mod large;
 pub mod random;
 
-use cpu::Config;
 use gpu_check::closest_hits::closest_hits;
 use gpu_check::steps::{Follower, first_difference};
-use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
+use gpu_check::{Float, Gpu, Picture, features_of};
 use shaders::Library;
 use stability::random::Random;
 
 use crate::common::{self, Accuracy};
+use crate::pictures::prepared;
 use crate::scenes;
 
 /// Number of random rays, and their number if everything is compared, unless the variable sets another one.
@@ -33,11 +33,9 @@ fn rays_have_the_same_hits<T: Float>() {
     let usual = if is_everything() { ALL_RAYS } else { RAYS };
     let count = std::env::var("RENDER_HIERARCHY_RAYS").map_or(usual, |text| text.parse().expect("it is a number"));
     let mut draws = Random::new(30);
-    let config = Config { image_width: 8, ..Config::default() };
     let (mut hits, mut done) = (0, 0);
     for number in 0..count.div_ceil(RAYS_OF_A_SCENE) {
-        let picture = Picture::<T>::new(&config, &random::scene(number)).expect("it is valid");
-        let rays: Vec<_> = (0..RAYS_OF_A_SCENE).map(|_| random::ray(&mut draws, &picture)).collect();
+        let (picture, rays) = random::rays::<T>(&mut draws, number, RAYS_OF_A_SCENE);
         let find =
             |library: &Library| closest_hits(&gpu, library, &picture, &rays).unwrap_or_else(|error| panic!("{error}"));
         let (expected, actual) = (find(&Library::standard()), find(&Library::standard().in_hierarchy()));
@@ -53,12 +51,8 @@ fn rays_have_the_same_hits<T: Float>() {
 }
 
 #[test]
-fn random_rays_in_f64_have_the_hits_of_the_loop_over_all_objects() {
+fn random_rays_have_the_hits_of_the_loop_over_all_objects_in_both_precisions() {
     rays_have_the_same_hits::<f64>();
-}
-
-#[test]
-fn random_rays_in_f32_have_the_hits_of_the_loop_over_all_objects() {
     rays_have_the_same_hits::<f32>();
 }
 
@@ -99,10 +93,7 @@ fn a_ray_that_visits_too_many_nodes_is_an_error_and_not_a_wrong_colour() {
     assert_eq!(source.matches("MOST_VISITS: u32 = 60000u").count(), 1);
     let source = source.replace("MOST_VISITS: u32 = 60000u", "MOST_VISITS: u32 = 20u");
     library.replace("hierarchy", "few.wgsl", source).expect("it exists");
-    let case = large::ten_thousand(16);
-    let features = features_of(&case.config, &case.scene).expect("it is valid");
-    let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
-    let renderer = Renderer::<f64>::new(&gpu, &library, &features, &[]).expect("it compiles");
-    let error = renderer.render(&picture).map(|rendering| rendering.size).expect_err("20 nodes are too few");
+    let (renderer, picture) = prepared::<f64>(&gpu, &library, &large::ten_thousand(16)).expect("it compiles");
+    let error = renderer.render(&picture).expect_err("20 nodes are too few");
     assert!(error.to_string().contains("did not write"), "{error}");
 }

@@ -7,13 +7,23 @@ use shaders::Library;
 
 use crate::scenes::Case;
 
+/// Returns a renderer with a pipeline for the scene's own features, and the picture that it renders.
+///
+/// # Errors
+/// An error of the device, of the library's WGSL or of the scene.
+pub fn prepared<'a, T: Float>(
+    gpu: &'a Gpu,
+    library: &Library,
+    case: &Case,
+) -> Result<(Renderer<'a, T>, Picture<T>), Error> {
+    let features = features_of(&case.config, &case.scene)?;
+    Ok((Renderer::new(gpu, library, &features, &[])?, Picture::new(&case.config, &case.scene)?))
+}
+
 /// Renders on the device, by a pipeline for the scene's own features.
 pub fn on_device<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Rendering<T> {
-    let render = || {
-        let features = features_of(&case.config, &case.scene)?;
-        Renderer::<T>::new(gpu, library, &features, &[])?.render(&Picture::new(&case.config, &case.scene)?)
-    };
-    render().unwrap_or_else(|error: Error| panic!("{}: {error}", case.name))
+    let rendering = prepared(gpu, library, case).and_then(|(renderer, picture)| renderer.render(&picture));
+    rendering.unwrap_or_else(|error| panic!("{}: {error}", case.name))
 }
 
 /// Renders by the reference.

@@ -6,11 +6,11 @@
 
 mod draws;
 
-use gpu_check::difference::{Difference, difference};
+use gpu_check::difference::difference;
 use gpu_check::sampled::streams::Streams;
 use gpu_check::sampled::twin::means;
 use gpu_check::sampled::{Convention, SampleRenderer, SampledRendering};
-use gpu_check::{Gpu, Picture, features_of};
+use gpu_check::{Picture, features_of};
 use shaders::{Features, Library};
 
 use crate::common::{self, Accuracy};
@@ -43,59 +43,54 @@ fn random(seed: u64) -> Case {
     within(case, RANDOM_TESTS)
 }
 
-/// Compares pictures of `cases` in both conventions with the reference's.
-fn compare(gpu: &Gpu, library: &Library, cases: &[Case], features: impl Fn(&Case) -> Features) -> Tally {
-    let (mut tally, mut pipelines) = (Tally::default(), Pipelines::<f64>::new(gpu, library));
+/// Returns all features, so that few pipelines have to be compiled.
+fn all_features(case: &Case) -> Features {
+    Features::all(case.config.max_depth as u32)
+}
+
+/// Compares pictures of `cases` in both conventions with the reference's. Fails if one differs, or if fewer samples
+/// than `least` were compared.
+#[track_caller]
+fn check(library: &Library, cases: &[Case], features: impl Fn(&Case) -> Features, least: usize) {
+    let gpu = common::gpu();
+    let (mut tally, mut pipelines) = (Tally::default(), Pipelines::<f64>::new(&gpu, library));
     for case in cases {
         for convention in Convention::ALL {
             let recording = record(case, convention);
             tally.add(&case.name, &pipelines.render(case, &features(case), &recording), &recording);
         }
     }
-    tally
-}
-
-/// Fails if a picture differs, or if fewer samples were compared than `least`.
-#[track_caller]
-fn check(tally: &Tally, least: usize) {
     let Tally { pictures, pixels, samples, words, not_black, faults } = tally;
     println!("f64 with random numbers: {pictures} pictures, {pixels} pixels, {not_black} of them not black");
     println!("{samples} samples, {words} words of scatter vectors");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(*samples >= least, "{samples} samples are too few");
-    assert!(*words as usize > samples / 2 && not_black * 2 > *pixels, "the pictures are all but empty");
+    assert!(samples >= least, "{samples} samples are too few");
+    assert!(words as usize > samples / 2 && not_black * 2 > pixels, "the pictures are all but empty");
 }
 
 #[test]
 fn pictures_of_the_repositorys_scenes_are_the_references_to_the_bit() {
-    let gpu = common::gpu();
     let mut cases = in_folder("tests/cases", usize::MAX);
     assert_eq!(cases.len(), 16);
     cases.extend(in_folder("scenes", TESTS));
     assert!(cases.len() >= 22, "{}", cases.len());
-    let features = |case: &Case| features_of(&case.config, &case.scene).expect("it is not deep");
-    check(&compare(&gpu, &Library::standard(), &cases, features), 500_000);
+    let own = |case: &Case| features_of(&case.config, &case.scene).expect("it is not deep");
+    check(&Library::standard(), &cases, own, 500_000);
 }
 
 #[test]
 fn pictures_of_random_and_edge_scenes_are_the_references_to_the_bit() {
-    let gpu = common::gpu();
     let edges = scenes::edges().into_iter().map(|case| within(case, RANDOM_TESTS));
     let cases: Vec<_> = (0..RANDOM_SCENES).map(random).chain(edges).chain([scenes::long_paths()]).collect();
-    // All features are on, so that few pipelines have to be compiled.
-    let features = |case: &Case| Features::all(case.config.max_depth as u32);
-    check(&compare(&gpu, &Library::standard(), &cases, features), 500_000);
+    check(&Library::standard(), &cases, all_features, 500_000);
 }
 
 #[test]
 fn pictures_in_the_hierarchy_are_the_references_to_the_bit() {
-    let gpu = common::gpu();
     let mut cases = in_folder("tests/cases", TESTS / 20);
     cases.extend(in_folder("scenes", TESTS / 20));
     cases.extend((0..RANDOM_SCENES / 10).map(random));
-    let library = Library::standard().in_hierarchy();
-    let features = |case: &Case| Features::all(case.config.max_depth as u32);
-    check(&compare(&gpu, &library, &cases, features), 100_000);
+    check(&Library::standard().in_hierarchy(), &cases, all_features, 100_000);
 }
 
 #[test]
@@ -119,36 +114,29 @@ fn f32_pictures_are_near_the_reference_and_with_the_arithmetic_of_ieee_their_twi
     let gpu = common::gpu();
     let accuracy = common::accuracy(&gpu);
     let library = Library::standard();
-    let (mut pipelines, mut squares, mut pixels, mut samples, mut disagreeing) =
-        (Pipelines::new(&gpu, &library), 0.0, 0, 0, 0);
+    let mut pipelines = Pipelines::new(&gpu, &library);
+    let (mut squares, mut pixels, mut samples, mut disagreeing) = (0.0, 0, 0, 0);
     let mut cases = in_folder("tests/cases", TESTS / 10);
     cases.extend(in_folder("scenes", TESTS / 10));
     cases.extend((0..20).map(random));
-    for case in &cases {
-        for convention in Convention::ALL {
-            let recording = record(case, convention);
-            let features = Features::all(case.config.max_depth as u32);
-            let rendering: SampledRendering<f32> = pipelines.render(case, &features, &recording);
-            let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
-            let twin = means(&picture, &recording, Streams::new(&recording), |_| ());
-            let found = difference(&rendering.pixels, &twin);
-            let is_equal = found.differing == 0 || accuracy == Accuracy::Wgsl;
-            assert!(is_equal, "{}, {convention:?}: {found} from f32 in Rust", case.name);
-            let Difference { rmse, .. } = difference(&rendering.pixels, &recording.means);
-            println!(
-                "{}, {convention:?}: RMSE {rmse:.1e} from f64, {} paths take other words",
-                case.name, rendering.disagreeing
-            );
-            squares += rmse * rmse * found.pixels as f64;
-            pixels += found.pixels;
-            samples += recording.words.len();
-            disagreeing += rendering.disagreeing;
-        }
+    for (case, convention) in cases.iter().flat_map(|case| Convention::ALL.map(|convention| (case, convention))) {
+        let recording = record(case, convention);
+        let rendering: SampledRendering<f32> = pipelines.render(case, &all_features(case), &recording);
+        let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
+        let twin = means(&picture, &recording, Streams::new(&recording), |_| ());
+        let found = difference(&rendering.pixels, &twin);
+        let is_equal = found.differing == 0 || accuracy == Accuracy::Wgsl;
+        assert!(is_equal, "{}, {convention:?}: {found} from f32 in Rust", case.name);
+        let rmse = difference(&rendering.pixels, &recording.means).rmse;
+        squares += rmse * rmse * found.pixels as f64;
+        pixels += found.pixels;
+        samples += recording.words.len() as u64;
+        disagreeing += rendering.disagreeing;
     }
     let rmse = (squares / pixels as f64).sqrt();
     println!(
         "f32 with random numbers: {pixels} pixels, RMSE {rmse:.1e}; {disagreeing} of {samples} paths take other words"
     );
     assert!(rmse > 0.0 && rmse < 0.02, "{rmse}");
-    assert!(disagreeing * 30 < samples as u64, "{disagreeing} of {samples}");
+    assert!(disagreeing * 30 < samples, "{disagreeing} of {samples}");
 }

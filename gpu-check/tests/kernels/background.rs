@@ -1,6 +1,6 @@
 //! The cases of the colour of a ray that hits no object.
 
-use super::special::{DIRECTIONS, NUMBERS, Row, any_size, direction, once_in, rows};
+use super::special::{DIRECTIONS, Row, any_size, direction, once_in, pairs, rows};
 
 /// Returns two colours and a direction for each case.
 pub fn cases(count: usize, seed: u64) -> Vec<f64> {
@@ -11,10 +11,8 @@ pub fn cases(count: usize, seed: u64) -> Vec<f64> {
                 for direction in DIRECTIONS {
                     rows.vector(dark).vector(light).vector(direction);
                 }
-                for number in NUMBERS {
-                    for other in NUMBERS {
-                        rows.vector(dark).vector(light).vector([0.0, number, other]);
-                    }
+                for (number, other) in pairs() {
+                    rows.vector(dark).vector(light).vector([0.0, number, other]);
                 }
             }
         }

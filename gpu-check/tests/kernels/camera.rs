@@ -1,17 +1,15 @@
 //! The cases of the camera ray of a pixel.
 
-use super::special::{NUMBERS, Row, once_in, rows};
+use super::special::{Row, once_in, pairs, rows};
 
 /// Returns a camera, a row, a column and an offset for each case.
 pub fn cases(count: usize, seed: u64) -> Vec<f64> {
     let edges = |rows: &mut Row| {
-        for number in NUMBERS {
-            for other in NUMBERS {
-                for place in [[0.0, 0.0, -0.5, -0.5], [0.0, 1e9, 0.0, 0.5], [16_777_217.0, 3.0, 0.25, -0.0]] {
-                    rows.vector([number, 1.0, -10.0]).vector([other, -5.0, number]);
-                    rows.vector([other, 0.0, 1e-9]).vector([-0.0, number, 0.0]);
-                    rows.0.extend(place);
-                }
+        for (number, other) in pairs() {
+            for place in [[0.0, 0.0, -0.5, -0.5], [0.0, 1e9, 0.0, 0.5], [16_777_217.0, 3.0, 0.25, -0.0]] {
+                rows.vector([number, 1.0, -10.0]).vector([other, -5.0, number]);
+                rows.vector([other, 0.0, 1e-9]).vector([-0.0, number, 0.0]);
+                rows.0.extend(place);
             }
         }
     };

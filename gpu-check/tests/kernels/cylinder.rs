@@ -8,7 +8,7 @@ use stability::record::Record;
 use stability::regimes::CYLINDERS;
 
 use super::of_regimes;
-use super::special::{DIRECTIONS, NUMBERS, Row};
+use super::special::{DIRECTIONS, Row, pairs};
 
 /// Origins of rays, relative to an upright cylinder of radius 1 and height 4.
 const ORIGINS: [[f64; 3]; 25] = [
@@ -76,15 +76,13 @@ pub fn cases(count: usize, seed: u64) -> Vec<f64> {
             }
         }
     }
-    for number in NUMBERS {
-        for other in NUMBERS {
-            let axis = [0.0, 4.0, 0.0];
-            rows.vector([number, 5.0, 0.0]).vector([other, -1.0, 0.0]).vector([0.0; 3]).number(1.0).vector(axis);
-            rows.vector([0.0, 1.0, number]).vector([0.0, 0.5, other]).vector([0.0; 3]).number(1.0).vector(axis);
-            let axis = [0.0, other, 0.0];
-            rows.vector([0.0, 5.0, -3.0]).vector([0.0, -1.0, 1.0]).vector([0.0; 3]);
-            rows.number(number.abs()).vector(axis);
-        }
+    for (number, other) in pairs() {
+        let axis = [0.0, 4.0, 0.0];
+        rows.vector([number, 5.0, 0.0]).vector([other, -1.0, 0.0]).vector([0.0; 3]).number(1.0).vector(axis);
+        rows.vector([0.0, 1.0, number]).vector([0.0, 0.5, other]).vector([0.0; 3]).number(1.0).vector(axis);
+        let axis = [0.0, other, 0.0];
+        rows.vector([0.0, 5.0, -3.0]).vector([0.0, -1.0, 1.0]).vector([0.0; 3]);
+        rows.number(number.abs()).vector(axis);
     }
     rows.0.extend(of_regimes(&CYLINDERS, count / CYLINDERS.len(), seed));
     rows.0

@@ -10,7 +10,7 @@ mod sphere;
 
 use cpu::Ray;
 use gpu_check::Float;
-use gpu_check::first_difference::twins::{Numbers, twin};
+use gpu_check::first_difference::twins::{Numbers, Twin, twin};
 use gpu_check::reader::Reader;
 use stability::methods::projected;
 use stability::record::{Found, Record};
@@ -19,37 +19,18 @@ use twin::trace::Hit;
 
 pub use cylinder::{cases as cylinders, record as cylinder};
 use kernel::Kernel;
-use special::{NUMBERS, any_size, rows};
+use special::{any_size, pairs, rows};
 pub use sphere::{cases as spheres, record as sphere};
 
 /// Returns all kernels whose results must have the bits of their twins.
 pub fn all<T: Float>() -> [Kernel<T>; 11] {
     let named = |module, inputs, name, cases| Kernel { module, inputs, twin: twin(name).expect("it has one"), cases };
+    let of = |module, inputs, twin: Twin<T>, cases| Kernel { module, inputs, twin, cases };
     [
-        Kernel {
-            module: "kernels/sphere",
-            inputs: 10,
-            twin: |_, row| report(row, sphere, Record::plain),
-            cases: spheres,
-        },
-        Kernel {
-            module: "kernels/cylinder",
-            inputs: 13,
-            twin: |_, row| report(row, cylinder, Record::plain),
-            cases: cylinders,
-        },
-        Kernel {
-            module: "kernels/projected_sphere",
-            inputs: 10,
-            twin: |_, row| report(row, sphere, by_projection),
-            cases: spheres,
-        },
-        Kernel {
-            module: "kernels/projected_cylinder",
-            inputs: 13,
-            twin: |_, row| report(row, cylinder, by_projection),
-            cases: cylinders,
-        },
+        of("kernels/sphere", 10, |_, row| report(row, sphere, Record::plain), spheres),
+        of("kernels/cylinder", 13, |_, row| report(row, cylinder, Record::plain), cylinders),
+        of("kernels/projected_sphere", 10, |_, row| report(row, sphere, by_projection), spheres),
+        of("kernels/projected_cylinder", 13, |_, row| report(row, cylinder, by_projection), cylinders),
         named("kernels/camera", 16, "camera_ray", camera::cases),
         named("kernels/background", 9, "background_color", background::cases),
         named("kernels/matte", 6, "scatter_matte", scatter::matte),
@@ -58,7 +39,7 @@ pub fn all<T: Float>() -> [Kernel<T>; 11] {
         named("kernels/refraction", 7, "scatter_refract", scatter::refraction),
         named("kernels/two_sum", 2, "exact_two_sum", |count, seed| {
             let edges = |row: &mut special::Row| {
-                NUMBERS.iter().for_each(|a| NUMBERS.iter().for_each(|b| row.0.extend([a, b])));
+                pairs().for_each(|(a, b)| row.0.extend([a, b]));
             };
             rows(count, seed, edges, |random, row| row.0.extend([(); 2].map(|()| any_size(random, -12.0, 12.0))))
         }),

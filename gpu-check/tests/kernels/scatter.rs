@@ -3,7 +3,7 @@
 use cpu::Vec3;
 use stability::random::Random;
 
-use super::special::{DIRECTIONS, NUMBERS, Row, any_size, direction, once_in, rows};
+use super::special::{DIRECTIONS, Row, any_size, direction, once_in, pairs, rows};
 
 /// Normals for edge cases: of length 1, of the length of a cylinder's radius, tiny ones and huge ones.
 const NORMALS: [[f64; 3]; 10] = [
@@ -65,10 +65,8 @@ pub fn reflection(count: usize, seed: u64) -> Vec<f64> {
                 rows.vector(direction).vector(normal);
             }
         }
-        for number in NUMBERS {
-            for other in NUMBERS {
-                rows.vector([number, -1.0, 0.0]).vector([0.0, other, 0.0]);
-            }
+        for (number, other) in pairs() {
+            rows.vector([number, -1.0, 0.0]).vector([0.0, other, 0.0]);
         }
     };
     rows(count, seed, edges, |random, row| {

@@ -56,6 +56,11 @@ pub const DIRECTIONS: [[f64; 3]; 22] = [
     [f64::NAN, 1.0, 0.0],
 ];
 
+/// Returns all pairs of [`NUMBERS`].
+pub fn pairs() -> impl Iterator<Item = (f64, f64)> {
+    NUMBERS.into_iter().flat_map(|one| NUMBERS.map(|other| (one, other)))
+}
+
 /// Returns a random direction. In one of eight, a component is zero.
 pub fn direction(random: &mut Random) -> Vec3 {
     let mut components = random.unit().to_array();

@@ -8,7 +8,7 @@ use stability::record::Record;
 use stability::regimes::SPHERES;
 
 use super::of_regimes;
-use super::special::{DIRECTIONS, NUMBERS, Row};
+use super::special::{DIRECTIONS, Row, pairs};
 
 /// Origins of rays, relative to the centre of the sphere, in radii.
 const ORIGINS: [[f64; 3]; 20] = [
@@ -55,12 +55,10 @@ pub fn cases(count: usize, seed: u64) -> Vec<f64> {
             }
         }
     }
-    for number in NUMBERS {
-        for other in NUMBERS {
-            rows.vector([number, 0.0, -3.0]).vector([other, 0.0, 1.0]).vector([0.0; 3]).number(1.0);
-            rows.vector([0.0, 0.0, number]).vector([0.0, 0.0, other]).vector([0.0; 3]).number(1.0);
-            rows.vector([0.0, 0.0, -3.0]).vector([0.0, 0.0, 1.0]).vector([number, 0.0, 0.0]).number(other.abs());
-        }
+    for (number, other) in pairs() {
+        rows.vector([number, 0.0, -3.0]).vector([other, 0.0, 1.0]).vector([0.0; 3]).number(1.0);
+        rows.vector([0.0, 0.0, number]).vector([0.0, 0.0, other]).vector([0.0; 3]).number(1.0);
+        rows.vector([0.0, 0.0, -3.0]).vector([0.0, 0.0, 1.0]).vector([number, 0.0, 0.0]).number(other.abs());
     }
     rows.0.extend(of_regimes(&SPHERES, count / SPHERES.len(), seed));
     rows.0

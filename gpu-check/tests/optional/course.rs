@@ -34,12 +34,9 @@ pub fn trials() -> Vec<Trial> {
     let pictures = goldens.flat_map(|golden| {
         let is_quick = ["published/1.ppm", "published/2.ppm"].contains(&&*golden.name);
         let trial = |form: Form, is_default: bool, golden: Golden| {
-            let not_all = (!is_default && !is_everything()).then(|| "needs RENDER_SAMPLED_PICTURES=all".to_owned());
-            let trial = Trial::test(format!("course::{}, {form}", golden.name), move || compare(&golden, form));
-            match missing.clone().or(not_all) {
-                Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
-                None => trial,
-            }
+            let not_all = (!is_default && !is_everything()).then_some("needs RENDER_SAMPLED_PICTURES=all");
+            let name = format!("course::{}, {form}", golden.name);
+            test_support::trial(name, missing.as_deref().or(not_all), move || compare(&golden, form))
         };
         let is_in_all_forms = is_quick || (golden.name.starts_with("published/") && is_hardware());
         let other_forms = [Form::ByIntegers, Form::AsDriverLikes].into_iter().filter(move |_| is_in_all_forms);

@@ -6,11 +6,12 @@
 
 use std::ffi::OsString;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
+use test_support::trial;
 
 /// Number of calls with one name that are disturbed.
 const MOST: usize = 2;
@@ -38,48 +39,40 @@ const CASES: [(Disturbance, Option<&str>, &str); 6] = [
 
 /// Returns one trial for each entry of [`CASES`].
 pub fn trials() -> Vec<Trial> {
-    let trial = |(disturbance, old, name): (Disturbance, Option<&'static str>, &str)| {
-        let missing = unavailable(disturbance);
-        let trial = Trial::test(format!("injected::{name}"), move || disturb(disturbance, old));
-        trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
+    let disturbed = |(disturbance, old, name): (Disturbance, Option<&'static str>, &str)| {
+        trial(format!("injected::{name}"), unavailable(disturbance), move || disturb(disturbance, old))
     };
-    let missing = unavailable(Disturbance::Errors);
-    let sync = Trial::test("injected::both_pictures_and_their_folder_are_synced_except_with_no_sync", sync);
-    let sync = sync.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some());
-    CASES.into_iter().map(trial).chain([sync]).collect()
+    let name = "injected::both_pictures_and_their_folder_are_synced_except_with_no_sync";
+    let sync = trial(name, unavailable(Disturbance::Errors), sync);
+    CASES.into_iter().map(disturbed).chain([sync]).collect()
 }
 
 fn sync() -> Result<(), Failed> {
     let folder = Folder::new();
-    fs::create_dir(folder.file("d"))?;
-    let Job { program, arguments, folder: d, gate, .. } = job(folder.path())?;
-    if let Some((path, content)) = gate {
-        fs::write(path, content)?;
-    }
+    let Job { program, arguments, folder: d, gate, .. } = job(&folder)?;
+    gate.into_iter().try_for_each(|(path, content)| fs::write(path, content))?;
     // The second picture shows the difference.
     Ok(check_syncs(&program, &arguments, &d, 2)?)
 }
 
 fn disturb(disturbance: Disturbance, old: Option<&str>) -> Result<(), Failed> {
     let folder = Folder::new();
-    fs::create_dir(folder.file("d"))?;
-    let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(folder.path())? };
+    let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(&folder)? };
     job.disturb(disturbance)?;
     Ok(())
 }
 
-fn job(folder: &Path) -> std::io::Result<Job> {
-    let [module, config, scene, out] = ["grey.wgsl", "config", "scene", "d/out.png"].map(|name| folder.join(name));
-    fs::write(&module, GREY)?;
-    fs::write(&scene, "")?;
+fn job(folder: &Folder) -> std::io::Result<Job> {
+    fs::create_dir(folder.file("d"))?;
+    let (module, scene, config) = (folder.write("grey.wgsl", GREY), folder.write("scene", ""), folder.file("config"));
     let mut arguments = vec![module.into_os_string()];
-    for (option, path) in [("--config", &config), ("--scene", &scene), ("--out", &out)] {
+    for (option, path) in [("--config", &config), ("--scene", &scene), ("--out", &folder.file("d/out.png"))] {
         arguments.extend([OsString::from(option), path.into()]);
     }
     Ok(Job {
         program: PathBuf::from(env!("CARGO_BIN_EXE_shader-lab")),
         arguments,
-        folder: folder.join("d"),
+        folder: folder.file("d"),
         old: None,
         graceful: false,
         gate: Some((config, b"image_width: 8\nmax_depth: 1\n".to_vec())),

@@ -5,9 +5,10 @@ use super::*;
 /// The configuration of these tests, in the place of the one that [`command`] writes.
 const CONFIG: &str = "image_width: 48\nmax_depth: 8\nsamples_per_pixel: 3\n";
 
-fn sampled(folder: &Path, arguments: &str) -> Output {
-    let mut command = command(folder, &format!("{arguments} --samples"));
-    fs::write(folder.join("config.txt"), CONFIG).expect("the folder is writable");
+fn sampled(folder: &Folder, arguments: &str) -> Output {
+    folder.write("uniform.wgsl", standard("uniform"));
+    let mut command = command(folder, &format!("uniform.wgsl {arguments} --check --samples"));
+    folder.write("config.txt", CONFIG);
     command.output().expect("the program starts")
 }
 
@@ -15,10 +16,9 @@ fn sampled(folder: &Path, arguments: &str) -> Output {
 fn a_picture_with_random_numbers_differs_in_no_bit_in_either_convention() {
     common::gpu();
     let folder = Folder::new();
-    fs::write(folder.file("uniform.wgsl"), standard("uniform")).expect("the folder is writable");
     let mut pictures = Vec::new();
     for convention in ["statement", "published"] {
-        let output = sampled(folder.path(), &format!("uniform.wgsl --check --scatter {convention}"));
+        let output = sampled(&folder, &format!("--scatter {convention}"));
         let text = words(&output);
         assert_eq!(output.status.code(), Some(0), "{text}");
         assert!(text.contains("uniform.wgsl stands in for [uniform]\n"), "{text}");
@@ -27,7 +27,7 @@ fn a_picture_with_random_numbers_differs_in_no_bit_in_either_convention() {
             "3 samples for each pixel, scatter convention [{convention}]; 0 of 3888 paths take another number of words\n"
         );
         assert!(text.contains(&counts), "{text}");
-        pictures.push(fs::read(folder.file("out.png")).expect("it was written"));
+        pictures.push(folder.read("out.png"));
     }
     assert!(pictures[0] != pictures[1], "the conventions give different pictures");
 }
@@ -35,9 +35,7 @@ fn a_picture_with_random_numbers_differs_in_no_bit_in_either_convention() {
 #[test]
 fn an_f32_picture_with_random_numbers_has_an_rmse_from_f64_and_with_the_arithmetic_of_ieee_is_its_twin() {
     let accuracy = common::accuracy(&common::gpu());
-    let folder = Folder::new();
-    fs::write(folder.file("uniform.wgsl"), standard("uniform")).expect("the folder is writable");
-    let output = sampled(folder.path(), "uniform.wgsl --f32 --check");
+    let output = sampled(&Folder::new(), "--f32");
     let text = words(&output);
     if accuracy == Accuracy::Ieee {
         assert_eq!(output.status.code(), Some(0), "{text}");
@@ -47,18 +45,4 @@ fn an_f32_picture_with_random_numbers_has_an_rmse_from_f64_and_with_the_arithmet
     let (_, rmse) = rmse.split_once("RMSE ").expect("it has an error");
     let rmse: f64 = rmse.split(',').next().expect("a number").parse().expect("it is one");
     assert!(rmse > 1e-9 && rmse < 0.05, "{text}");
-}
-
-#[test]
-fn a_module_that_such_a_picture_does_not_use_is_refused() {
-    common::gpu();
-    let folder = Folder::new();
-    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
-    let output = sampled(folder.path(), "my.wgsl");
-    let text = words(&output);
-    assert_eq!(output.status.code(), Some(2), "{text}");
-    assert!(
-        text.contains("Error: --samples renders with [kernels/samples], which does not use [kernels/image]"),
-        "{text}"
-    );
 }

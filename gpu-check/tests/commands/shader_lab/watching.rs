@@ -20,11 +20,9 @@ impl Watched {
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = Running::start(command).expect("the program starts");
         let (sender, receiver) = mpsc::channel();
-        let pipes: [Option<Box<dyn Read + Send>>; 2] = [
-            child.stdout.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
-            child.stderr.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
-        ];
-        for pipe in pipes.into_iter().flatten() {
+        let (stdout, stderr) = (child.stdout.take().expect("a pipe"), child.stderr.take().expect("a pipe"));
+        let pipes: [Box<dyn Read + Send>; 2] = [Box::new(stdout), Box::new(stderr)];
+        for pipe in pipes {
             let sender = sender.clone();
             std::thread::spawn(move || {
                 BufReader::new(pipe).lines().map_while(Result::ok).all(|line| sender.send(line).is_ok())
@@ -46,21 +44,20 @@ impl Watched {
 #[test]
 fn watching_survives_a_broken_shader_and_keeps_the_last_good_picture() {
     let folder = Folder::new();
-    let (path, out) = (folder.file("my.wgsl"), folder.file("out.png"));
-    fs::write(&path, TEMPLATE).expect("the folder is writable");
-    let mut watched = Watched::start(command(folder.path(), "my.wgsl --watch"));
+    let path = folder.write("my.wgsl", TEMPLATE);
+    let mut watched = Watched::start(command(&folder, "my.wgsl --watch"));
     watched.wait_for("wrote out-difference.png");
-    let good = fs::read(&out).expect("it was written");
+    let good = folder.read("out.png");
 
-    fs::write(&path, format!("{TEMPLATE}nonsense\n")).expect("the folder is writable");
+    folder.write("my.wgsl", format!("{TEMPLATE}nonsense\n"));
     let line = TEMPLATE.lines().count() + 1;
     watched.wait_for(&format!("Error: my.wgsl:{line}:1: "));
     fs::remove_file(&path).expect("it is there");
     watched.wait_for("Error: my.wgsl: ");
     assert!(watched.0.try_wait().expect("it can be asked").is_none(), "the program goes on");
-    assert_eq!(fs::read(&out).expect("it stays"), good);
+    assert_eq!(folder.read("out.png"), good);
 
-    fs::write(&path, TEMPLATE.replace("return n *", "return n.zyx *")).expect("the folder is writable");
+    folder.write("my.wgsl", TEMPLATE.replace("return n *", "return n.zyx *"));
     watched.wait_for("wrote out-difference.png");
-    assert!(fs::read(&out).expect("it was written") != good, "the new picture is another");
+    assert!(folder.read("out.png") != good, "the new picture is another");
 }

@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use cpu::{Config, Scene, Vec3};
 use gpu_check::difference::difference;
-use gpu_check::{Float, Form, Picture, Renderer, features_of};
+use gpu_check::{Float, Form, Picture};
 use shaders::Library;
 
 use super::is_everything;
-use crate::pictures::on_device;
+use crate::pictures::{on_device, prepared};
 use crate::scenes::{self, Case};
 
 /// Number of spheres of the largest scene, if everything is rendered. By default it has 70,000, which are more than the
@@ -24,27 +24,19 @@ pub fn ten_thousand(width: u64) -> Case {
 }
 
 #[test]
-fn ten_thousand_objects_are_rendered_in_the_hierarchy() {
-    let case = ten_thousand(480);
-    let features = features_of(&case.config, &case.scene).expect("it is valid");
-    let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
-    let library = Library::standard().in_hierarchy();
-    let forms = if is_everything() { &Form::ALL[..] } else { &[Form::AsWritten] };
-    let pictures = forms.iter().map(|form| {
-        let gpu = crate::common::gpu().with_form(*form);
-        let renderer = Renderer::new(&gpu, &library, &features, &[]).expect("it compiles");
+fn ten_thousand_objects_have_the_picture_of_the_loop_over_all_objects() {
+    let case = ten_thousand(if is_everything() { 480 } else { 48 });
+    let all = on_device::<f64>(&crate::common::gpu(), &Library::standard(), &case);
+    println!("ten-thousand: {:.1?} without the hierarchy", all.time);
+    for &form in if is_everything() { &Form::ALL[..] } else { &[Form::AsWritten] } {
+        let gpu = crate::common::gpu().with_form(form);
+        let library = Library::standard().in_hierarchy();
+        let (renderer, picture) = prepared::<f64>(&gpu, &library, &case).expect("it compiles");
         // The time of the first picture has that of bringing the program to the device.
         let [_, tree] = [(); 2].map(|()| renderer.render(&picture).expect("it is not deep"));
-        println!("ten-thousand, 480 x 270, f64, {form}: {:.2?} in the hierarchy", tree.time);
-        tree
-    });
-    let pictures: Vec<_> = pictures.collect();
-    assert_eq!((pictures[0].size.width(), pictures[0].size.height()), (480, 270));
-    if is_everything() {
-        let all = on_device::<f64>(&crate::common::gpu(), &Library::standard(), &case);
-        let found = difference(&pictures[0].pixels, &all.pixels);
-        println!("ten-thousand, 480 x 270: {found}; {:.1?} without the hierarchy", all.time);
-        assert_eq!(found.differing, 0, "{found}");
+        let found = difference(&tree.pixels, &all.pixels);
+        println!("{} x {}, {form}: {:.2?}, {found}", tree.size.width(), tree.size.height(), tree.time);
+        assert!(found.differing == 0 || form == Form::AsDriverLikes, "{found}");
     }
 }
 

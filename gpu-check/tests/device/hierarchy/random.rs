@@ -1,6 +1,6 @@
 //! Random scenes and rays on which a hierarchy may fail: rays that graze small objects, or that start far away.
 
-use cpu::{Ray, Scene};
+use cpu::{Config, Ray, Scene};
 use generator::{Arrangement, Options};
 use gpu_check::{Float, Picture};
 use stability::random::Random;
@@ -8,13 +8,21 @@ use stability::random::Random;
 use crate::kernels::special::{any_size, direction};
 
 /// Returns a scene of 300 objects of very different sizes, which touch or contain others, or lie on a ground.
-pub fn scene(seed: usize) -> Scene {
+fn scene(seed: usize) -> Scene {
     let arrangement = [Arrangement::Degenerate, Arrangement::Scattered, Arrangement::Grid][seed % 3];
     generator::scene(&Options { seed: seed as u64, objects: 300, arrangement, ..Options::default() })
 }
 
+/// Returns the picture of the scene of seed `seed`, and `count` rays in it; see [`ray`].
+pub fn rays<T: Float>(random: &mut Random, seed: usize, count: usize) -> (Picture<T>, Vec<Ray<T>>) {
+    let config = Config { image_width: 8, ..Config::default() };
+    let picture = Picture::new(&config, &scene(seed)).expect("it is valid");
+    let rays = (0..count).map(|_| ray(random, &picture)).collect();
+    (picture, rays)
+}
+
 /// Returns a ray that starts anywhere or on an object, and aims past the middle of an object by about its radius.
-pub fn ray<T: Float>(random: &mut Random, picture: &Picture<T>) -> Ray<T> {
+fn ray<T: Float>(random: &mut Random, picture: &Picture<T>) -> Ray<T> {
     let mut object = || {
         let index = random.below(picture.spheres.len() + picture.cylinders.len());
         let (center, radius) = match index.checked_sub(picture.spheres.len()) {

@@ -1,13 +1,11 @@
 //! Runs the suite's checks with fewer cases, one after the other, until one of them notices an error.
 
-use std::time::{Duration, Instant};
-
-use cpu::{Config, Ray, Vec3};
+use cpu::{Ray, Vec3};
 use gpu_check::closest_hits::closest_hits;
 use gpu_check::difference::{Difference, difference};
 use gpu_check::first_difference::{self, Located};
 use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
-use gpu_check::{Error, Float, Gpu, Picture, Renderer, features_of};
+use gpu_check::{Error, Float, Gpu, Picture, features_of};
 use shaders::{Features, Library, Precision};
 use stability::random::Random;
 
@@ -16,7 +14,7 @@ use super::mutant::Mutant;
 use crate::common::{self, Accuracy};
 use crate::hierarchy::random;
 use crate::kernels::kernel::{Kernel, Tally};
-use crate::pictures::by_reference;
+use crate::pictures::{by_reference, prepared};
 use crate::sampled::record;
 use crate::scenes::{self, Case};
 use crate::{exact, kernels};
@@ -35,9 +33,6 @@ const SAMPLED_SCENES: u64 = 4;
 const SAMPLED_DEPTH: u32 = 9;
 /// Limit on the number of samples times objects of these pictures.
 const SAMPLED_TESTS: usize = 200_000;
-
-/// A first difference, and the time that the search took once a case or a pixel was known that differs.
-pub type Timed = (Located<f64>, Duration);
 
 /// Number of random scenes for rays, and of rays in each of them.
 const RAY_SCENES: usize = 4;
@@ -85,9 +80,9 @@ impl<'a> Examiner<'a> {
         let mut draws = Random::new(45);
         let accuracy = common::accuracy(gpu);
         let rays = (0..RAY_SCENES).map(|number| {
-            let (picture, rays, hits) = random_rays(&mut draws, number)?;
+            let (picture, rays) = random::rays(&mut draws, number, RAYS);
             let hits = match accuracy {
-                Accuracy::Ieee => hits,
+                Accuracy::Ieee => rays.iter().map(|ray| hit(&picture, ray)).collect(),
                 Accuracy::Wgsl => closest_hits(gpu, &Library::standard(), &picture, &rays)?,
             };
             Ok::<_, Error>((picture, rays, hits))
@@ -145,16 +140,14 @@ impl<'a> Examiner<'a> {
     ///
     /// # Errors
     /// An error of the device or of the library's WGSL.
-    pub fn first_difference(&self, library: &Library, module: &str) -> Result<Option<Timed>, Error> {
+    pub fn first_difference(&self, library: &Library, module: &str) -> Result<Option<Located<f64>>, Error> {
         if runs("kernels/image", module)?
             && let Some((case, Difference { first: Some(index), .. })) = self.differing_picture(library)?
             && case.scene.objects.len() < scenes::LONG_PATHS
         {
-            let (features, picture) =
-                (features_of(&case.config, &case.scene)?, Picture::new(&case.config, &case.scene)?);
-            let start = Instant::now();
-            let located = first_difference::of_pixel(self.gpu, library, (&features, &[]), &picture, index)?;
-            return Ok(located.map(|located| (located, start.elapsed())));
+            let features = features_of(&case.config, &case.scene)?;
+            let picture = Picture::new(&case.config, &case.scene)?;
+            return first_difference::of_pixel(self.gpu, library, (&features, &[]), &picture, index);
         }
         Ok(None)
     }
@@ -176,10 +169,8 @@ impl<'a> Examiner<'a> {
     /// Returns the first case whose picture in deterministic mode differs from the reference's.
     fn differing_picture(&self, library: &Library) -> Result<Option<(&Case, Difference)>, Error> {
         for (case, expected) in &self.pictures {
-            let features = features_of(&case.config, &case.scene)?;
-            let renderer = Renderer::<f64>::new(self.gpu, library, &features, &[])?;
-            let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
-            let found = difference(&rendering.pixels, expected);
+            let (renderer, picture) = prepared::<f64>(self.gpu, library, case)?;
+            let found = difference(&renderer.render(&picture)?.pixels, expected);
             if found.differing > 0 {
                 return Ok(Some((case, found)));
             }
@@ -214,17 +205,9 @@ impl<'a> Examiner<'a> {
     }
 }
 
-/// Returns a random scene, rays in it, and lambda, order and part of their closest hits in Rust.
-fn random_rays(draws: &mut Random, number: usize) -> Result<Rays, Error> {
-    let config = Config { image_width: 8, ..Config::default() };
-    let picture = Picture::<f32>::new(&config, &random::scene(number))?;
-    let rays: Vec<_> = (0..RAYS).map(|_| random::ray(draws, &picture)).collect();
-    let hit = |ray: &Ray<f32>| {
-        let found = picture.closest_hit(ray);
-        found.map_or([-1.0; 3], |found| [found.lambda, found.order as f32, found.part as f32])
-    };
-    let hits = rays.iter().map(hit).collect();
-    Ok((picture, rays, hits))
+/// Returns lambda, order and part of the ray's closest hit in Rust.
+fn hit(picture: &Picture<f32>, ray: &Ray<f32>) -> [f32; 3] {
+    picture.closest_hit(ray).map_or([-1.0; 3], |found| [found.lambda, found.order as f32, found.part as f32])
 }
 
 /// Whether the kernel `kernel` needs the module `module`.
