@@ -23,7 +23,7 @@ use chart::Chart;
 /// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`, with texts in `language`. `data` is the path
 /// of the file from which `results` were read. If an output is the file `data`, the function returns an error and
 /// writes nothing. `pictures` makes the thumbnails of the scenes, each with its name and its `data:` address, when all
-/// outputs have been found writable.
+/// outputs have been found writable. If there is the address `pdf` of a report about the results, the page links to it.
 ///
 /// # Errors
 /// An output is the file `data`, a file cannot be written, or a chart cannot be drawn.
@@ -31,7 +31,7 @@ pub fn write(
     results: &Results,
     data: &Path,
     folder: &Path,
-    language: Language,
+    (language, pdf): (Language, Option<&str>),
     options: Options,
     pictures: impl FnOnce(&Results) -> Vec<(String, String)>,
 ) -> Result<(), Failure> {
@@ -44,7 +44,7 @@ pub fn write(
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
     let findings = findings::of(results, language);
     let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())? + "\n";
-    let page = html::page(results, language, &findings, &drawn, pictures(results))?;
+    let page = html::page(results, language, &findings, &drawn, pictures(results), pdf)?;
     let texts = drawn.iter().map(|(_, svg)| svg).chain([&json, &page]);
     for ((path, output), text) in paths.iter().zip(outputs).zip(texts) {
         let output = output.map_or_else(|| Output::open(path, options), Ok)?;
@@ -145,7 +145,7 @@ mod tests {
             let folder = Folder::new();
             std::fs::create_dir(folder.file("charts")).expect("the folder is writable");
             let _socket = UnixListener::bind(folder.file(name)).expect("the folder is writable");
-            let (data, language) = (Path::new("data"), Language::English);
+            let (data, language) = (Path::new("data"), (Language::English, None));
             let result = write(&results, data, folder.path(), language, Options::default(), |_| {
                 panic!("thumbnails are rendered although {name} cannot be written")
             });

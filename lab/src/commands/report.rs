@@ -22,6 +22,9 @@ pub struct Arguments {
     /// Language of the page and the charts
     #[arg(long, default_value = "en", value_parser = language())]
     language: Language,
+    /// Address of a report in PDF about the results, to which the page links
+    #[arg(long, value_name = "ADDRESS")]
+    pdf: Option<String>,
 }
 
 impl Arguments {
@@ -31,6 +34,7 @@ impl Arguments {
     /// An error of the data or the folder.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         let (results, pictures) = (Results::read(&self.data)?, report::thumbnails);
-        report::write(&results, &self.data, &self.out, self.language, options, pictures)
+        let texts = (self.language, self.pdf.as_deref());
+        report::write(&results, &self.data, &self.out, texts, options, pictures)
     }
 }

@@ -3,7 +3,7 @@
 use cpu::internals::InstructionSet;
 
 use super::chart::{Axis, Bounds, Chart, Point, Series};
-use super::style::{seconds, short};
+use super::style::{number, seconds, short, time};
 use crate::bench::results::{Results, Timing};
 use crate::format::{Words, hint::Language};
 use measure::statistics::Median;
@@ -11,6 +11,10 @@ use measure::statistics::Median;
 const TIME: Words = ["user time of a picture", "tiempo de usuario de una imagen"];
 const ERROR: Words = ["RMSE in linear light (white is 1)", "RMSE en luz lineal (el blanco es 1)"];
 const SAMPLES: Words = ["samples a pixel", "muestras por píxel"];
+/// Formats of the numbers at ticks in English and in Spanish, indexed by [`Language`].
+type Format = [fn(f64) -> String; 2];
+const NUMBER: Format = [short, |value| number(value, Language::Spanish)];
+const DURATION: Format = [seconds, |value| time(value, Language::Spanish)];
 /// The vertical axis of a chart of dots, whose rows have names instead of numbers.
 const ROWS: Axis = Axis { label: "", format: short };
 
@@ -54,7 +58,7 @@ fn scale(results: &Results, language: Language, parameter: &str) -> Option<Chart
         push(&mut series, engine, color(engine), Point { x: timing.setting.value as f64, y: median, bounds });
     }
     order(&mut series);
-    let [x, y] = [(label, short as fn(f64) -> String), (TIME, seconds)].map(|axis| of(language, axis));
+    let [x, y] = [(label, NUMBER), (TIME, DURATION)].map(|axis| of(language, axis));
     let name = format!("scale-{parameter}");
     chart(Chart { name, title: language.pick(title).to_owned(), x, y, series, rows: Vec::new() })
 }
@@ -75,7 +79,7 @@ fn error_by_samples(results: &Results, language: Language) -> Option<Chart> {
     let guide = [start.x, end.x].map(|x| Point { x, y: 0.6 * start.y * (x / start.x).powf(-0.5), bounds: None });
     let name = language.pick(["slope -1/2", "pendiente -1/2"]).to_owned();
     series.push(Series { name, color: 0, is_guide: true, points: guide.to_vec() });
-    let [x, y] = [SAMPLES, ERROR].map(|label| of(language, (label, short)));
+    let [x, y] = [SAMPLES, ERROR].map(|label| of(language, (label, NUMBER)));
     let title = language.pick(["Error against samples", "Error frente a las muestras"]).to_owned();
     chart(Chart { name: "error-samples".to_owned(), title, x, y, series, rows: Vec::new() })
 }
@@ -97,7 +101,7 @@ fn error_by_time(results: &Results, language: Language, scene: &str) -> Option<C
     order(&mut series);
     let title = ["Error against time, scene \u{201c}{}\u{201d}", "Error frente al tiempo, escena «{}»"];
     let (title, name) = (language.say(title, &[scene]), format!("error-time-{scene}"));
-    let [x, y] = [(TIME, seconds as fn(f64) -> String), (ERROR, short)].map(|axis| of(language, axis));
+    let [x, y] = [(TIME, DURATION), (ERROR, NUMBER)].map(|axis| of(language, axis));
     chart(Chart { name, title, x, y, series, rows: Vec::new() })
 }
 
@@ -122,7 +126,7 @@ fn speed_ups(results: &Results, language: Language) -> Option<Chart> {
             push(&mut series, &curve.scene, index + 1, point);
         }
     }
-    let x = of(language, (["times as fast as the reference", "veces más rápido que la referencia"], short));
+    let x = of(language, (["times as fast as the reference", "veces más rápido que la referencia"], NUMBER));
     let title = ["Implementations against the reference", "Las implementaciones frente a la referencia"];
     let title = language.pick(title).to_owned();
     chart(Chart { name: "speed-up".to_owned(), title, x, y: ROWS, series, rows })
@@ -134,8 +138,8 @@ fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIt
 }
 
 /// Returns the axis with this label and format.
-fn of(language: Language, (label, format): (Words, fn(f64) -> String)) -> Axis {
-    Axis { label: language.pick(label), format }
+fn of(language: Language, (label, format): (Words, Format)) -> Axis {
+    Axis { label: language.pick(label), format: format[language as usize] }
 }
 
 fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {
@@ -164,4 +168,20 @@ fn order(series: &mut [Series]) {
 
 fn chart(chart: Chart) -> Option<Chart> {
     chart.series.iter().any(|series| !series.is_guide && !series.points.is_empty()).then_some(chart)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::results::tests::{results, timing};
+
+    #[test]
+    fn spanish_axes_have_decimal_commas() {
+        let results = results(vec![timing("aos-avx2", 1, &[1.0]), timing("aos-avx2", 4, &[2.0])]);
+        let texts = [Language::English, Language::Spanish].map(|language| {
+            let charts = all(&results, language);
+            (charts[0].x.format)(0.5) + " and " + &(charts[0].y.format)(0.0125)
+        });
+        assert_eq!(texts, ["0.5 and 12.5 ms", "0,5 and 12,5 ms"]);
+    }
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use minijinja::context;
 
 use super::chart::Chart;
-use super::findings::Finding;
-use super::style::{self, engine_meaning, for_screen, joined, seconds, short, variables, with_error};
+use super::findings::{self, Finding};
+use super::style::{self, engine_meaning, for_screen, joined, localized, number, time, variables, with_error};
 use crate::bench::machine::Machine;
 use crate::bench::results::Results;
 use crate::format::{Words, hint::Language};
@@ -15,6 +15,10 @@ use crate::template::{escape, filled};
 const SCENE: Words = ["scene", "escena"];
 const IMPLEMENTATION: Words = ["implementation", "implementación"];
 const VERSION: Words = ["on {} with the program of commit {}", "el {} con el programa del commit {}"];
+const PDF: Words = [
+    "The report that explains these measurements is {}. The command docs/build-report builds it.",
+    "El informe que explica estas medidas es {}. Lo construye la orden docs/build-report --language es.",
+];
 const PROCESSORS: Words = ["{} ({} processors)", "{} ({} procesadores)"];
 
 /// Returns an HTML page that needs no other file. Its colours follow the light or dark setting of the reader.
@@ -34,7 +38,8 @@ pub fn document(language: Language, title: &str, body: &str) -> Result<String, S
 }
 
 /// Returns the HTML page about `results`. Each chart is given with its SVG text, and each scene with its name and the
-/// `data:` address of its picture.
+/// `data:` address of its picture. If there is the address `pdf` of a report about the results, the page begins with a
+/// link to it.
 ///
 /// # Errors
 /// The error of [`filled`].
@@ -44,15 +49,23 @@ pub fn page(
     findings: &[Finding],
     charts: &[(&Chart, String)],
     scenes: Vec<(String, String)>,
+    pdf: Option<&str>,
 ) -> Result<String, String> {
+    let pdf = pdf.map_or_else(String::new, |address| {
+        let name = address.rsplit('/').next().unwrap_or(address);
+        let link = format!("<a href=\"{}\">{}</a>", escape(address), escape(name));
+        format!("<p>{}</p>\n", language.say(PDF, &[&link]))
+    });
     let run = |machine: &Machine| language.say(VERSION, &[&machine.date, &machine.commit]);
     let mut runs: Vec<_> = results.machines.iter().map(run).collect();
     runs.dedup();
     let measured = joined(runs.into_iter(), ", ")
         .map_or_else(String::new, |runs| paragraph(&language.say(["Measured {}.", "Medido {}."], &[&runs])));
+    let sentences = findings::conclusions(results, language);
+    let conclusions: String = sentences.iter().map(|sentence| paragraph(sentence)).collect();
     let findings = findings.iter().map(|it| format!("<dt>{}</dt><dd>{}</dd>\n", escape(it.topic), escape(&it.text)));
     let figures = charts.iter().map(|(chart, svg)| {
-        let caption = escape(&caption(chart, language));
+        let caption = escape(caption(chart, language));
         format!("<figure>{}<figcaption>{caption}</figcaption></figure>\n", for_screen(svg))
     });
     let scenes = if scenes.is_empty() {
@@ -61,7 +74,12 @@ pub fn page(
         heading(language.pick(["Scenes", "Escenas"])) + &pictures(language.pick(["The scene ", "La escena "]), scenes)
     };
     let body = [
-        heading(language.pick(["What they say", "Qué dicen"])),
+        if conclusions.is_empty() {
+            conclusions
+        } else {
+            heading(language.pick(["In short", "En resumen"])) + &conclusions
+        },
+        heading(language.pick(["What the data say", "Qué dicen los datos"])),
         format!("<dl>\n{}</dl>\n", findings.collect::<String>()),
         scenes,
         implementations(results, language),
@@ -74,7 +92,7 @@ pub fn page(
     ]
     .concat();
     let title = language.pick(["Measurements of the renderer", "Medidas del renderizador"]);
-    document(language, title, &(measured + &contents(language, &body) + &body))
+    document(language, title, &(pdf + &measured + &contents(language, &body) + &body))
 }
 
 /// Returns a heading of the page. It has an `id` made from its words, so that `contents` can link to it.
@@ -117,8 +135,8 @@ fn implementations(results: &Results, language: Language) -> String {
     table(language.pick(["Implementations", "Implementaciones"]), &head, rows)
 }
 
-/// Returns the text of the caption below a chart.
-fn caption(chart: &Chart, language: Language) -> String {
+/// Returns the caption below a chart, which says how to read the chart.
+fn caption(chart: &Chart, language: Language) -> &'static str {
     let what: Words = match chart.name.split('-').next().unwrap_or_default() {
         "scale" => [
             "Medians of user time; bars are the bounds of a median. Both axes are logarithmic: a straight line is a power.",
@@ -136,13 +154,13 @@ fn caption(chart: &Chart, language: Language) -> String {
         ],
         _ => ["", ""],
     };
-    format!("{}. {}", chart.title, language.pick(what))
+    language.pick(what)
 }
 
 fn growth(results: &Results, language: Language) -> String {
     let rows = results.growth.iter().filter(|growth| growth.parameter != "depth").map(|growth| {
         let (points, exponent) =
-            (growth.law.points.to_string(), with_error(growth.law.exponent, growth.law.exponent_error));
+            (growth.law.points.to_string(), with_error(growth.law.exponent, growth.law.exponent_error, language));
         let parameter = style::parameter_name(&growth.parameter, language).to_owned();
         vec![growth.scene.clone(), parameter, growth.engine.clone(), points, exponent]
     });
@@ -152,20 +170,28 @@ fn growth(results: &Results, language: Language) -> String {
 }
 
 fn times_to_error(results: &Results, language: Language) -> String {
-    let rows = results.times_to_error.iter().map(|time| {
-        let reached = time.seconds.map_or_else(|| language.pick(["not reached", "no se alcanza"]).to_owned(), seconds);
-        vec![time.scene.clone(), time.engine.clone(), short(time.error), reached]
+    let rows = results.times_to_error.iter().map(|result| {
+        let never = || language.pick(["not reached", "no se alcanza"]).to_owned();
+        let reached = result.seconds.map_or_else(never, |seconds| time(seconds, language));
+        vec![result.scene.clone(), result.engine.clone(), number(result.error, language), reached]
     });
     let head = [SCENE, IMPLEMENTATION, ["error", "error"], ["user time", "tiempo de usuario"]];
     let title = ["Time to an error (RMSE in linear light)", "Tiempo hasta un error (RMSE en luz lineal)"];
     table(language.pick(title), &head.map(|words| language.pick(words)), rows)
 }
 
+const TOO_LONG: Words = ["a picture would take about ", "una imagen tardaría unos "];
+
 fn omitted(results: &Results, language: Language) -> String {
     let rows = results.omitted.iter().map(|omitted| {
         let setting = &omitted.setting;
         let value = style::setting(&setting.parameter, setting.value, language);
-        vec![setting.scene.clone(), value, setting.engine.clone(), omitted.reason.clone()]
+        // The data have the reason in English.
+        let reason = match (language, omitted.reason.strip_prefix(TOO_LONG[0])) {
+            (Language::Spanish, Some(time)) => TOO_LONG[1].to_owned() + &localized(time.to_owned(), language),
+            _ => omitted.reason.clone(),
+        };
+        vec![setting.scene.clone(), value, setting.engine.clone(), reason]
     });
     let head = [SCENE, ["setting", "ajuste"], IMPLEMENTATION, ["because", "motivo"]];
     table(language.pick(["Left out", "Lo que falta"]), &head.map(|words| language.pick(words)), rows)
@@ -223,13 +249,18 @@ mod tests {
         let machine = Machine { date: "2026-01-31".to_owned(), commit: "0123<\u{1b}".to_owned(), ..Machine::here() };
         let results = Results { times_to_error, machines: vec![machine], ..Results::default() };
         let picture = ["grid", "data:image/png;base64,AAAA"].map(str::to_owned).into();
-        let page = page(&results, Language::English, &[], &[], vec![picture]).expect("the template is complete");
-        for id in ["what-they-say", "scenes", "charts", "time-to-an-error--rmse-in-linear-light-"] {
+        let page = page(&results, Language::English, &[], &[], vec![picture], Some("../a&b.pdf"))
+            .expect("the template is complete");
+        for id in ["what-the-data-say", "scenes", "charts", "time-to-an-error--rmse-in-linear-light-"] {
             let both = [format!("<a href=\"#{id}\">"), format!("<h2 id=\"{id}\">")];
             assert!(both.iter().all(|text| page.contains(text)), "{id}: {page}");
         }
         assert!(page.contains("<img src=\"data:image/png;base64,AAAA\" alt=\"The scene grid\">"), "{page}");
         assert!(page.contains("<p>Measured on 2026-01-31 with the program of commit 0123&lt;\u{fffd}.</p>"), "{page}");
+        assert!(
+            page.contains("is <a href=\"../a&amp;b.pdf\">a&amp;b.pdf</a>. The command docs/build-report"),
+            "{page}"
+        );
         assert!(page.contains("<td class=\"t\">grid</td>") && page.contains("<td>0.05</td>"), "{page}");
     }
 }

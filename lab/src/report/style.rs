@@ -54,20 +54,32 @@ pub fn engine_meaning(engine: &str, language: Language) -> String {
             "follows the definition line by line and tries every object for every ray; the yardstick",
             "sigue la definición línea a línea y prueba todos los objetos para cada rayo; la vara de medir",
         ],
-        "aos" => ["arrays of structures, {} instructions", "arrays de estructuras, instrucciones {}"],
-        "soa" => ["structures of arrays, {} instructions", "estructuras de arrays, instrucciones {}"],
+        "aos" => ["arrays of structures, {}", "arrays de estructuras, {}"],
+        "soa" => ["structures of arrays, {}", "estructuras de arrays, {}"],
         _ => return engine.to_owned(),
     };
-    language.say(words, &[set])
+    let set_words: Words = match set {
+        "portable" => ["without explicit vector instructions", "sin instrucciones vectoriales explícitas"],
+        "avx2" => ["AVX2: vectors of 256 bits", "AVX2: vectores de 256 bits"],
+        "avx512" => [
+            "AVX-512: vectors of 512 bits, but of 256 for the paths of small scenes",
+            "AVX-512: vectores de 512 bits, pero de 256 para los caminos de escenas pequeñas",
+        ],
+        "avx512-throughout" => ["AVX-512: vectors of 512 bits throughout", "AVX-512: vectores de 512 bits en todo"],
+        _ => ["{} instructions", "instrucciones {}"],
+    };
+    language.say(words, &[&language.say(set_words, &[set])])
 }
 
-/// Returns the value of a parameter in words, as in `1 sample`, `10 objects` or `width 64`.
+/// Returns the value of a parameter in words, as in `1 sample`, `10 objects` or `64 pixels wide`.
 pub fn setting(parameter: &str, value: u64, language: Language) -> String {
     let words: Words = match (parameter, value) {
         ("samples", 1) => ["{} sample", "{} muestra"],
         ("samples", _) => ["{} samples", "{} muestras"],
         ("objects", 1) => ["{} object", "{} objeto"],
         ("objects", _) => ["{} objects", "{} objetos"],
+        ("density", _) => ["{} objects in the same view", "{} objetos en la misma vista"],
+        ("width", _) => ["{} pixels wide", "{} píxeles de ancho"],
         _ => return format!("{} {value}", parameter_name(parameter, language)),
     };
     language.say(words, &[&value.to_string()])
@@ -79,7 +91,8 @@ pub fn parameter_name(parameter: &str, language: Language) -> &str {
         (Language::Spanish, "width") => "anchura",
         (Language::Spanish, "samples") => "muestras",
         (Language::Spanish, "depth") => "profundidad",
-        (Language::Spanish, "density") => "densidad",
+        (Language::English, "density") => "objects in the same view",
+        (Language::Spanish, "density") => "objetos en la misma vista",
         (Language::Spanish, "objects") => "objetos",
         _ => parameter,
     }
@@ -102,6 +115,24 @@ pub fn short(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
+/// Returns a text that holds numbers and no other point, with the decimal commas of Spanish if `language` is Spanish.
+pub fn localized(text: String, language: Language) -> String {
+    match language {
+        Language::English => text,
+        Language::Spanish => text.replace('.', ","),
+    }
+}
+
+/// Formats a number as [`short`] does, in a language.
+pub fn number(value: f64, language: Language) -> String {
+    localized(short(value), language)
+}
+
+/// Formats a time as [`seconds`] does, in a language.
+pub fn time(value: f64, language: Language) -> String {
+    localized(seconds(value), language)
+}
+
 /// Returns the parts with `separator` between them, or `None` if there are none.
 pub fn joined(parts: impl Iterator<Item = String>, separator: &str) -> Option<String> {
     let parts: Vec<_> = parts.collect();
@@ -110,14 +141,15 @@ pub fn joined(parts: impl Iterator<Item = String>, separator: &str) -> Option<St
 
 /// Formats a value and its standard error, both rounded to the first digit of the error. Without a usable error,
 /// formats only the value, with [`short`].
-pub fn with_error(value: f64, error: Option<f64>) -> String {
-    match error.filter(|error| *error > 0.0 && error.is_finite()) {
+pub fn with_error(value: f64, error: Option<f64>, language: Language) -> String {
+    let text = match error.filter(|error| *error > 0.0 && error.is_finite()) {
         Some(error) => {
             let places = (-error.log10().floor()).clamp(0.0, 6.0) as usize;
             format!("{value:.places$} ± {error:.places$}")
         }
         None => short(value),
-    }
+    };
+    localized(text, language)
 }
 
 #[cfg(test)]
@@ -132,11 +164,11 @@ mod tests {
 
     #[test]
     fn one_is_singular() {
-        let texts = [("samples", 1), ("samples", 2), ("objects", 1), ("width", 64)]
+        let texts = [("samples", 1), ("samples", 2), ("objects", 1), ("depth", 64)]
             .map(|(of, value)| [Language::English, Language::Spanish].map(|language| setting(of, value, language)));
         assert_eq!(
             texts.concat(),
-            ["1 sample", "1 muestra", "2 samples", "2 muestras", "1 object", "1 objeto", "width 64", "anchura 64"]
+            ["1 sample", "1 muestra", "2 samples", "2 muestras", "1 object", "1 objeto", "depth 64", "profundidad 64"]
         );
     }
 
@@ -147,9 +179,17 @@ mod tests {
 
     #[test]
     fn an_error_has_one_digit() {
-        assert_eq!(with_error(1.9345, Some(0.0252)), "1.93 ± 0.03");
-        assert_eq!(with_error(-0.498_12, Some(0.002)), "-0.498 ± 0.002");
-        assert_eq!((with_error(0.5, None), with_error(0.5, Some(0.0))), ("0.5".to_owned(), "0.5".to_owned()));
+        let english = |value, error| with_error(value, error, Language::English);
+        assert_eq!(english(1.9345, Some(0.0252)), "1.93 ± 0.03");
+        assert_eq!(english(-0.498_12, Some(0.002)), "-0.498 ± 0.002");
+        assert_eq!((english(0.5, None), english(0.5, Some(0.0))), ("0.5".to_owned(), "0.5".to_owned()));
+    }
+
+    #[test]
+    fn spanish_numbers_have_decimal_commas() {
+        let spanish = Language::Spanish;
+        let texts = [number(0.125, spanish), time(0.0125, spanish), with_error(1.9345, Some(0.0252), spanish)];
+        assert_eq!(texts, ["0,125", "12,5 ms", "1,93 ± 0,03"]);
     }
 
     #[test]

@@ -52,10 +52,12 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     assert!(findings.as_array().is_some_and(|findings| findings.len() >= 3), "{findings}");
     assert!(folder.file("report/charts/scale-depth.svg").is_file());
 
-    printed(&["report", &folder.name("depth.json"), "--language", "es", "--out", &folder.name("es")]);
+    let spanish = ["--language", "es", "--pdf", "../report.pdf", "--out", &folder.name("es")];
+    printed(&[&["report", &folder.name("depth.json")], &spanish[..]].concat());
     let page = fs::read_to_string(folder.file("es/index.html")).expect("it was written");
-    let texts = ["<html lang=\"es\">", "Tiempo frente a la profundidad máxima", "<p>Medido el "];
-    assert_eq!(texts.map(|text| page.contains(text)), [true; 3], "{page}");
+    let link = "<a href=\"../report.pdf\">report.pdf</a>";
+    let texts = ["<html lang=\"es\">", link, "Tiempo frente a la profundidad máxima", "<p>Medido el "];
+    assert_eq!(texts.map(|text| page.contains(text)), [true; 4], "{page}");
 }
 
 #[test]
