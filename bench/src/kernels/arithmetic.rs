@@ -19,6 +19,9 @@ use super::{Kernel, Work, plain};
 
 pub const KERNELS: &[Kernel] = &[
     Kernel { name: "clock", new: clock },
+    Kernel { name: "clock-product-sum", new: || chain(|number| number * 0.7 + 0.3) },
+    Kernel { name: "clock-quotient", new: || chain(|number| 2.1 / number) },
+    Kernel { name: "clock-root-sum", new: || chain(|number| number.sqrt() + 0.3) },
     Kernel { name: "background", new: background },
     Kernel { name: "draws", new: draws },
     Kernel { name: "skipped-draws", new: skipped_draws },
@@ -54,7 +57,19 @@ fn clock() -> Box<dyn Work> {
     })
 }
 
-/// Number of rays, directions or means in one turn.
+/// Returns a chain of operations that each wait for the one before, so the time shows their latency. Their numbers stay
+/// between 1 and 2.1, away from the values that a processor computes faster or slower.
+fn chain(operation: impl Fn(f64) -> f64 + 'static) -> Box<dyn Work> {
+    let mut number = 1.3;
+    plain(COUNT, move || {
+        for _ in 0..COUNT {
+            number = operation(number);
+        }
+        black_box(&mut number);
+    })
+}
+
+/// Number of rays, directions or means in one turn, and of operations in a chain.
 const COUNT: usize = 1024;
 
 /// The centre of a sphere of radius 1. More than a quarter of the rays of [`rays`] hit this sphere.
