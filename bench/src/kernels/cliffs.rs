@@ -30,7 +30,7 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "telescope-at-1e7", new: || picture("telescope", [0.86, 0.5, 0.5, 0.0]) },
 ];
 
-/// Returns a picture of 32 by 18 pixels with four samples each.
+/// Returns the scene at a point of a family, with a configuration of 32 by 18 pixels and four samples for each.
 fn inputs(family: &str, point: Point) -> (Config, Scene) {
     let family = FAMILIES.iter().find(|known| known.name == family).expect("there is such a family");
     let scene = (family.scene)(point);

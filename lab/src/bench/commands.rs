@@ -94,6 +94,7 @@ impl Rounds {
                 Ok(_) => {}
                 Err(Failure::Interrupted) => return Err(Failure::Interrupted),
                 Err(failure) if all => return Err(failure.about(&job.name)),
+                // The message stands for the job, whose other runs are left out.
                 Err(failure) => runs[index] = Err(failure.about(&job.name).message().unwrap_or_default()),
             }
         }

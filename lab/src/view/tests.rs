@@ -104,6 +104,7 @@ fn a_pipe_or_a_link_in_the_place_of_a_file_is_refused_at_once() {
     let (folder, view) = view();
     let config = view.config.path();
     let secret = folder.write("secret.txt", "gamma: 3\n");
+    // In the place of the configuration: a named pipe, or a link to the target.
     for (target, reason) in [
         (None, "it is not a regular file"),
         (Some("/dev/zero".as_ref()), "symbolic links"),
