@@ -101,6 +101,7 @@ fn scripts_refuse_what_they_do_not_know() {
         ("docs/measure-perf", &[]),
         ("docs/measure-perf", &["perf.csv", "many"]),
         ("docs/measure-perf", &["9", "perf.csv"]),
+        ("docs/measure-perf", &["--sweep"]),
     ] {
         let output = script(&[&["bash", name], arguments].concat(), &folder);
         assert_eq!(output.status.code(), Some(2), "{name} {arguments:?}");
