@@ -1,5 +1,7 @@
 //! Opens the device for all tests that need one.
 
+use std::time::Duration;
+
 use gpu_check::Gpu;
 use gpu_check::conformance::{native, probe::Probe, probes, verdict::Verdict};
 
@@ -21,7 +23,8 @@ pub enum Accuracy {
 pub fn gpu() -> Gpu {
     let gpu = Gpu::open().unwrap_or_else(|error| panic!("{error}"));
     println!("{gpu}");
-    gpu
+    // On a busy machine lavapipe takes minutes for what takes seconds on an idle one.
+    gpu.with_patience(Duration::from_secs(3600))
 }
 
 /// Returns the accuracy of the device's f32 arithmetic, and prints it: that of IEEE 754 if the results of all probes

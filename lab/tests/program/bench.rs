@@ -92,7 +92,8 @@ fn an_interrupted_measurement_writes_nothing() {
     let mut lines = BufReader::new(child.stderr.take().expect("it is piped")).lines().map_while(Result::ok);
     assert!(lines.any(|line| line == "task 1 of 5: scale width"), "the first task begins");
     let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
-    nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
+    // SIGTERM, because a program that a shell starts in the background, or under `nohup`, may ignore SIGINT or SIGHUP.
+    nix::sys::signal::kill(process, nix::sys::signal::SIGTERM).expect("it runs");
     let said: Vec<_> = lines.collect();
     assert_eq!(child.wait().expect("it ends").code(), Some(130), "{said:?}");
     assert_eq!(said, ["Error: interrupted; nothing was written"]);
