@@ -10,10 +10,12 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 [ "${1:-}" != --help ] || { sed -n '2,8s/^# \{0,1\}//p' tests/ftest.sh; exit; }
+. tests/steps.sh
 if [ "${1:-}" = programs ]; then
     shift
-    cargo test -p cli --test '*' "$@"
+    step cargo test -p cli --test '*' --no-fail-fast "$@"
 else
-    cargo test --workspace --test '*' "$@"
+    step cargo test --workspace --test '*' --no-fail-fast "$@"
 fi
-cargo test -p cli --release --test digests "$@"
+step cargo test -p cli --release --test digests "$@"
+finish

@@ -15,6 +15,8 @@ case ${1:-} in
     aos | soa) exec cargo test "${evaluated[@]}" "$1::" "${@:2}" ;;
     common) exec cargo test "${evaluated[@]}" "${@:2}" -- --skip aos:: --skip soa:: ;;
 esac
-cargo test --workspace --lib --bins "$@"
-cargo test -p cpu --features counters --test counters "$@"
-cargo test --workspace --doc "$@"
+. tests/steps.sh
+step cargo test --workspace --lib --bins --no-fail-fast "$@"
+step cargo test -p cpu --features counters --test counters "$@"
+step cargo test --workspace --doc --no-fail-fast "$@"
+finish

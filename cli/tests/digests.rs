@@ -5,7 +5,6 @@
 //! If there is no reference folder, the tests of its pictures are shown as ignored.
 
 use std::path::Path;
-use std::process::Command;
 
 use cpu::{Aos, Config, Renderable, Scatter, Scene, Soa};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -72,7 +71,7 @@ fn has_its_digest(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
 fn through_the_program(golden: &Golden, program: &str) -> Result<Vec<u8>, Failed> {
     let folder = Folder::new();
     let out = folder.file("out.ppm");
-    let output = Command::new(program).args([&golden.config, &golden.scene, &out]).output()?;
+    let output = test_support::running::program(program).args([&golden.config, &golden.scene, &out]).output()?;
     if !output.status.success() || !output.stdout.is_empty() || !output.stderr.is_empty() {
         return Err(format!("{output:?}").into());
     }

@@ -37,7 +37,7 @@ impl Bench {
     /// Returns the command `program config.txt scene.txt OUT`, with `out` in place of OUT. It runs in the folder, so
     /// that messages show short names.
     pub fn command(&self, program: &str, out: &str) -> Command {
-        let mut command = Command::new(program);
+        let mut command = test_support::running::program(program);
         command.current_dir(self.path()).args(["config.txt", "scene.txt", out]);
         command
     }

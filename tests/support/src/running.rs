@@ -1,8 +1,24 @@
-//! A process that does not outlive its test.
+//! How tests start a program, and a process that does not outlive its test.
 
+use std::ffi::OsStr;
 use std::io;
 use std::ops::{Deref, DerefMut};
 use std::process::{Child, Command, Output};
+
+/// The variable with which Cargo runs the test programs under another program, for instance `qemu-x86_64 -cpu Nehalem`.
+const RUNNER: &str = "CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER";
+
+/// Returns a command that runs the program at `path`, under Cargo's runner if there is one. With an emulator as the
+/// runner, a test would otherwise run on the emulated processor, and start `path` on that of the machine.
+#[must_use]
+pub fn program(path: impl AsRef<OsStr>) -> Command {
+    let runner = std::env::var(RUNNER).unwrap_or_default();
+    let mut words = runner.split_whitespace();
+    let Some(first) = words.next() else { return Command::new(path) };
+    let mut command = Command::new(first);
+    command.args(words).arg(path);
+    command
+}
 
 /// A running process. It is killed when this value is dropped, so that it ends even if the test fails.
 #[derive(Debug)]

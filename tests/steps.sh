@@ -1,0 +1,70 @@
+# Sourced by the scripts that run many tests. `step COMMAND...` runs a command and goes on if it fails. `finish` lists what
+# failed, with the commands that run it again, and its status is then 1. If one of these scripts is a step of another
+# one, only the outer one lists.
+
+steps_name=$0
+steps_owner=no
+if [ -z "${STEPS_FAILED:-}" ]; then
+    steps_owner=yes
+    STEPS_FAILED=$(mktemp)
+    export STEPS_FAILED
+    trap 'rm -f "$STEPS_FAILED" "$STEPS_FAILED.log."*' EXIT
+fi
+
+# Prints, for what `cargo test` printed, the commands that run the failed tests again. Their beginning is $1, such as
+# "cargo test --release".
+steps_again() {
+    awk -v start="$1" -v quote="'" '
+        /^test .* \.\.\. FAILED/ {
+            name = $0
+            sub(/^test (\[[^]]*\] )?/, "", name)
+            sub(/ +\.\.\. FAILED.*/, "", name)
+            names = names " " (name ~ /[^A-Za-z0-9_:]/ ? quote name quote : name)
+        }
+        match($0, /to rerun pass `[^`]*`/) {
+            print start " " substr($0, RSTART + 15, RLENGTH - 16) (names == "" ? "" : " -- --exact" names)
+            names = ""
+        }
+    '
+}
+
+step() {
+    local before log status=0 word start=""
+    before=$(wc -l <"$STEPS_FAILED")
+    log=$STEPS_FAILED.log.$BASHPID
+    echo "$steps_name: $*"
+    "$@" 2>&1 | tee "$log" || status=$?
+    [ $status -eq 0 ] && return
+    # A step that is such a script has named its own failures.
+    [ "$(wc -l <"$STEPS_FAILED")" -eq "$before" ] || return 0
+    # The options that decide which programs are built, but not which tests run.
+    for word in "$@"; do
+        case $word in
+            env | cargo | test | RENDER_*=* | --release) start+=" $word" ;;
+            counters) start+=" --features counters" ;;
+        esac
+    done
+    steps_again "${start# }" <"$log" >>"$STEPS_FAILED"
+    # Something else failed, such as the compiler.
+    [ "$(wc -l <"$STEPS_FAILED")" -gt "$before" ] || echo "$*" >>"$STEPS_FAILED"
+}
+
+finish() {
+    if [ ! -s "$STEPS_FAILED" ]; then
+        [ $steps_owner = no ] || echo "$steps_name: 0 failures"
+        return
+    fi
+    if [ $steps_owner = yes ]; then
+        echo "$steps_name: FAILED; these commands run it again:"
+        sed 's/^/    /' "$STEPS_FAILED"
+    fi
+    return 1
+}
+
+# Prints the names of the instruction sets that this machine has. The message about an unknown set lists them.
+sets_of_this_machine() {
+    local said
+    said=$(RENDER_INSTRUCTION_SET=none cargo run --quiet -p lab --bin render-lab -- bench tasks 2>&1) || true
+    [[ $said == *"this machine has "* ]] || { echo "$steps_name: no list of instruction sets: $said" >&2; return 1; }
+    echo "${said##*this machine has }" | tr -d ,
+}
