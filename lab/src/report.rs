@@ -19,6 +19,7 @@ use crate::format::hint::Language;
 use crate::picture::Picture;
 use crate::{Failure, sources};
 use chart::Chart;
+use findings::Findings;
 
 /// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`, with texts in `language`. `data` is the path
 /// of the file from which `results` were read. If an output is the file `data`, the function returns an error and
@@ -42,7 +43,7 @@ pub fn write(
     let outputs = open(&paths, data, options)?;
     // Everything else that can fail is computed before the first file is written.
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
-    let findings = findings::of(results, language);
+    let findings = Findings { sentences: findings::of(results, language), layouts: findings::layout_rows(results) };
     let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())? + "\n";
     let page = html::page(results, language, &findings, &drawn, pictures(results), pdf)?;
     let texts = drawn.iter().map(|(_, svg)| svg).chain([&json, &page]);

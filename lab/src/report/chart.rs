@@ -81,7 +81,8 @@ impl Point {
     }
 }
 
-const WIDTH: u32 = 600;
+/// Width in pixels. Two charts side by side on a page of paper then have letters of 8 points.
+const WIDTH: u32 = 480;
 const LEGEND_ROW: u32 = 22;
 const TITLE: u32 = 34;
 const LEFT: i32 = 14;
@@ -120,7 +121,7 @@ impl Chart {
         let head = TITLE + LEGEND_ROW * rows;
         // Each row is high enough for the markers of all series, 11 pixels each.
         let row = (11 * self.series.len() as u32).max(34);
-        let body = if self.rows.is_empty() { 330 } else { 80 + row * self.rows.len() as u32 };
+        let body = if self.rows.is_empty() { 300 } else { 80 + row * self.rows.len() as u32 };
         let mut svg = String::new();
         {
             let root = SVGBackend::with_string(&mut svg, (WIDTH, head + body)).into_drawing_area();
@@ -166,7 +167,7 @@ mod tests {
     fn a_chart_is_an_svg_that_scales() {
         let points = [1.0, 10.0, 100.0].map(|x| Point { x, y: 2.0 * x, bounds: Some(Bounds::Vertical(x, 3.0 * x)) });
         let svg = chart(points.to_vec()).draw().expect("there are points");
-        assert!(svg.starts_with("<svg role=\"img\" aria-label=\"Less &lt; more\" viewBox=\"0 0 600 "), "{svg}");
+        assert!(svg.starts_with("<svg role=\"img\" aria-label=\"Less &lt; more\" viewBox=\"0 0 480 "), "{svg}");
         assert!(svg.contains("time in s") && svg.contains("a &amp; b") && svg.contains("\n100\n"), "{svg}");
         assert_eq!(svg.matches("<circle").count(), 4, "three points and the legend");
     }

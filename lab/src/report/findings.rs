@@ -11,7 +11,7 @@ use crate::bench::results::{Results, TARGETS, TimeToError};
 use crate::format::{Words, hint::Language};
 use comparisons::{instruction_sets, layouts, reference};
 
-pub use comparisons::conclusions;
+pub use comparisons::{LayoutRow, conclusions, layout_rows};
 
 /// A sentence about the data, with its topic.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -20,6 +20,15 @@ pub struct Finding {
     pub topic: &'static str,
     /// The sentence.
     pub text: String,
+}
+
+/// All that is found in the data: the contents of `findings.json`, from which the report as PDF takes its numbers too.
+#[derive(Clone, Debug, Serialize)]
+pub struct Findings {
+    /// The sentences.
+    pub sentences: Vec<Finding>,
+    /// The comparison of the layouts.
+    pub layouts: Vec<LayoutRow>,
 }
 
 /// Returns a sentence for each topic for which there are data.

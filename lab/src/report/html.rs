@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use minijinja::context;
 
 use super::chart::Chart;
-use super::findings::{self, Finding};
+use super::findings::{self, Findings};
 use super::style::{self, engine_meaning, for_screen, joined, localized, number, time, variables, with_error};
 use crate::bench::machine::Machine;
 use crate::bench::results::Results;
@@ -46,7 +46,7 @@ pub fn document(language: Language, title: &str, body: &str) -> Result<String, S
 pub fn page(
     results: &Results,
     language: Language,
-    findings: &[Finding],
+    findings: &Findings,
     charts: &[(&Chart, String)],
     scenes: Vec<(String, String)>,
     pdf: Option<&str>,
@@ -63,7 +63,8 @@ pub fn page(
         .map_or_else(String::new, |runs| paragraph(&language.say(["Measured {}.", "Medido {}."], &[&runs])));
     let sentences = findings::conclusions(results, language);
     let conclusions: String = sentences.iter().map(|sentence| paragraph(sentence)).collect();
-    let findings = findings.iter().map(|it| format!("<dt>{}</dt><dd>{}</dd>\n", escape(it.topic), escape(&it.text)));
+    let entries =
+        findings.sentences.iter().map(|it| format!("<dt>{}</dt><dd>{}</dd>\n", escape(it.topic), escape(&it.text)));
     let figures = charts.iter().map(|(chart, svg)| {
         let caption = escape(caption(chart, language));
         format!("<figure>{}<figcaption>{caption}</figcaption></figure>\n", for_screen(svg))
@@ -80,11 +81,12 @@ pub fn page(
             heading(language.pick(["In short", "En resumen"])) + &conclusions
         },
         heading(language.pick(["What the data say", "Qué dicen los datos"])),
-        format!("<dl>\n{}</dl>\n", findings.collect::<String>()),
+        format!("<dl>\n{}</dl>\n", entries.collect::<String>()),
         scenes,
         implementations(results, language),
         heading(language.pick(["Charts", "Gráficas"])),
         figures.collect(),
+        layouts(findings, language),
         growth(results, language),
         times_to_error(results, language),
         omitted(results, language),
@@ -155,6 +157,27 @@ fn caption(chart: &Chart, language: Language) -> &'static str {
         _ => ["", ""],
     };
     language.pick(what)
+}
+
+fn layouts(findings: &Findings, language: Language) -> String {
+    let rows = findings.layouts.iter().map(|row| {
+        let ratio = |value: f64| localized(format!("{value:.2}"), language);
+        let bounds = format!("{} – {}", ratio(row.least), ratio(row.most));
+        let counts = [row.pairs, row.slower, row.faster].map(|count| count.to_string());
+        let [pairs, slower, faster] = counts;
+        vec![row.set.clone(), row.scene.clone(), pairs, ratio(row.mean), bounds, slower, faster]
+    });
+    let head: [Words; 7] = [
+        ["instruction set", "juego de instrucciones"],
+        SCENE,
+        ["pairs", "pares"],
+        ["mean", "media"],
+        ["least – most", "mín. – máx."],
+        ["SoA slower", "SoA más lenta"],
+        ["SoA faster", "SoA más rápida"],
+    ];
+    let title = ["Time of SoA by time of AoS", "Tiempo de SoA entre tiempo de AoS"];
+    table(language.pick(title), &head.map(|words| language.pick(words)), rows)
 }
 
 fn growth(results: &Results, language: Language) -> String {
@@ -248,8 +271,9 @@ mod tests {
         let times_to_error = vec![TimeToError { scene, engine, error: 0.05, seconds: None }];
         let machine = Machine { date: "2026-01-31".to_owned(), commit: "0123<\u{1b}".to_owned(), ..Machine::here() };
         let results = Results { times_to_error, machines: vec![machine], ..Results::default() };
+        let found = Findings { sentences: Vec::new(), layouts: Vec::new() };
         let picture = ["grid", "data:image/png;base64,AAAA"].map(str::to_owned).into();
-        let page = page(&results, Language::English, &[], &[], vec![picture], Some("../a&b.pdf"))
+        let page = page(&results, Language::English, &found, &[], vec![picture], Some("../a&b.pdf"))
             .expect("the template is complete");
         for id in ["what-the-data-say", "scenes", "charts", "time-to-an-error--rmse-in-linear-light-"] {
             let both = [format!("<a href=\"#{id}\">"), format!("<h2 id=\"{id}\">")];

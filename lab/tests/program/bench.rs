@@ -49,7 +49,9 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     assert!(page.contains(">reference</td>") && page.contains("the yardstick"), "names are explained");
     let findings = fs::read_to_string(folder.file("report/findings.json")).expect("it was written");
     let findings: serde_json::Value = serde_json::from_str(&findings).expect("it is JSON");
-    assert!(findings.as_array().is_some_and(|findings| findings.len() >= 3), "{findings}");
+    assert!(findings["sentences"].as_array().is_some_and(|sentences| sentences.len() >= 3), "{findings}");
+    let layouts = findings["layouts"].as_array().expect("it is a list");
+    assert!(!layouts.is_empty() && layouts.iter().all(|row| row["pairs"] == 2), "{findings}");
     assert!(folder.file("report/charts/scale-depth.svg").is_file());
 
     let spanish = ["--language", "es", "--pdf", "../report.pdf", "--out", &folder.name("es")];

@@ -15,7 +15,7 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 impl Chart {
     pub(super) fn draw_head(&self, area: &Area<'_>, legend: &[(u32, i32)]) -> Result<(), Box<dyn std::error::Error>> {
         let text = |size: i32| ("sans-serif", size).into_font().color(&INK);
-        area.draw(&Text::new(self.title.clone(), (LEFT, 8), text(21)))?;
+        area.draw(&Text::new(self.title.clone(), (LEFT, 8), text(19)))?;
         for (series, &(row, x)) in self.series.iter().zip(legend) {
             let y = (TITLE + LEGEND_ROW * row + LEGEND_ROW / 2) as i32;
             let style = color(series);

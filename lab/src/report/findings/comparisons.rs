@@ -1,7 +1,8 @@
 //! Sentences that compare implementations with each other.
 
 use cpu::internals::InstructionSet;
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
+use serde::Serialize;
 
 use crate::bench::results::{Results, Setting, Timing};
 use crate::format::{Words, hint::Language};
@@ -64,6 +65,44 @@ fn apart<'a>(pairs: impl Iterator<Item = (&'a Timing, &'a Timing)>) -> [usize; 3
             [all + 1, slower + is_slower, faster + is_faster]
         },
     )
+}
+
+/// How structures of arrays compare with arrays of structures, for one instruction set and one scene: ratios of times
+/// that differ in the layout only.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LayoutRow {
+    /// Name of the instruction set.
+    pub set: String,
+    /// Name of the scene.
+    pub scene: String,
+    /// Number of pairs of times.
+    pub pairs: usize,
+    /// Geometric mean of the ratios: time of structures of arrays by time of arrays of structures.
+    pub mean: f64,
+    /// Smallest ratio.
+    pub least: f64,
+    /// Largest ratio.
+    pub most: f64,
+    /// Number of pairs whose bounds show that structures of arrays are slower.
+    pub slower: usize,
+    /// Number of pairs whose bounds show that structures of arrays are faster.
+    pub faster: usize,
+}
+
+/// Returns a row for each instruction set and each scene for which there are pairs, in the order of the data.
+pub fn layout_rows(results: &Results) -> Vec<LayoutRow> {
+    let sets: IndexSet<_> =
+        results.timings.iter().filter_map(|timing| timing.setting.engine.strip_prefix("aos-")).collect();
+    let scenes: IndexSet<_> = results.timings.iter().map(|timing| timing.setting.scene.as_str()).collect();
+    let row = |set: &str, scene: &str| {
+        let second = |engine: &str| (engine == format!("aos-{set}")).then(|| format!("soa-{set}"));
+        let of_scene = || pairs(results, second).filter(|(first, _)| first.setting.scene == scene);
+        let [mean, least, most] = ratios(of_scene().map(|(aos, soa)| soa.median.median / aos.median.median))?;
+        let [_, slower, faster] = apart(of_scene());
+        let [set, scene] = [set, scene].map(str::to_owned);
+        Some(LayoutRow { set, scene, pairs: of_scene().count(), mean, least, most, slower, faster })
+    };
+    sets.iter().flat_map(|set| scenes.iter().filter_map(move |scene| row(set, scene))).collect()
 }
 
 /// Compares the layouts with the best instruction set.
