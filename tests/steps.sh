@@ -2,6 +2,7 @@
 # failed, with the commands that run it again, and its status is then 1. If one of these scripts is a step of another
 # one, only the outer one lists.
 
+set -o pipefail
 steps_name=$0
 steps_owner=no
 if [ -z "${STEPS_FAILED:-}" ]; then
@@ -29,7 +30,7 @@ steps_again() {
 }
 
 step() {
-    local before log status=0 word start=""
+    local before log status=0 start="" all="$*"
     before=$(wc -l <"$STEPS_FAILED")
     log=$STEPS_FAILED.log.$BASHPID
     echo "$steps_name: $*"
@@ -37,16 +38,19 @@ step() {
     [ $status -eq 0 ] && return
     # A step that is such a script has named its own failures.
     [ "$(wc -l <"$STEPS_FAILED")" -eq "$before" ] || return 0
-    # The options that decide which programs are built, but not which tests run.
-    for word in "$@"; do
-        case $word in
-            env | cargo | test | RENDER_*=* | --release) start+=" $word" ;;
-            counters) start+=" --features counters" ;;
+    # All words up to `test`, and the options that decide how the programs are built.
+    while [ $# -gt 0 ]; do
+        case "$start $1" in
+            *" test"*" --release") start+=" $1" ;;
+            *" test"*" --features") start+=" $1 ${2:-}" ;;
+            *" test "*) ;;
+            *) start+=" $1" ;;
         esac
+        shift
     done
     steps_again "${start# }" <"$log" >>"$STEPS_FAILED"
     # Something else failed, such as the compiler.
-    [ "$(wc -l <"$STEPS_FAILED")" -gt "$before" ] || echo "$*" >>"$STEPS_FAILED"
+    [ "$(wc -l <"$STEPS_FAILED")" -gt "$before" ] || echo "$all" >>"$STEPS_FAILED"
 }
 
 finish() {
