@@ -1,5 +1,5 @@
 //! Checks that the documentation names only what exists: links, paths, sections of the specification and terms.
-//! Also checks the width of lines, and figures that stand in two places.
+//! Also checks the width of lines.
 //!
 //! Every check counts the places that it compared, and fails if they are too few. The module `faults` shows that each
 //! check finds an error.
@@ -8,8 +8,6 @@
 mod checks;
 #[path = "documentation/faults.rs"]
 mod faults;
-#[path = "documentation/figures.rs"]
-mod figures;
 #[path = "documentation/markdown.rs"]
 mod markdown;
 #[path = "documentation/project.rs"]

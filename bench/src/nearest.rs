@@ -1,5 +1,5 @@
 //! Compares the time of a nearest hit with Embree's: one ray after the other, each at another place of a scene of
-//! spheres. The program `bench/nearest` prints the table.
+//! spheres. The program `nearest` prints the table.
 //!
 //! [`scene`] makes spheres and rays from a fixed seed, [`ours`] is this project's side, [`embree`] is Embree's, and
 //! [`agreement`] compares their hits. [`measure`](mod@measure) takes the times, and [`table`] writes them.

@@ -2,7 +2,7 @@
 //! reference's pixels with every available instruction set and in both layouts.
 //!
 //! The properties in the package `tests` check the same for thousands of random scenes. These pictures are so small
-//! that miri, which interprets every instruction, renders them in minutes (`tests/memory.sh miri`).
+//! that miri, which interprets every instruction, renders them in minutes (`tests/extensive memory -- miri`).
 
 use std::ops::{ControlFlow, RangeInclusive};
 

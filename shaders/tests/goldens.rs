@@ -1,9 +1,9 @@
 //! Compares the translations of all kernels with the digests in `goldens/SHA256SUMS`, and those of one kernel with
 //! whole texts, which show a reader what a translation looks like.
 //!
-//! Any change of a module, of naga or of its options changes the digests. `shaders/translations` prints a translation,
-//! or what has changed since a commit. If the change is intended, run the test with `BLESS=1` and commit the files that
-//! it writes. With `TRANSLATIONS=FOLDER` the test also writes all translations into that folder.
+//! Any change of a module, of naga or of its options changes the digests. If the change is intended, run the test with
+//! `BLESS=1` and commit the files that it writes. With `TRANSLATIONS=FOLDER` the test also writes all translations into
+//! that folder, to be compared with those of another commit.
 
 use std::collections::BTreeMap;
 use std::env::var_os;
@@ -19,7 +19,7 @@ use shaders::{Error, Features, Library, Precision, Target, Translation, translat
 const SHOWN: &str = "camera";
 
 /// The first lines of the list of digests.
-const HEAD: &str = "# Digests of the translations of all kernels; shaders/translations prints a translation.\n";
+const HEAD: &str = "# Digests of the translations of all kernels; TRANSLATIONS=FOLDER writes them.\n";
 
 /// Returns the names of all kernel modules that are compared. Modules of reports are left out.
 fn kernels() -> Vec<&'static str> {
@@ -109,7 +109,7 @@ fn translations_are_those_of_the_digests() {
     let faults: Vec<_> = changed.map(fault).collect();
     assert!(
         faults.is_empty(),
-        "{}\n`shaders/translations --since HEAD` shows the difference. \
+        "{}\nWith TRANSLATIONS=FOLDER, here and at another commit, this test writes what differs. \
          If it is meant: BLESS=1 cargo test -p shaders --test goldens",
         faults.join("\n")
     );

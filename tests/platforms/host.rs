@@ -60,7 +60,7 @@ impl Host {
             Self::Node => {
                 let mut node = Command::new("node");
                 node.arg(project_root().join("tests/platforms/render.mjs")).arg(built.join("wasm.wasm"));
-                node.env("RENDER_LAYOUT", job.layout);
+                node.arg(job.layout);
                 node
             }
         };

@@ -1,8 +1,8 @@
 // Renders with the WebAssembly module as render-aos does with the processor.
 //
-//   node tests/platforms/render.mjs MODULE.wasm CONFIG SCENE OUT.ppm
+//   node tests/platforms/render.mjs MODULE.wasm aos|soa CONFIG SCENE OUT.ppm
 //
-// RENDER_LAYOUT=soa takes structures of arrays, RENDER_INSTRUCTION_SET=portable does without 128-bit lanes.
+// RENDER_INSTRUCTION_SET=portable does without 128-bit lanes.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 // Returns the PPM file as bytes. Throws an error with the renderer's message if there is no picture.
@@ -21,16 +21,16 @@ const renderPicture = (module, config, scene, isSoa, isPortable) => {
     return bytes;
 };
 
-const [path, config, scene, out] = process.argv.slice(2);
+const [path, layout, config, scene, out] = process.argv.slice(2);
 if (!out) {
-    console.error('usage: node render.mjs MODULE.wasm CONFIG SCENE OUT.ppm');
+    console.error('usage: node render.mjs MODULE.wasm aos|soa CONFIG SCENE OUT.ppm');
     process.exit(2);
 }
 const module = new WebAssembly.Module(readFileSync(path));
-const { RENDER_LAYOUT, RENDER_INSTRUCTION_SET } = process.env;
+const { RENDER_INSTRUCTION_SET } = process.env;
 try {
     const texts = [config, scene].map((file) => readFileSync(file));
-    writeFileSync(out, renderPicture(module, ...texts, RENDER_LAYOUT === 'soa', RENDER_INSTRUCTION_SET === 'portable'));
+    writeFileSync(out, renderPicture(module, ...texts, layout === 'soa', RENDER_INSTRUCTION_SET === 'portable'));
 } catch (error) {
     console.error(`Error: ${error.message}`);
     process.exit(1);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::build::{Build, COMPILER, Need, SOURCES, compiler_is_too_old};
 use super::host::Host;
 
-/// The variable that asks for the slow trials. With the value `all` it also asks for those that take many minutes.
+/// The variable that asks for the slow trials. With `RENDER_ALL=1` those that take many minutes are run too.
 pub const VARIABLE: &str = "RENDER_PLATFORMS";
 
 const ARM_LIBRARY: Need = ("/usr/lib/rustlib/aarch64-unknown-linux-gnu/lib", "libstd-rust-web-dev:arm64");

@@ -16,24 +16,20 @@ use std::sync::Arc;
 
 use cpu::Scatter;
 use libtest_mimic::{Failed, Trial};
+use test_support::everything;
 use test_support::golden::{self, Golden};
 
 use host::{Host, Job};
 use table::{Platform, VARIABLE, platforms};
 
-/// Whether `RENDER_PLATFORMS=all` asks for what takes many minutes in an emulator.
-fn all_are_asked_for() -> bool {
-    std::env::var_os(VARIABLE).is_some_and(|value| value == "all")
-}
-
-/// Returns the pictures that are tried: the small cases, the course's first two, and with `RENDER_PLATFORMS=all` all
+/// Returns the pictures that are tried: the small cases, the course's first two, and with `RENDER_ALL=1` all
 /// four. The programs have the statement's convention alone.
 fn pictures() -> Vec<Golden> {
     let mut pictures = golden::cases();
     let folder = golden::reference_folder();
     if folder.is_dir() {
         let all = golden::reference(&folder);
-        let count = if all_are_asked_for() { 4 } else { 2 };
+        let count = if everything() { 4 } else { 2 };
         pictures.extend(all.into_iter().take(2 * count));
     }
     pictures.retain(|golden| golden.scatter == Scatter::Statement);
@@ -66,7 +62,7 @@ fn trials_of(platform: &Arc<Platform>) -> Vec<(Trial, bool)> {
         Trial::test(format!("platforms: {} random scenes", platform.name), move || random_scenes::are_equal(&shared));
     trials.push((trial, true));
     // Only the packages of ARM have a library for tests.
-    if platform.name == "aarch64" && all_are_asked_for() {
+    if platform.name == "aarch64" && everything() {
         let shared = Arc::clone(platform);
         trials.push((Trial::test("platforms: aarch64 unit tests of cpu", move || unit_tests_pass(&shared)), true));
     }

@@ -1,6 +1,6 @@
 //! Tests properties that hold for every scene and every input, with random cases, and the committed scenes.
 //!
-//! Every run tries the same cases. `RENDER_PROPERTY_SEED` chooses other cases, and `RENDER_PROPERTY_CASES` sets their
+//! Every run tries the same cases. `RENDER_SEED` chooses other cases, and `RENDER_CASES` sets their
 //! number. A failure shows the smallest failing case that was found, with its seeds.
 
 mod cameras;

@@ -10,11 +10,11 @@ use proptest::test_runner::{self, RngSeed, TestCaseError, TestCaseResult, TestRu
 use test_support::agreement::{Picture, SCATTERS, equals_reference, reference};
 use test_support::number_of;
 
-/// Checks `property` for `cases` random values of `strategy`. If the variable `RENDER_PROPERTY_CASES` is set, its
+/// Checks `property` for `cases` random values of `strategy`. If the variable `RENDER_CASES` is set, its
 /// number replaces `cases`.
 pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -> TestCaseResult) {
-    let cases = number_of("RENDER_PROPERTY_CASES").map_or(cases, |cases| u32::try_from(cases).unwrap_or(u32::MAX));
-    let seed = number_of("RENDER_PROPERTY_SEED").unwrap_or(1);
+    let cases = number_of("RENDER_CASES").map_or(cases, |cases| u32::try_from(cases).unwrap_or(u32::MAX));
+    let seed = number_of("RENDER_SEED").unwrap_or(1);
     assert!(cases > 0, "no case would be tried");
     let config = test_runner::Config {
         cases,
@@ -30,7 +30,7 @@ pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -
         property(value)
     });
     if let Err(failure) = result {
-        panic!("with RENDER_PROPERTY_SEED={seed} RENDER_PROPERTY_CASES={cases}: {failure}");
+        panic!("with RENDER_SEED={seed} RENDER_CASES={cases}: {failure}");
     }
     assert_eq!(tried.get(), cases);
 }

@@ -2,7 +2,7 @@
 //!
 //! So the digests can be computed again from this repository alone, and the program whose times are compared renders
 //! the right pictures. The literal program also renders 200 random ordinary scenes, and 200 scenes with hard cameras,
-//! or `RENDER_LITERAL_SCENES` of each. Its pictures are compared with those of the reference and of the renderer.
+//! or `RENDER_CASES` of each. Its pictures are compared with those of the reference and of the renderer.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -117,7 +117,7 @@ fn renders_hard_cameras(program: &Path) -> Result<(), Failed> {
 /// Renders scenes with the literal program, the reference and the renderer. The renderer is compared if the plain
 /// formulas decide as exact arithmetic does. `least` has the shares of scenes that must be compared and show objects.
 fn compare(program: &Path, least: (f64, f64), make: impl Fn(u64) -> (Scene, Config)) -> Result<(), Failed> {
-    let scenes = number_of("RENDER_LITERAL_SCENES").unwrap_or(200);
+    let scenes = number_of("RENDER_CASES").unwrap_or(200);
     let (mut sound, mut with_objects) = (0_u64, 0_u64);
     for seed in 1..=scenes {
         let (scene, config) = make(seed);

@@ -17,10 +17,9 @@ use test_support::trial;
 
 use file_system::{Event, outcomes};
 
-/// Names of environment variables for the process that writes: the file's path, and a variable that is set if the file
-/// must be synced.
-const FILE: &str = "RENDER_POWER_LOSS_FILE";
-const SYNC: &str = "RENDER_POWER_LOSS_SYNC";
+/// The first argument of the process that writes. The file's path follows, and [`SYNC`] if the file must be synced.
+const WRITE: &str = "write-a-file";
+const SYNC: &str = "sync";
 
 /// The pieces of the file, each of which is written by its own call.
 const PIECES: [&[u8]; 3] = [b"the first piece, ", b"the second, ", b"and the last"];
@@ -35,8 +34,9 @@ pub fn trials() -> Vec<Trial> {
 
 /// If a test has started this process to write a file, writes the file and ends the process. Otherwise does nothing.
 pub fn write_if_asked() {
-    let Some(path) = std::env::var_os(FILE) else { return };
-    let sync = std::env::var_os(SYNC).is_some();
+    let mut arguments = std::env::args_os().skip(1);
+    let Some(path) = arguments.next().filter(|first| first == WRITE).and_then(|_| arguments.next()) else { return };
+    let sync = arguments.next().is_some_and(|word| word == SYNC);
     let written = Output::open(Path::new(&path), Options { sync })
         .and_then(|output| output.fill(|file| PIECES.iter().try_for_each(|piece| file.write_all(piece))));
     std::process::exit(i32::from(written.is_err()));
@@ -82,7 +82,7 @@ fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Fai
         old.into_iter().try_for_each(|old| std::fs::write(&out, old))?;
         let mut strace = Command::new("strace");
         strace.args(["-f", "-qq", "-o", "/dev/stdout", "-s", "4096"]).args(more).arg(std::env::current_exe()?);
-        strace.env(FILE, &out).envs(sync.then_some((SYNC, "1")));
+        strace.arg(WRITE).arg(&out).args(sync.then_some(SYNC));
         let output = strace.output()?;
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         if output.status.success() { Ok((folder, text)) } else { Err(Failed::from(format!("{output:?}"))) }

@@ -76,7 +76,58 @@ fn every_script_answers_help_and_writes_nothing() {
     assert_eq!(faults, [""; 0]);
     assert_eq!(files(&root), before, "a script wrote into the project");
     assert_eq!(files(folder.path()).len(), 1, "a script wrote into its folder");
-    assert!(answered >= 19, "only {answered} scripts were tried");
+    assert!(answered >= 15, "only {answered} scripts were tried");
+}
+
+/// Most entry points: scripts, and programs that no script starts.
+const MOST_ENTRY_POINTS: usize = 25;
+
+/// Most variables of the environment whose names begin with `RENDER_`.
+const MOST_VARIABLES: usize = 12;
+
+/// Returns the words in code spans of the first cells, or of the last cells, of a table in CONTRIBUTING.md.
+fn in_table(heading: &str, is_last: bool) -> Vec<String> {
+    let text = std::fs::read_to_string(test_support::project_root().join("CONTRIBUTING.md")).expect("it is there");
+    let section = text.split("\n## ").find(|section| section.starts_with(heading)).expect("the heading is there");
+    let rows = section.lines().filter(|line| line.starts_with("| ")).skip(1);
+    let cells =
+        rows.filter_map(|row| row.trim_matches('|').split_once('|').map(|(one, two)| if is_last { two } else { one }));
+    let spans = cells.flat_map(|cell| cell.split('`').skip(1).step_by(2));
+    let words = spans.filter_map(|span| span.split([' ', '=']).next());
+    let mut words: Vec<_> =
+        words.filter(|word| !word.starts_with("--") && *word != "cargo").map(str::to_owned).collect();
+    words.sort();
+    words.dedup();
+    words
+}
+
+#[test]
+fn one_table_has_every_entry_point_and_one_every_variable() {
+    let root = test_support::project_root();
+    let all = files(&root);
+    let name = |path: &Path| path.strip_prefix(&root).expect("it is below the root").display().to_string();
+    let scripts = all.keys().filter(|path| interpreter(&root, path).is_some()).map(|path| name(path));
+    let entries = in_table("Which command", true);
+    let missing: Vec<_> = scripts.filter(|script| !entries.contains(script)).collect();
+    assert!(missing.is_empty(), "CONTRIBUTING.md has no row for {missing:?}");
+    assert!((15..=MOST_ENTRY_POINTS).contains(&entries.len()), "{} entry points: {entries:?}", entries.len());
+
+    let listed = in_table("Which variables", false);
+    assert!((5..=MOST_VARIABLES).contains(&listed.len()), "{} variables: {listed:?}", listed.len());
+    for path in all.keys() {
+        let Ok(text) = std::fs::read_to_string(path) else { continue };
+        for rest in text.split("RENDER_").skip(1) {
+            let end = rest.find(|letter: char| !letter.is_ascii_uppercase() && letter != '_').unwrap_or(rest.len());
+            let variable = format!("RENDER_{}", &rest[..end]);
+            // Those of a process that a unit test starts are no one else's.
+            let is_internal = rest.is_empty() || end == 0 || variable.starts_with("RENDER_STOP_");
+            assert!(
+                is_internal || listed.contains(&variable),
+                "CONTRIBUTING.md has no row for {variable} in {}",
+                name(path)
+            );
+        }
+    }
 }
 
 #[test]

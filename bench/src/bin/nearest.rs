@@ -1,5 +1,5 @@
 //! `nearest [--sizes N,…] [--rounds N] [--rays N] [--set NAME]`: compares the time of a nearest hit with
-//! Embree's. `bench/nearest` runs it.
+//! Embree's. `cargo run --release -p bench --bin nearest` runs it.
 
 use std::process::ExitCode;
 

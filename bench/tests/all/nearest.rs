@@ -1,4 +1,4 @@
-//! Compares the nearest hits of `bench/nearest` with those of every object and, if it is installed, with Embree's.
+//! Compares the nearest hits of the program `nearest` with those of every object and, if it is installed, with Embree's.
 //! Without Embree the tests that need it are shown as ignored.
 
 use bench::nearest::Start;

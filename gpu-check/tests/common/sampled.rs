@@ -19,11 +19,6 @@ pub struct Case {
     pub scene: Scene,
 }
 
-/// Whether all pictures are rendered in full size.
-pub fn is_everything() -> bool {
-    std::env::var_os("RENDER_SAMPLED_PICTURES").is_some_and(|value| value == "all")
-}
-
 /// Renders pictures with the pipelines of this device. One pipeline serves all scenes with the same features.
 pub struct Pipelines<'a, T> {
     gpu: &'a Gpu,

@@ -6,7 +6,7 @@
 //! if the first one is certain. If both are uncertain, the kernel reports that, and the comparison demands that exactly
 //! these rays are uncertain in Rust. It needs f64: in f32 the constants of the bounds have no proof.
 //!
-//! `RENDER_EXACT_CASES` sets the number of cases of each kind.
+//! `RENDER_CASES` sets the number of cases of each kind.
 
 mod rays;
 
@@ -90,7 +90,7 @@ fn order(mut row: Reader<'_, f64>) -> Option<Numbers<f64>> {
 #[test]
 fn every_step_has_the_bits_of_cpu() {
     let gpu = common::gpu();
-    let count = number_of("RENDER_EXACT_CASES").map_or(CASES, |count| count as usize);
+    let count = number_of("RENDER_CASES").map_or(CASES, |count| count as usize);
     for kernel in all() {
         let cases = kernel.rows(count, 30);
         let pipeline = kernel.compile(&gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));

@@ -1,5 +1,5 @@
 //! Tests the search for the first difference with the suite's mutants: it must name the function that is wrong. With
-//! `FIRST_DIFFERENCES=all` all mutants are tried.
+//! `RENDER_ALL=1` all mutants are tried.
 
 use gpu_check::first_difference::report::{Places, report};
 use gpu_check::first_difference::{FirstDifference, of_pixel};
@@ -11,7 +11,7 @@ use crate::mutants::examiner::Examiner;
 use crate::mutants::mutant::{Mutant, of_modules};
 use crate::scenes;
 
-/// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a pixel that
+/// One of this many mutants is tried, unless `RENDER_ALL` is 1: the search for a pixel that
 /// differs takes seconds.
 const STEP: usize = 4;
 
@@ -43,8 +43,7 @@ fn is_outside(source: &str, line: usize) -> bool {
 fn the_function_of_nearly_every_mutant_is_named() {
     let gpu = common::gpu();
     let examiner = Examiner::new(&gpu).unwrap_or_else(|error| panic!("{error}"));
-    let all = std::env::var_os("FIRST_DIFFERENCES").is_some_and(|value| value == "all");
-    let step = if all { 1 } else { STEP };
+    let step = if test_support::everything() { 1 } else { STEP };
     let (mut missed, mut found) = (Vec::new(), 0);
     for mutant in of_modules().iter().step_by(step) {
         let library = mutant.library().expect("its module exists");

@@ -1,8 +1,8 @@
 //! Compares the hierarchy in WGSL with the loop over all objects: random rays must have equal hits. Pictures with
 //! random numbers in the hierarchy are compared in `samples`.
 //!
-//! `RENDER_HIERARCHY=all` compares more rays, and renders a million objects, which tests/extensive does.
-//! `RENDER_HIERARCHY_RAYS` sets the number of random rays.
+//! `RENDER_ALL=1` compares more rays, and renders a million objects, which tests/extensive does.
+//! `RENDER_CASES` sets the number of random rays.
 
 mod large;
 pub mod random;
@@ -12,6 +12,7 @@ use gpu_check::steps::{Follower, first_difference};
 use gpu_check::{Float, Gpu, Picture, features_of};
 use shaders::Library;
 use stability::random::Random;
+use test_support::{everything, number_of};
 
 use crate::common::{self, Accuracy};
 use crate::pictures::prepared;
@@ -23,15 +24,10 @@ const ALL_RAYS: usize = 1 << 20;
 /// Number of rays in each random scene.
 const RAYS_OF_A_SCENE: usize = 1 << 14;
 
-/// Whether everything is rendered and compared, which tests/extensive does.
-fn is_everything() -> bool {
-    std::env::var_os("RENDER_HIERARCHY").is_some_and(|value| value == "all")
-}
-
 fn rays_have_the_same_hits<T: Float>() {
     let gpu = common::gpu();
-    let usual = if is_everything() { ALL_RAYS } else { RAYS };
-    let count = std::env::var("RENDER_HIERARCHY_RAYS").map_or(usual, |text| text.parse().expect("it is a number"));
+    let usual = if everything() { ALL_RAYS } else { RAYS };
+    let count = number_of("RENDER_CASES").map_or(usual, |count| count as usize);
     let mut draws = Random::new(30);
     let (mut hits, mut done) = (0, 0);
     for number in 0..count.div_ceil(RAYS_OF_A_SCENE) {

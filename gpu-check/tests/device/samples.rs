@@ -1,7 +1,7 @@
 //! Compares whole pictures with random numbers in WGSL with pictures in Rust: the small scenes, the repository's
 //! scenes, and random scenes, in both conventions of the scatter vectors.
 //!
-//! `RENDER_SAMPLED_PICTURES=all` renders the repository's scenes in full size, which tests/extensive does. By default
+//! `RENDER_ALL=1` renders the repository's scenes in full size, which tests/extensive does. By default
 //! those with many objects or samples are smaller.
 
 mod draws;
@@ -12,9 +12,10 @@ use gpu_check::sampled::twin::means;
 use gpu_check::sampled::{Convention, SampleRenderer, SampledRendering};
 use gpu_check::{Picture, features_of};
 use shaders::{Features, Library};
+use test_support::everything;
 
 use crate::common::{self, Accuracy};
-use crate::sampled::{Pipelines, Tally, is_everything, record};
+use crate::sampled::{Pipelines, Tally, record};
 use crate::scenes::{self, Case};
 
 const RANDOM_SCENES: u64 = 200;
@@ -26,7 +27,7 @@ const RANDOM_TESTS: usize = 1_000_000;
 /// Returns the scenes of `folder`; with at most `tests` tests of objects, unless everything is rendered.
 fn in_folder(folder: &str, tests: usize) -> Vec<Case> {
     let cases = scenes::in_folder(folder);
-    cases.into_iter().map(|case| if is_everything() { case } else { within(case, tests) }).collect()
+    cases.into_iter().map(|case| if everything() { case } else { within(case, tests) }).collect()
 }
 
 /// Returns the case with fewer pixels if its samples times its objects are more than `tests`.

@@ -1,6 +1,6 @@
 //! Renders the course's cases in WGSL, and compares their means with the reference's and their files with the course's.
 //!
-//! By default the published pictures of the cases 1 and 2 are rendered. `RENDER_SAMPLED_PICTURES=all` renders all four
+//! By default the published pictures of the cases 1 and 2 are rendered. `RENDER_ALL=1` renders all four
 //! cases in both conventions, and the published pictures in every form of the shaders, those of the cases 3 and 4 on
 //! hardware only. tests/extensive does this. Pictures that are not rendered are shown as ignored. One picture at a time
 //! is on the device, so that its time can be reported.
@@ -20,11 +20,12 @@ use gpu_check::sampled::{Convention, Recording, SampledRendering};
 use gpu_check::{Form, features_of};
 use libtest_mimic::{Failed, Trial};
 use shaders::Library;
+use test_support::everything;
 use test_support::golden::{self, Golden};
 
 use crate::common;
 use crate::sampled::Case;
-use crate::sampled::{Pipelines, Tally, is_everything, record};
+use crate::sampled::{Pipelines, Tally, record};
 
 /// Returns a trial for each of the pictures.
 pub fn trials() -> Vec<Trial> {
@@ -34,7 +35,7 @@ pub fn trials() -> Vec<Trial> {
     let pictures = goldens.flat_map(|golden| {
         let is_quick = ["published/1.ppm", "published/2.ppm"].contains(&&*golden.name);
         let trial = |form: Form, is_default: bool, golden: Golden| {
-            let not_all = (!is_default && !is_everything()).then_some("needs RENDER_SAMPLED_PICTURES=all");
+            let not_all = (!is_default && !everything()).then_some("needs RENDER_ALL=1");
             let name = format!("course::{}, {form}", golden.name);
             test_support::trial(name, missing.as_deref().or(not_all), move || compare(&golden, form))
         };

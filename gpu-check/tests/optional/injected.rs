@@ -1,7 +1,7 @@
 //! Tests `shader-lab` while it writes its pictures: a system call fails, or a signal comes during a call.
 //!
 //! The driver needs much time to start. So only two calls of each name that concern the pictures are disturbed, and no
-//! calls of the driver. With `RENDER_INJECTIONS=all`, every call that concerns the pictures is disturbed. The module
+//! calls of the driver. With `RENDER_ALL=1`, every call that concerns the pictures is disturbed. The module
 //! that is rendered is a tiny one. If `strace` cannot run, these tests are shown as ignored.
 
 use std::ffi::OsString;

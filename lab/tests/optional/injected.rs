@@ -2,7 +2,7 @@
 //! afterwards. Each command that writes files is run with every kind of disturbance.
 //!
 //! Of the system calls with one name, only a few are disturbed, spread evenly over the run. With
-//! `RENDER_INJECTIONS=all` all are disturbed. If `strace` cannot run, these tests are shown as ignored.
+//! `RENDER_ALL=1` all are disturbed. If `strace` cannot run, these tests are shown as ignored.
 
 use std::ffi::OsString;
 use std::fs;

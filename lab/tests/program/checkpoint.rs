@@ -16,7 +16,7 @@ fn arguments<'a>(out: &'a str, width: &'a str, options: &[&'a str]) -> Vec<&'a s
 
 #[test]
 fn a_run_that_is_killed_at_random_moments_always_goes_on_to_the_same_bytes() {
-    let kills = std::env::var("RENDER_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(10);
+    let kills = test_support::number_of("RENDER_CASES").unwrap_or(10) as usize;
     let seed = std::time::UNIX_EPOCH.elapsed().map_or(1, |time| time.as_nanos() as u64) | 1;
     let mut random = seed;
     let folder = Folder::new();

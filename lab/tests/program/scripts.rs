@@ -91,7 +91,7 @@ fn programs_with_deny(fetch: i32, check: i32) -> Folder {
 #[test]
 fn known_faults_fail_and_a_missing_list_is_ignored_unless_it_is_required() {
     let advisories = |folder: &Folder, required: &str| {
-        let output = script(&[&format!("ADVISORIES_REQUIRED={required}"), "bash", "tests/advisories.sh"], folder);
+        let output = script(&[&format!("ADVISORIES_REQUIRED={required}"), "bash", "tests/parts/advisories"], folder);
         (output.status.code(), String::from_utf8(output.stdout).expect("it is text"))
     };
     let manifests = ["Cargo.toml", "python/Cargo.toml", "tests/fuzz/targets/Cargo.toml"];
@@ -117,7 +117,8 @@ fn scripts_refuse_what_they_do_not_know() {
         ("lab/slurm/submit", &[]),
         ("lab/slurm/submit", &["--bogus"]),
         ("lab/slurm/submit", &["no-cluster"]),
-        ("tests/sbom.sh", &["--bogus"]),
+        ("python/build-wheel", &["--bogus"]),
+        ("tests/run", &["no-part"]),
         ("docs/build-report", &["--bogus"]),
         ("docs/build-report", &["--language", "fr"]),
         ("docs/measure-perf", &["--bogus"]),

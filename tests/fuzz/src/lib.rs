@@ -32,7 +32,7 @@ pub const TARGETS: [Target; 5] = [
     ("wgsl", wgsl::check),
 ];
 
-/// The most bytes of an input of `tests/fuzz/run`. Longer inputs find nothing more.
+/// The most bytes of an input of `tests/extensive fuzz`. Longer inputs find nothing more.
 const LONGEST: usize = 8192;
 
 /// Checks an input of the target `target`.

@@ -1,6 +1,6 @@
 //! Runs every fuzz target with the inputs that it begins with, and with thousands of mutations of them.
 //!
-//! The variable `RENDER_SMOKE_CASES` sets the number of mutations for each target. `RENDER_SMOKE_SEED` sets their seed.
+//! The variable `RENDER_CASES` sets the number of mutations for each target. `RENDER_SEED` sets their seed.
 
 use cpu::internals::sampling::uniform::Uniform;
 use fuzz_oracles::mutate::{below, mutate};
@@ -27,9 +27,9 @@ fn smoke(target: &str, cases: u64) {
     let (kept, tokens) = (inputs(target), dictionary(target));
     assert!(kept.len() >= 5 && tokens.len() >= 10, "{} inputs and {} tokens", kept.len(), tokens.len());
     kept.iter().for_each(|input| try_one("an input that it begins with", input));
-    let seed = number_of("RENDER_SMOKE_SEED").unwrap_or(1);
+    let seed = number_of("RENDER_SEED").unwrap_or(1);
     let mut random = Uniform::new(seed);
-    let cases = number_of("RENDER_SMOKE_CASES").unwrap_or(cases);
+    let cases = number_of("RENDER_CASES").unwrap_or(cases);
     assert!(cases > 0, "nothing would be tried");
     for case in 0..cases {
         let input = &kept[below(&mut random, kept.len())];

@@ -54,23 +54,11 @@ pub struct Job {
     pub most: usize,
 }
 
-/// Name of the environment variable that switches every run on.
-const VARIABLE: &str = "RENDER_INJECTIONS";
-
-/// Returns the number of calls with one name to disturb: `some`, or all calls if the variable `RENDER_INJECTIONS` is
-/// `all`.
-///
-/// # Panics
-/// If `RENDER_INJECTIONS` has another value.
+/// Returns the number of calls with one name to disturb: `some`, or all calls if [everything](crate::everything) is
+/// compared.
 #[must_use]
 pub fn most(some: usize) -> usize {
-    match std::env::var_os(VARIABLE) {
-        None => some,
-        Some(value) => {
-            assert_eq!(value, "all", "{VARIABLE} may only be \"all\"");
-            usize::MAX
-        }
-    }
+    if crate::everything() { usize::MAX } else { some }
 }
 
 /// A way to disturb calls.

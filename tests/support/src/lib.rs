@@ -36,6 +36,21 @@ pub fn number_of(variable: &str) -> Option<u64> {
     Some(text.parse().unwrap_or_else(|_| panic!("{variable}={text} is not a number")))
 }
 
+/// Whether tests that compare only a part by default compare everything: the variable `RENDER_ALL` is 1.
+///
+/// # Panics
+/// If it has another value.
+#[must_use]
+pub fn everything() -> bool {
+    match number_of("RENDER_ALL") {
+        None => false,
+        Some(number) => {
+            assert_eq!(number, 1, "RENDER_ALL may only be 1");
+            true
+        }
+    }
+}
+
 /// Returns the paths of all files below `folder`. The folders `target` and `.git` are left out, and `node_modules`,
 /// whose files are those of other projects.
 ///

@@ -18,7 +18,7 @@ use crate::simd::SimdF32;
 
 /// The least number of objects with which a tree has sphere leaves. In dense scenes, sphere leaves save 7 to 14 % of a
 /// ray's time with 100,000 or a million spheres, 2 to 10 % with 300,000, and 4 % on average with 30,000
-/// (`bench/nearest`). In smaller trees they save nothing.
+/// (bench/src/bin/nearest.rs). In smaller trees they save nothing.
 pub const LEAST_OBJECTS: usize = 20_000;
 
 /// Whether sphere leaves save time in a tree over `objects` objects. `half_areas` is the sum of the half surface areas

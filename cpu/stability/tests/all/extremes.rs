@@ -1,7 +1,7 @@
 //! Tests of the exact intersections in every regime, including those in which squares underflow or nearly overflow,
 //! terms cancel to zero, or a surface is at the least lambda.
 //!
-//! The variable RENDER_REGIME_RAYS sets the number of rays for each regime, and RENDER_REGIME_SEED sets another seed.
+//! The variable RENDER_CASES sets the number of rays for each regime, and RENDER_SEED sets another seed.
 
 use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::geometry::ray::LAMBDA_MIN;
@@ -14,7 +14,7 @@ use stability::record::Found;
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, SPHERES};
 use stability::run::PROVEN_ERRORS;
 
-/// Number of rays for each regime, unless RENDER_REGIME_RAYS is set.
+/// Number of rays for each regime, unless RENDER_CASES is set.
 const RAYS: u64 = 5_000;
 
 pub fn number(variable: &str, default: u64) -> u64 {
@@ -33,7 +33,7 @@ fn hex(bits: u64) -> f64 {
 
 #[test]
 fn every_decision_is_right_and_every_lambda_within_its_bound() {
-    let (rays, seed) = (number("RENDER_REGIME_RAYS", RAYS) as usize, number("RENDER_REGIME_SEED", 3));
+    let (rays, seed) = (number("RENDER_CASES", RAYS) as usize, number("RENDER_SEED", 3));
     let mut plain_wrong = 0;
     for regime in SPHERES.iter().chain(&CYLINDERS).chain(&EXTREMES).chain(&LIMITS) {
         // `share` is the largest quotient of an error and the proven bound for that kind of object.

@@ -1,6 +1,6 @@
 //! The tangent and the power against arithmetic of 256 bits of another library, and dyadic numbers against 1,200 bits.
 //!
-//! `RENDER_FUNCTION_CASES` is the number of random arguments of each function; tests/extensive takes ten million.
+//! `RENDER_CASES` is the number of random arguments of each function; tests/extensive takes ten million.
 
 use std::cmp::Ordering;
 
@@ -15,8 +15,7 @@ type Big = FBig<HalfEven, 2>;
 const BITS: usize = 256;
 
 fn cases() -> usize {
-    std::env::var("RENDER_FUNCTION_CASES")
-        .map_or(4_000, |text| text.parse().expect("RENDER_FUNCTION_CASES is a number"))
+    std::env::var("RENDER_CASES").map_or(4_000, |text| text.parse().expect("RENDER_CASES is a number"))
 }
 
 /// Returns `value` with 256 bits.

@@ -1,6 +1,6 @@
 //! Compares the closest of several near hits with exact arithmetic.
 //!
-//! The variable RENDER_NEAR_CASES sets the number of cases of each regime, and RENDER_REGIME_SEED sets another seed.
+//! The variable RENDER_CASES sets the number of cases of each regime, and RENDER_SEED sets another seed.
 
 use cpu::internals::accel::closest_hit::ClosestHit;
 use cpu::internals::accel::every_object::intersect_every_object;
@@ -57,7 +57,7 @@ fn lambdas_decide(NearCase { shapes, ray }: &NearCase) -> Option<bool> {
 
 #[test]
 fn the_closest_of_near_surfaces_is_the_closest() {
-    let (cases, seed) = (number("RENDER_NEAR_CASES", CASES), number("RENDER_REGIME_SEED", 3));
+    let (cases, seed) = (number("RENDER_CASES", CASES), number("RENDER_SEED", 3));
     for (name, draw) in REGIMES {
         let mut random = Random::new(seed);
         let (mut hits, mut wrong, mut decided) = (0, 0, [0; 2]);

@@ -7,9 +7,9 @@ use gpu_check::difference::difference;
 use gpu_check::{Float, Form, Picture};
 use shaders::Library;
 
-use super::is_everything;
 use crate::pictures::{on_device, prepared};
 use crate::scenes::{self, Case};
+use test_support::everything;
 
 /// Number of spheres of the largest scene, if everything is rendered. By default it has 70,000, which are more than the
 /// iterations of a loop.
@@ -25,10 +25,10 @@ pub fn ten_thousand(width: u64) -> Case {
 
 #[test]
 fn ten_thousand_objects_have_the_picture_of_the_loop_over_all_objects() {
-    let case = ten_thousand(if is_everything() { 480 } else { 48 });
+    let case = ten_thousand(if everything() { 480 } else { 48 });
     let all = on_device::<f64>(&crate::common::gpu(), &Library::standard(), &case);
     println!("ten-thousand: {:.1?} without the hierarchy", all.time);
-    for &form in if is_everything() { &Form::ALL[..] } else { &[Form::AsWritten] } {
+    for &form in if everything() { &Form::ALL[..] } else { &[Form::AsWritten] } {
         let gpu = crate::common::gpu().with_form(form);
         let library = Library::standard().in_hierarchy();
         let (renderer, picture) = prepared::<f64>(&gpu, &library, &case).expect("it compiles");
@@ -42,7 +42,7 @@ fn ten_thousand_objects_have_the_picture_of_the_loop_over_all_objects() {
 
 #[test]
 fn a_million_spheres_or_more_than_a_loop_may_pass_are_rendered() {
-    let count = if is_everything() { MOST_SPHERES } else { 70_000 };
+    let count = if everything() { MOST_SPHERES } else { 70_000 };
     let side = (count as f64).cbrt().ceil() as usize;
     let mut text = String::from("matte: red .9 .1 .1\nmetal: grey .6 .6 .6 0\n");
     for number in 0..count {
