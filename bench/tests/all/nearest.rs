@@ -1,4 +1,4 @@
-//! Compares the nearest hits of the program `nearest` with those of every object and, if it is installed, with Embree's.
+//! Compares the nearest hits of the program `nearest` with those of every object, and with Embree's if it is installed.
 //! Without Embree the tests that need it are shown as ignored.
 
 use bench::nearest::Start;

@@ -42,7 +42,7 @@ pub(crate) fn build<B: Boxes>(
     items.extend(objects.map(|(bounds, id)| Item::new(&bounds, id)));
     debug_assert!(items.len() <= most);
     let (spheres, cylinders) = (with_room(sphere_count, HIERARCHY)?, with_room(most - sphere_count, HIERARCHY)?);
-    // A node has about eight objects, by measurement (bench/src/bin/nearest.rs). The list grows if there are more nodes.
+    // A node has about eight objects, by measurement (bench/src/bin/nearest.rs). The list grows if there are more.
     let nodes = with_room(most / 8 + 1, HIERARCHY)?;
     let all = Range::new(&items, 0, items.len());
     let half_areas = items.iter().map(|item| f64::from(item.bounds().unpacked().half_area()));
