@@ -1,9 +1,11 @@
 //! Checks that the documentation names only what exists: links, paths, sections of the specification and terms.
-//! Also checks the width of lines.
+//! Also checks the width of lines, and writes the blocks of figures.
 //!
 //! Every check counts the places that it compared, and fails if they are too few. The module `faults` shows that each
 //! check finds an error.
 
+#[path = "documentation/blocks.rs"]
+mod blocks;
 #[path = "documentation/checks.rs"]
 mod checks;
 #[path = "documentation/faults.rs"]
@@ -65,7 +67,8 @@ fn every_section_of_the_specification_that_is_cited_exists() {
 #[test]
 fn git_ignores_what_the_commands_of_the_readme_write() {
     let project = Project::read();
-    let (ignored, page) = (project.text(".gitignore"), project.text("README.md"));
+    let page = project.text("README.md") + &project.text("docs/guide.md");
+    let ignored = project.text(".gitignore");
     let is_ignored = |name: &str| {
         ignored.lines().map(|line| line.trim_start_matches('/')).any(|pattern| match pattern.split_once('*') {
             Some((start, end)) => name.starts_with(start) && name.ends_with(end),
