@@ -1,4 +1,4 @@
-//! The blocks of figures in pages. Each is made from a file of docs/measurements, so a page cannot differ from its data.
+//! The blocks of figures in pages. Each is made from a file of docs/measurements, so no page differs from its data.
 //!
 //! A block stands between a line `<!-- figures: NAME -->` and a line `<!-- end -->`. `docs/refresh` measures, and then
 //! writes the blocks by `BLESS=1 cargo test -p tests --test documentation blocks`.
