@@ -14,7 +14,6 @@ pub use crate::error::Error;
 /// escaped.
 #[must_use]
 pub fn main<L: cpu::Renderable>() -> ExitCode {
-    #[cfg(unix)]
     output::stop::remove_temporary_when_stopped();
     match program::run::<L>(std::env::args_os().skip(1)) {
         Ok(()) => ExitCode::SUCCESS,

@@ -22,8 +22,7 @@ const NEEDED: usize = BYTES + (16 << 10);
 /// # Errors
 /// [`Error::Stack`] if the stack cannot grow so far.
 pub(crate) fn reserve() -> Result<(), Error> {
-    #[cfg(unix)]
-    if let Some(room) = output::stack::room().filter(|&room| room < NEEDED) {
+    if let Some(room) = room().filter(|&room| room < NEEDED) {
         return Err(Error::Stack { room, needed: NEEDED });
     }
     touch();
@@ -34,4 +33,22 @@ pub(crate) fn reserve() -> Result<(), Error> {
 #[inline(never)]
 fn touch() {
     std::hint::black_box(&mut [0_u8; BYTES]);
+}
+
+/// Returns by how many bytes the stack of the main thread may still grow. The main thread must call this function.
+/// Returns `None` if the system does not tell it, or if the stack's limit is 1 MiB or more.
+fn room() -> Option<usize> {
+    /// A limit from which on no exact number is needed. Linux gives at most a quarter of it to the arguments and the
+    /// environment.
+    const ENOUGH: usize = 1 << 20;
+
+    let limit = rustix::process::getrlimit(rustix::process::Resource::Stack).current?;
+    let limit = usize::try_from(limit).ok().filter(|&limit| limit < ENOUGH)?;
+    let here = (&raw const limit).addr();
+    // A line of this file begins with the first address of an area of memory and the address after its last one.
+    let areas = std::fs::read_to_string("/proc/self/maps").ok()?;
+    let (area, _) = areas.lines().find(|line| line.ends_with("[stack]"))?.split_once(' ')?;
+    let (_, end) = area.split_once('-')?;
+    let used = usize::from_str_radix(end, 16).ok()?.checked_sub(here)?;
+    Some(limit.saturating_sub(used))
 }

@@ -106,8 +106,38 @@ pub fn check_outputs(outs: &[&Path], inputs: &[&Path], json: bool) -> Result<(),
         return Err("--json and an output - both write to standard output; choose a file".into());
     }
     let outs: Vec<_> = outs.iter().map(|out| output(out)).collect();
-    output::refuse_one_file(&outs.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
+    refuse_one_file(&outs)?;
     Ok(outs.iter().try_for_each(|out| output::refuse_inputs(out, inputs))?)
+}
+
+/// Refuses outputs of which two are one file, even if their paths differ. `/dev/null` may be several outputs.
+///
+/// # Errors
+/// A message that names both outputs.
+fn refuse_one_file(outs: &[PathBuf]) -> Result<(), output::Error> {
+    let targets: Vec<_> = outs.iter().map(|out| target(out)).collect();
+    for (index, out) in outs.iter().enumerate().filter(|(index, _)| targets[*index] != Path::new("/dev/null")) {
+        if let Some(other) = targets[..index].iter().position(|other| *other == targets[index]) {
+            let name = outs[other].to_string_lossy();
+            let text = format!("it is the same file as the output [{name}]; the outputs need a file each");
+            return Err(output::Error { path: out.clone(), cause: io::Error::new(io::ErrorKind::InvalidInput, text) });
+        }
+    }
+    Ok(())
+}
+
+/// Returns the path that an output to `path` gets, without links: `/dev/stdout` for all names of standard output. The
+/// file need not exist.
+fn target(path: &Path) -> PathBuf {
+    if output::is_stdout(path) {
+        return PathBuf::from("/dev/stdout");
+    }
+    let path = output::follow(path).unwrap_or_else(|_| path.to_owned());
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (fs::canonicalize(folder), path.file_name()) {
+        (Ok(folder), Some(name)) => folder.join(name),
+        _ => path,
+    }
 }
 
 /// Returns the numbers of the device and of the file, if the input is a pipe or standard input. Such an input gives its

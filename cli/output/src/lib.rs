@@ -2,7 +2,7 @@
 //!
 //! The bytes of a regular file are written to a temporary file, which replaces the old file when it is complete.
 //! Devices and pipes such as `/dev/stdout` and `/dev/null` get the bytes directly. `docs/decisions.md` says what is
-//! promised and why. Begin with [`Output`].
+//! promised and why. Begin with [`Output`]. This crate needs Linux.
 //!
 //! ```
 //! use output::{Options, Output};
@@ -16,30 +16,18 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod error;
-#[cfg(unix)]
-mod folder;
-#[cfg(unix)]
 mod place;
-#[cfg(unix)]
-pub mod stack;
-#[cfg(unix)]
-mod stdout;
-#[cfg(unix)]
 pub mod stop;
-#[cfg(unix)]
 mod temporary;
 
-#[cfg(not(unix))]
-#[path = "elsewhere.rs"]
-mod place;
-
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::fmt;
+use std::fs::File;
+use std::io::{self, ErrorKind, Write};
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
-pub use crate::error::Error;
-use crate::place::Place;
+pub use crate::place::{follow, is_stdout};
+use crate::temporary::Temporary;
 
 /// Options for writing an output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,7 +45,7 @@ pub struct Options {
 pub fn print(bytes: &[u8]) -> Result<(), Error> {
     let written =
         Output::open(Path::new("/dev/stdout"), Options::default()).and_then(|out| out.fill(|out| out.write_all(bytes)));
-    written.or_else(|error| if error.cause.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
+    written.or_else(|error| if error.cause.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
 }
 
 /// An output that is being written: a regular file, a device or a pipe. It implements [`Write`].
@@ -68,10 +56,13 @@ pub fn print(bytes: &[u8]) -> Result<(), Error> {
 pub struct Output {
     /// The path as the caller named it, for error messages.
     named: PathBuf,
-    place: Place,
-    /// The error of the first write that failed. [`Output::commit`] returns it, because encoders such as `png` ignore
-    /// the errors of their last writes.
-    failure: Option<io::Error>,
+    /// The open file; `None` for a named pipe before the first write.
+    file: Option<File>,
+    /// What gives a regular file its name; `None` for a device or a pipe.
+    temporary: Option<Temporary>,
+    /// What kind of error the first failed write had. [`Output::commit`] returns it, because encoders such as `png`
+    /// ignore the errors of their last writes.
+    failure: Option<ErrorKind>,
 }
 
 impl Output {
@@ -80,18 +71,19 @@ impl Output {
     ///
     /// # Errors
     /// [`Error`] in these cases: `path` is a folder or a socket; its folder does not exist, or no file can be created
-    /// there; the file is read-only or mounted, or belongs to another user and may not be replaced; it is standard
-    /// output, which is closed.
+    /// there; the file is read-only; it is standard output, which is closed; `path` leads through a link in a folder of
+    /// all users such as `/tmp`, or to the file of another user there.
     pub fn open(path: &Path, options: Options) -> Result<Self, Error> {
-        let place = Place::find(path, options.sync).map_err(|cause| Error::new(path, cause))?;
-        Ok(Self { named: path.to_owned(), place, failure: None })
+        let named = path.to_owned();
+        let found = place::find(path, options.sync);
+        let (file, temporary) = found.map_err(|cause| Error { path: path.to_owned(), cause })?;
+        Ok(Self { named, file, temporary, failure: None })
     }
 
     /// Whether the output is a regular file, which [`Output::commit`] replaces. A device or a pipe gets the bytes when
     /// they are written.
-    #[must_use]
     pub const fn is_regular(&self) -> bool {
-        matches!(self.place, Place::Regular(_))
+        self.temporary.is_some()
     }
 
     /// Replaces the old file by the new one. Call this when all bytes are written.
@@ -101,12 +93,12 @@ impl Output {
     /// error. A regular file is then unchanged, with one exception that the message names: the new file has its name,
     /// but may not be on the disk yet.
     pub fn commit(self) -> Result<(), Error> {
-        let result = match (self.failure, self.place) {
-            (Some(cause), _) => Err(cause),
-            (None, Place::Regular(file)) => file.commit(),
+        let result = match (self.failure, self.file, self.temporary) {
+            (Some(kind), ..) => Err(kind.into()),
+            (None, Some(file), Some(temporary)) => temporary.commit(&file),
             // A pipe to which no bytes were written is opened and closed here, because its reader waits for that.
-            (None, Place::Pipe(path)) => open_pipe(&path).map(drop),
-            (None, Place::Direct(_)) => Ok(()),
+            (None, None, _) => place::open(&self.named).map(drop),
+            (None, Some(_), None) => Ok(()),
         };
         result.map_err(|cause| Error { path: self.named, cause })
     }
@@ -123,23 +115,17 @@ impl Output {
     }
 }
 
-impl Output {
-    /// Stores `error` if it is the first failure of this output. An interruption is no failure, because callers repeat
-    /// an interrupted write.
-    fn remember(&mut self, error: &io::Error) {
-        if error.kind() != io::ErrorKind::Interrupted && self.failure.is_none() {
-            self.failure = Some(error.raw_os_error().map_or(error.kind().into(), io::Error::from_raw_os_error));
-        }
-    }
-}
-
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let result = self.place.write(bytes);
-        if let Err(error) = &result {
-            self.remember(error);
-        }
-        result
+        let file = match &mut self.file {
+            Some(file) => file,
+            pipe => pipe.insert(place::open(&self.named)?),
+        };
+        let written = file.write(bytes);
+        // An interruption is no failure, because callers repeat an interrupted write.
+        let failure = written.as_ref().err().map(io::Error::kind).filter(|kind| *kind != ErrorKind::Interrupted);
+        self.failure = self.failure.or(failure);
+        written
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -148,86 +134,48 @@ impl Write for Output {
     }
 }
 
-impl Place {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if let Self::Pipe(path) = self {
-            *self = Self::Direct(open_pipe(path)?);
-        }
-        match self {
-            Self::Regular(file) => file.write(bytes),
-            Self::Direct(file) => file.write(bytes),
-            Self::Pipe(_) => Err(io::ErrorKind::NotConnected.into()),
-        }
-    }
-}
-
-/// Opens the named pipe at `path` for writing. The call waits until another process opens the pipe for reading.
-fn open_pipe(path: &Path) -> io::Result<File> {
-    OpenOptions::new().write(true).open(path)
-}
-
 /// Refuses an output that is the same file as one of the inputs, even if their paths differ. Call this before the
 /// inputs are read. A device or a pipe may be both input and output.
 ///
 /// # Errors
 /// [`Error`] with a message that names the first such input.
 pub fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
-    match inputs.iter().find(|input| is_same_file(out, input)) {
-        None => Ok(()),
-        Some(input) => {
-            let name = input.as_os_str().to_string_lossy();
-            let text = format!("it is the same file as the input [{name}]; choose another file for the output");
-            Err(Error::new(out, io::Error::new(io::ErrorKind::InvalidInput, text)))
-        }
+    let numbers = |path: &Path| path.metadata().ok().map(|file| (file.dev(), file.ino()));
+    let Some(input) = inputs.iter().find(|input| out.is_file() && numbers(out) == numbers(input)) else {
+        return Ok(());
+    };
+    let name = input.as_os_str().to_string_lossy();
+    let text = format!("it is the same file as the input [{name}]; choose another file for the output");
+    Err(Error { path: out.to_owned(), cause: io::Error::new(ErrorKind::InvalidInput, text) })
+}
+
+/// The error of an output that cannot be written. A regular file is then unchanged, unless the message says otherwise.
+#[derive(Debug)]
+pub struct Error {
+    /// The path of the output, as the caller named it.
+    pub path: PathBuf,
+    /// The cause, such as an error of the system.
+    pub cause: io::Error,
+}
+
+impl Error {
+    /// Returns the message as bytes, since a file's name need not be UTF-8. `show` converts the name and the cause
+    /// before they are put into the message; it can escape control characters for a terminal.
+    #[must_use]
+    pub fn message(&self, show: impl Fn(&[u8]) -> Vec<u8>) -> Vec<u8> {
+        let name = show(self.path.as_os_str().as_encoded_bytes());
+        let cause = show(self.cause.to_string().as_bytes());
+        [b"Cannot write file [", &name[..], b"]: ", &cause].concat()
     }
 }
 
-/// Refuses outputs of which two are one file, even if their paths differ. Call this before they are opened. `/dev/null`
-/// may be several outputs.
-///
-/// # Errors
-/// [`Error`] with a message that names both outputs.
-pub fn refuse_one_file(outs: &[&Path]) -> Result<(), Error> {
-    let targets: Vec<_> = outs.iter().map(|out| target(out)).collect();
-    for (index, out) in outs.iter().enumerate().filter(|(index, _)| targets[*index] != Path::new("/dev/null")) {
-        if let Some(other) = targets[..index].iter().position(|other| *other == targets[index]) {
-            let name = outs[other].to_string_lossy();
-            let text = format!("it is the same file as the output [{name}]; the outputs need a file each");
-            return Err(Error::new(out, io::Error::new(io::ErrorKind::InvalidInput, text)));
-        }
-    }
-    Ok(())
-}
-
-/// Whether an output to `path` goes to standard output.
-#[must_use]
-pub fn is_stdout(path: &Path) -> bool {
-    target(path) == Path::new("/dev/stdout")
-}
-
-/// Returns the path that an output to `path` gets, without links: `/dev/stdout` for all names of standard output. The
-/// file need not exist.
-fn target(path: &Path) -> PathBuf {
-    let path = place::follow(path).unwrap_or_else(|_| path.to_owned());
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    match (fs::canonicalize(folder), path.file_name()) {
-        (Ok(folder), Some(name)) => folder.join(name),
-        _ => path,
+impl fmt::Display for Error {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&String::from_utf8_lossy(&self.message(<[u8]>::to_vec)))
     }
 }
 
-/// Whether both paths lead to one regular file.
-fn is_same_file(one: &Path, other: &Path) -> bool {
-    match (fs::metadata(one), fs::metadata(other)) {
-        #[cfg(unix)]
-        (Ok(one), Ok(other)) => one.is_file() && folder::is_same(&one, &other),
-        #[cfg(not(unix))]
-        (Ok(metadata), Ok(_)) => {
-            metadata.is_file() && matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(a), Ok(b)) if a == b)
-        }
-        _ => false,
-    }
-}
+impl std::error::Error for Error {}
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests;

@@ -1,152 +1,128 @@
-//! Finds out whether the path of an output is a regular file, a device or a pipe, and opens it.
+//! Follows the links of an output's path, and opens the regular file, the device or the pipe to which it leads.
+//!
+//! Standard output needs care. If it is closed, the standard library opens `/dev/null` in its place before `main`. It
+//! also reports success for a write to a standard output that is not open for writing. In both cases the picture would
+//! be lost, and the exit status would be 0.
 
-use std::fs::{self, File, FileType, OpenOptions};
-use std::io::{self, ErrorKind};
-use std::os::unix::fs::FileTypeExt;
+#![allow(unsafe_code)]
+
+use std::fs::{self, File, Metadata, OpenOptions};
+use std::io::{self, ErrorKind, Write};
+use std::os::unix::ffi::OsStrExt;
+use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::folder::{Folder, is_same, may_write};
-use crate::stdout;
-use crate::temporary::{Temporary, file_name};
+use rustix::fs::{Access, AtFlags, CWD, OFlags, accessat, fcntl_getfl};
+use rustix::io::{Errno, fcntl_getfd};
+use rustix::stdio::stdout;
 
-/// The target of an output. [`Place::find`] has checked that it can be written, as far as that is known before.
-#[derive(Debug)]
-pub enum Place {
-    /// Standard output or a device, to which the bytes are written directly.
-    Direct(File),
-    /// A named pipe. It is opened at the first write, because opening it waits for a reader.
-    Pipe(PathBuf),
-    /// A temporary file that will become a new regular file, or replace an old one.
-    Regular(Temporary),
-}
+use crate::temporary::Temporary;
 
 const STDOUT_NAMES: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
-/// Largest number of links that [`follow`] follows; Linux has the same limit.
-const MAX_LINKS: u32 = 40;
+/// Whether standard output was closed when the process started.
+static STDOUT_IS_CLOSED: AtomicBool = AtomicBool::new(false);
 
-impl Place {
-    /// Follows the links of `path`, checks that the target can be written, and opens it. A named pipe is not opened
-    /// yet. If `sync` is true, the commit of a regular file waits until the file is on the disk.
-    ///
-    /// # Errors
-    /// The reason why the target cannot be written, as far as it is known before writing.
-    pub fn find(path: &Path, sync: bool) -> io::Result<Self> {
-        if is_stdout(path) {
-            return stdout::open().map(Self::Direct);
+/// The loader calls [`look`] before the standard library starts.
+// SAFETY: the section holds addresses of functions of this type, and this function only makes a system call, which
+// needs no part of the standard library that must be started first.
+#[used]
+#[unsafe(link_section = ".init_array")]
+static BEFORE_MAIN: extern "C" fn() = look;
+
+extern "C" fn look() {
+    STDOUT_IS_CLOSED.store(fcntl_getfd(stdout()).is_err(), Ordering::SeqCst);
+}
+
+/// Follows the links of `path`, checks that the target can be written, and opens it. If `sync` is true, the commit of a
+/// regular file waits until the file is on the disk.
+///
+/// Returns an open file, and what gives it its name if it is a regular file. A device has no such second part. For a
+/// named pipe both are `None`: it is opened at the first write, because opening it waits for a reader.
+///
+/// # Errors
+/// The reason why the target cannot be written, as far as it is known before writing.
+pub fn find(path: &Path, sync: bool) -> io::Result<(Option<File>, Option<Temporary>)> {
+    let target = follow(path)?;
+    match fs::metadata(path).map(|file| file.file_type()) {
+        _ if is_stdout(&target) => Ok((Some(open_stdout()?), None)),
+        Ok(kind) if kind.is_fifo() => {
+            Ok(accessat(CWD, path, Access::WRITE_OK, AtFlags::EACCESS).map(|()| (None, None))?)
         }
-        // `fs::metadata` follows the links before `follow` does, because Linux may forbid to follow links of other
-        // users.
-        let metadata = match fs::metadata(path) {
-            Ok(metadata) => Some(metadata),
-            Err(error) if error.kind() == ErrorKind::NotFound => None,
-            Err(error) => return Err(error),
-        };
-        let target = follow(path)?;
-        if is_stdout(&target) {
-            return stdout::open().map(Self::Direct);
-        }
-        if let Some(kind) = metadata.as_ref().map(fs::Metadata::file_type).filter(|kind| !kind.is_file()) {
-            return special(path, kind);
-        }
-        if metadata.is_some() && !has_name(path, &target)? {
-            return Err(io::Error::new(ErrorKind::NotFound, "it is an open file that has lost its name"));
-        }
-        Temporary::new(&target, sync).map(Self::Regular)
+        // Opening a folder or a socket is an error of the system.
+        Ok(kind) if !kind.is_file() => Ok((Some(open(path)?), None)),
+        // A link in /proc leads to an open file. If that file was removed, the link's text is no path.
+        Ok(_) if !target.exists() => error(ErrorKind::NotFound, "it is an open file that has lost its name"),
+        _ => Temporary::new(&target, sync).map(|(file, temporary)| (Some(file), Some(temporary))),
     }
 }
 
-/// Whether the path is a name of standard output.
-fn is_stdout(path: &Path) -> bool {
-    STDOUT_NAMES.iter().any(|name| path == Path::new(name))
-}
-
-/// Follows all links from `path`. Returns the path of a file that is no link, a path at which no file exists, or the
-/// first of the names of standard output.
+/// Opens a device or a pipe for writing. Opening a pipe waits until another process opens it for reading.
 ///
 /// # Errors
-/// An error if there are too many links, or if a link belongs to another user and may not be followed
-/// ([`Folder::read_link`]). Any other error is found when the file is created, so it is ignored here.
+/// The error of the system.
+pub fn open(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).open(path)
+}
+
+/// Returns standard output as a file without a buffer. Its writes return all errors of the system.
+fn open_stdout() -> io::Result<File> {
+    if STDOUT_IS_CLOSED.load(Ordering::SeqCst) {
+        return error(ErrorKind::NotConnected, "standard output is closed");
+    }
+    if fcntl_getfl(stdout())?.intersection(OFlags::RWMODE) == OFlags::RDONLY {
+        return error(ErrorKind::PermissionDenied, "standard output is open for reading only");
+    }
+    io::stdout().flush()?;
+    Ok(File::from(stdout().try_clone_to_owned()?))
+}
+
+/// Whether an output to `path` goes to standard output.
+pub fn is_stdout(path: &Path) -> bool {
+    follow(path).is_ok_and(|path| STDOUT_NAMES.iter().any(|name| path == Path::new(name)))
+}
+
+/// Follows all links from `path`. Returns the path of a file that is no link, a path at which no file exists, or a name
+/// of standard output.
+///
+/// # Errors
+/// An error if there are too many links. [`ErrorKind::PermissionDenied`] if `path` or one of its folders is a link in a
+/// folder of all users, because another user may have made the link. [`ErrorKind::InvalidFilename`] if `path` ends in no
+/// name.
 pub fn follow(path: &Path) -> io::Result<PathBuf> {
-    let mut target = path.to_owned();
-    for _ in 0..MAX_LINKS {
-        if is_stdout(&target) {
-            return Ok(STDOUT_NAMES[0].into());
+    let mut path = path.to_owned();
+    // Linux follows so many links at most.
+    for _ in 0..40 {
+        // For `folder/` and `folder/.` the standard library returns the name `folder`.
+        let Some(_) = path.file_name().filter(|name| path.as_os_str().as_bytes().ends_with(name.as_bytes())) else {
+            return error(ErrorKind::InvalidFilename, "it is not the name of a file");
+        };
+        let is_foreign =
+            |part: &Path| part.is_symlink() && parent(part).metadata().is_ok_and(|folder| is_shared(&folder));
+        if path.ancestors().any(is_foreign) {
+            let text = "it leads through a link in a folder of all users, such as /tmp; name the file itself";
+            return error(ErrorKind::PermissionDenied, text);
         }
-        let Ok(name) = file_name(&target) else { return Ok(target) };
-        let parent = target.parent().unwrap_or(Path::new(""));
-        let Ok(folder) = Folder::open(parent, false) else { return Ok(target) };
-        match folder.read_link(&name)? {
-            Some(next) => target = parent.join(next),
-            None => return Ok(target),
-        }
-    }
-    Err(io::Error::other("too many links lead on from it"))
-}
-
-/// Whether `target`, to which the links of `path` lead, is the name of the file at `path`. It is not if `path` leads to
-/// an open file that was removed.
-///
-/// Another program may replace the file between the two calls. So the calls are repeated if they find different files.
-///
-/// # Errors
-/// The error of the system if it does not tell which file is at `path`, for example because the process may not follow
-/// a link.
-fn has_name(path: &Path, target: &Path) -> io::Result<bool> {
-    const TRIES: u32 = 20;
-    if path == target {
-        return Ok(true);
-    }
-    for _ in 0..TRIES {
-        match (fs::metadata(path), fs::symlink_metadata(target)) {
-            (Ok(file), Ok(named)) if is_same(&file, &named) => return Ok(true),
-            // The file was removed meanwhile. A new one can be created.
-            (Err(error), _) if error.kind() == ErrorKind::NotFound => return Ok(true),
-            (Err(error), _) => return Err(error),
-            (Ok(_), _) => {}
+        match fs::read_link(&path) {
+            Ok(text) if !STDOUT_NAMES.iter().any(|name| path == Path::new(name)) => path = parent(&path).join(text),
+            _ => return Ok(path),
         }
     }
-    Ok(false)
+    Err(Errno::LOOP.into())
 }
 
-/// Returns the place for a file that is not regular, such as a device: it is written where it is.
-fn special(path: &Path, kind: FileType) -> io::Result<Place> {
-    if kind.is_dir() {
-        return Err(ErrorKind::IsADirectory.into());
-    }
-    if kind.is_socket() {
-        return Err(io::Error::new(ErrorKind::InvalidInput, "it is a socket"));
-    }
-    if kind.is_fifo() {
-        return may_write(path).map(|()| Place::Pipe(path.to_owned()));
-    }
-    let file = OpenOptions::new().write(true).open(path)?;
-    if file.metadata()?.is_file() {
-        return Err(io::Error::other("it was a device, and is a file now"));
-    }
-    Ok(Place::Direct(file))
+/// Returns the folder of the file at `path`.
+pub fn parent(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-#[cfg(test)]
-mod tests {
-    use test_support::folder::Folder;
+/// Whether all users may create files in a folder, and remove only their own, as in `/tmp`: it is "sticky".
+pub fn is_shared(folder: &Metadata) -> bool {
+    folder.mode() & 0o1002 == 0o1002
+}
 
-    use super::*;
-
-    #[test]
-    fn only_a_missing_file_counts_as_removed() {
-        let folder = Folder::new();
-        let (file, missing) = (folder.write("file", ""), folder.file("missing"));
-        let [link, endless] = ["link", "endless"].map(|name| folder.file(name));
-        std::os::unix::fs::symlink("file", &link).expect("links are allowed");
-        std::os::unix::fs::symlink("endless", &endless).expect("links are allowed");
-        let found = [
-            has_name(&link, &file).ok(),
-            has_name(&link, &missing).ok(),
-            has_name(&missing, &file).ok(),
-            // The system refuses to follow this link, as it refuses a forbidden one.
-            has_name(&endless, &file).ok(),
-        ];
-        assert_eq!(found, [Some(true), Some(false), Some(true), None]);
-    }
+/// Returns an error with these words.
+pub fn error<T>(kind: ErrorKind, text: &str) -> io::Result<T> {
+    Err(io::Error::new(kind, text))
 }

@@ -1,204 +1,148 @@
 //! A temporary file that becomes the new file when it is complete, and is removed if it does not become complete.
 
-mod rights;
-
-use std::ffi::{CStr, CString};
-use std::fs::{File, Permissions};
-use std::hash::{BuildHasher, RandomState};
-use std::io::{self, ErrorKind, Write};
-use std::os::fd::{AsFd, AsRawFd};
+use std::ffi::{CStr, CString, OsStr};
+use std::fs::{File, Metadata, Permissions};
+use std::io::{self, ErrorKind};
+use std::os::fd::AsRawFd;
 use std::os::unix::ffi::OsStrExt;
-use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
 use std::path::Path;
 
-use crate::folder::Folder;
-use crate::stop::Remembered;
-use rights::Rights;
+use rustix::fs::{AtFlags, CWD, Mode, OFlags, fgetxattr, fremovexattr, linkat, openat, renameat};
+use rustix::io::Errno;
 
-/// The permissions to read and write for the owner, and no permissions for other users.
-const PRIVATE: u32 = 0o600;
-/// The permissions to read and write for all users. The system removes those in the umask of the process.
-const COMMON: u32 = 0o666;
-/// A file that is being written. [`Temporary::commit`] gives it the name `target` in an open folder.
+use crate::place::{error, is_shared, parent};
+use crate::stop::Name;
+
+/// A file that is being written. [`Temporary::commit`] gives it the name `target` in an open folder. So the file goes
+/// into this folder even if the folder is renamed meanwhile.
 ///
 /// If the file system supports it, the file has no name until it is complete. Then no file is left, however the process
-/// ends. Otherwise the file has a hidden temporary name. It is removed when this value is dropped or when a signal ends
+/// ends before. Otherwise the file has a hidden temporary name. It is removed when this value is dropped or when a signal ends
 /// the process.
 #[derive(Debug)]
 pub struct Temporary {
-    // Stands before `folder` and so is dropped first, since removing the file needs the open folder.
-    name: Option<Name>,
-    file: File,
-    folder: Folder,
+    name: Option<&'static Name>,
+    folder: File,
     target: CString,
-    /// The rights of the file that will be replaced; `None` if there is no old file.
-    old: Option<Rights>,
-    /// The permissions that `commit` must set; `None` if the new file has them already, or if they depend on `old`.
-    mode: Option<u32>,
+    /// The file that will be replaced, and the permissions that the new file may get from it.
+    old: Option<(Metadata, u32)>,
     sync: bool,
 }
 
+/// The permissions of a file's owner.
+const OWNER: u32 = 0o700;
+
+const ACCESS_LIST: &str = "system.posix_acl_access";
+
+/// The errors that tell that a file has no access list, or that its file system has none at all.
+const NO_LIST: [Errno; 3] = [Errno::NODATA, Errno::NOTSUP, Errno::NOSYS];
+
 impl Temporary {
-    /// Checks that `target`, which is no link, may be created or replaced, and creates the temporary file.
+    /// Checks that `target`, which is no link, may be created or replaced, and creates the temporary file. Returns it
+    /// open for writing.
     ///
     /// # Errors
     /// The reason why `target` cannot be written, as far as it is known before writing.
-    pub fn new(target: &Path, sync: bool) -> io::Result<Self> {
-        Self::with(target, sync, Folder::create_unnamed)
-    }
-
-    /// Creates a file with a temporary name, as [`Self::new`] does on a file system without support for files without a
-    /// name.
-    #[cfg(test)]
-    pub fn named(target: &Path, sync: bool) -> io::Result<Self> {
-        Self::with(target, sync, |_, _| Err(ErrorKind::Unsupported.into()))
-    }
-
-    /// Creates the temporary file with the function `unnamed`. If that fails, creates it with a temporary name.
-    fn with(target: &Path, sync: bool, unnamed: impl Fn(&Folder, u32) -> io::Result<File>) -> io::Result<Self> {
-        let name = file_name(target)?;
-        let folder = Folder::open(target.parent().unwrap_or(Path::new("")), sync)?;
-        let old = old_file(&folder, &name)?;
-        let mode = if old.is_some() { PRIVATE } else { COMMON };
-        if let Ok(file) = unnamed(&folder, mode) {
-            return Ok(Self { name: None, file, folder, target: name, old, mode: None, sync });
+    pub fn new(target: &Path, sync: bool) -> io::Result<(File, Self)> {
+        // Syncing a folder needs the right to read it.
+        let access = if sync { OFlags::RDONLY } else { OFlags::PATH };
+        let folder = openat(CWD, parent(target), access | OFlags::DIRECTORY | OFlags::CLOEXEC, Mode::empty())?;
+        let (folder, name) = (File::from(folder), target.file_name().map(OsStr::as_bytes).unwrap_or_default());
+        let target = CString::new(name)?;
+        let old = old_file(&folder, &target)?;
+        // Until a file that replaces another one is complete, only its owner may open it.
+        let mode = Mode::from_raw_mode(if old.is_some() { 0o600 } else { 0o666 });
+        let create = |name: &CStr, flags| openat(&folder, name, flags | OFlags::WRONLY | OFlags::CLOEXEC, mode);
+        // A file without a name gets its name through /proc.
+        let unnamed = create(c".", OFlags::TMPFILE).ok().filter(|file| Path::new(&own_link(file)).exists());
+        let (name, file) = match unnamed {
+            Some(file) => (None, file),
+            None => Name::new(&folder, |name| create(name, OFlags::CREATE | OFlags::EXCL))?,
+        };
+        let file = File::from(file);
+        let this = Self { name, folder, target, old, sync };
+        let (own, folder) = (file.metadata()?.uid(), this.folder.metadata()?);
+        let may_replace = |old: &Metadata| [0, old.uid(), folder.uid()].contains(&own) || !is_shared(&folder);
+        if !this.old.as_ref().is_none_or(|(old, _)| may_replace(old)) {
+            let text = "it is another user's file in a folder of all users, such as /tmp; choose another name";
+            return error(ErrorKind::PermissionDenied, text);
         }
-        let (temporary, file) = Name::new(&folder, |name| folder.create(name, mode))?;
-        let mut this = Self { name: Some(temporary), file, folder, target: name, old, mode: None, sync };
-        if this.old.is_none() {
-            this.mode = Some(this.file.metadata()?.mode());
-            // An error is ignored: some file systems, such as those of memory cards, have no permissions.
-            let _ = this.file.set_permissions(Permissions::from_mode(PRIVATE));
-        }
-        Ok(this)
+        Ok((file, this))
     }
 
-    /// Gives the complete file its final name, which replaces the old file.
+    /// Gives the complete file `file` its final name, which replaces the old file.
     ///
     /// # Errors
     /// The error of the system. The old file is then unchanged, with one exception that the message names: the new file
     /// has its name, but its folder could not be synced.
-    pub fn commit(mut self) -> io::Result<()> {
-        let mode = match &self.old {
-            Some(old) => Some(old.give(&self.file)?),
-            None => self.mode,
-        };
-        if let Some(mode) = mode {
-            // An error is ignored, since a file with fewer permissions is better than none.
-            let _ = self.file.set_permissions(Permissions::from_mode(mode));
+    pub fn commit(mut self, file: &File) -> io::Result<()> {
+        if let Some((old, mode)) = &self.old {
+            give_rights(file, old, *mode)?;
         }
-        if self.name.is_none() && self.old.is_none() {
-            self.sync_file()?;
-            match self.folder.link(&self.file, &self.target) {
-                // Another process has created a file of this name meanwhile. It is replaced like an old file, if this
-                // process may replace it.
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => self.folder.may_replace(&self.target)?,
-                result => return result.and_then(|()| self.sync_folder()),
-            }
-        }
+        let sync = |file: &File| if self.sync { file.sync_all() } else { Ok(()) };
+        sync(file)?;
+        let link = |name: &CStr| linkat(CWD, own_link(file), &self.folder, name, AtFlags::SYMLINK_FOLLOW);
         if self.name.is_none() {
-            self.name = Some(Name::new(&self.folder, |name| self.folder.link(&self.file, name))?.0);
+            self.name = Name::new(&self.folder, link)?.0;
         }
-        self.sync_file()?;
-        if let Some(name) = &self.name {
-            self.folder.rename(&name.name, &self.target)?;
-        }
-        // After the renaming no file has the temporary name, so no file must be removed.
-        if let Some(name) = self.name.take() {
-            name.remembered.forget();
-        }
-        self.sync_folder()
-    }
-
-    /// Brings the file to the disk, if that is asked for.
-    fn sync_file(&self) -> io::Result<()> {
-        if self.sync { self.file.sync_all() } else { Ok(()) }
-    }
-
-    /// Brings the folder's entry to the disk, if that is asked for.
-    fn sync_folder(&self) -> io::Result<()> {
-        if !self.sync {
-            return Ok(());
+        if let Some(name) = self.name {
+            renameat(&self.folder, &name.name, &self.folder, &self.target)?;
+            name.forget();
         }
         let explain = |error| format!("the new file is there, but a loss of power may bring the old one back: {error}");
-        self.folder.sync().map_err(|error| io::Error::new(error.kind(), explain(error)))
+        sync(&self.folder).map_err(|error| io::Error::new(error.kind(), explain(error)))
     }
 }
 
-impl Write for Temporary {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        self.name.inspect(|name| name.remove());
     }
 }
 
-/// Returns the last part of `path`.
+/// Returns the file `name` in `folder`, and the permissions that the file which replaces it may get. Returns `None` if
+/// there is no such file. If the file has an access list, the permissions are the owner's alone, because the other bits
+/// then are the list's limit.
 ///
 /// # Errors
-/// An error if that part cannot be the name of a file.
-pub fn file_name(path: &Path) -> io::Result<CString> {
-    let name = path.file_name().map(OsStrExt::as_bytes).unwrap_or_default();
-    // Refuses `folder/` and `folder/.`, because for both `Path::file_name` returns `folder`.
-    if name.is_empty() || !path.as_os_str().as_bytes().ends_with(name) {
-        return Err(io::Error::new(ErrorKind::InvalidFilename, "it is not the name of a file"));
-    }
-    Ok(CString::new(name)?)
-}
-
-/// Checks that the file `name` can be replaced, and returns its rights. Returns `None` if there is no such file.
-fn old_file(folder: &Folder, name: &CStr) -> io::Result<Option<Rights>> {
-    let file = match folder.open_for_writing(name) {
-        Ok(file) => file,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(error),
+/// The error of the system, which tells why the file may not be written.
+fn old_file(folder: &File, name: &CStr) -> io::Result<Option<(Metadata, u32)>> {
+    let flags = OFlags::WRONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
+    let file = match openat(folder, name, flags, Mode::empty()) {
+        Err(Errno::NOENT) => return Ok(None),
+        file => File::from(file?),
     };
-    if !file.metadata()?.is_file() {
-        return Err(io::Error::other("it is no longer a regular file"));
-    }
-    if folder.is_mount_point(&file)? {
-        let text = "a file is mounted here, which cannot be replaced; write to another name and copy it";
-        return Err(io::Error::new(ErrorKind::ResourceBusy, text));
-    }
-    folder.may_replace(name)?;
-    Rights::of(&file).map(Some)
+    let metadata = file.metadata()?;
+    let is_plain = fgetxattr(&file, ACCESS_LIST, &mut [0_u8; 0][..]).is_err_and(|error| NO_LIST.contains(&error));
+    let mode = metadata.mode() & if is_plain { 0o7777 } else { OWNER };
+    Ok(Some((metadata, mode)))
 }
 
-/// A hidden temporary name in a folder. Its file is removed when this value is dropped, and when a signal ends the
-/// process.
-#[derive(Debug)]
-struct Name {
-    name: CString,
-    remembered: Remembered,
+/// Gives the new file `file` the owner, the group and the permissions `mode` of the old file, as far as this process
+/// may do so. No user gets more rights than before.
+///
+/// # Errors
+/// The error of the system, if the owner of `file` cannot be read.
+fn give_rights(file: &File, old: &Metadata, mode: u32) -> io::Result<()> {
+    let is_kept = || file.metadata().map(|new| (new.uid(), new.gid()) == (old.uid(), old.gid()));
+    if !is_kept()? {
+        // Root may change the owner. Other users may change only the group, to one that they belong to. If both calls
+        // fail, the new file keeps its owner and group.
+        let _ = fchown(file, Some(old.uid()), Some(old.gid())).or_else(|_| fchown(file, None, Some(old.gid())));
+    }
+    // With another owner or group, the new owner gets the permissions of the old one, and other users get only what
+    // owner, group and others had. The set-user-ID and set-group-ID bits go.
+    let common = mode & mode >> 3 & mode >> 6 & 0o7;
+    let mode = if is_kept()? { mode } else { mode & OWNER | common << 3 | common };
+    // The folder may have given the new file an access list, which the old file did not have.
+    let is_plain = fremovexattr(file, ACCESS_LIST).map_or_else(|error| NO_LIST.contains(&error), |()| true);
+    // An error is ignored, since a file with fewer permissions is better than none.
+    let _ = file.set_permissions(Permissions::from_mode(if is_plain { mode } else { mode & OWNER }));
+    Ok(())
 }
 
-impl Name {
-    /// Calls `make` with random names, at most 100, until it succeeds or fails for a reason other than a name in use.
-    /// Returns the name, and the result of `make`.
-    fn new<T>(folder: &Folder, make: impl Fn(&CStr) -> io::Result<T>) -> io::Result<(Self, T)> {
-        const TRIES: u32 = 100;
-
-        let process = std::process::id();
-        for _ in 0..TRIES {
-            // The name does not contain the target's name, which may already have the largest length. The random number
-            // makes the name differ from those of processes on other machines, and from files that a killed process
-            // left.
-            let random = RandomState::new().hash_one(process);
-            let name = CString::new(format!(".render-{process}-{random:016x}.tmp"))?;
-            let remembered = Remembered::new(folder.as_fd().as_raw_fd(), &name)?;
-            match make(&name) {
-                Ok(made) => return Ok((Self { name, remembered }, made)),
-                Err(error) => {
-                    // No file was created, or the name belongs to a file of another process, which must not be removed.
-                    remembered.forget();
-                    if error.kind() != ErrorKind::AlreadyExists {
-                        return Err(error);
-                    }
-                }
-            }
-        }
-        Err(io::Error::new(ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
-    }
+/// Returns the path of the link in /proc that leads to an open file.
+fn own_link(file: &impl AsRawFd) -> String {
+    format!("/proc/self/fd/{}", file.as_raw_fd())
 }

@@ -2,8 +2,9 @@
 //! rendering, or keep its owner and permissions.
 
 use std::ffi::OsStr;
+use std::os::unix::fs::{chown, symlink};
 
-use std::os::unix::fs::{chown, lchown, symlink};
+use rustix::fs::{XattrFlags, getxattr, setxattr};
 
 use super::*;
 
@@ -11,16 +12,16 @@ use super::*;
 /// be refused before rendering.
 const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
 
-pub fn trials(root: Option<&str>, mount: Option<&str>) -> Vec<Trial> {
-    let append = root.or_else(|| (!append_only_is_known()).then_some("needs chattr +a"));
+pub fn trials(root: Option<&str>) -> Vec<Trial> {
+    let lists = (!knows_access_lists()).then_some("needs access lists");
     vec![
         trial("another_users_file_in_a_sticky_folder_is_refused_at_once", root, sticky),
-        trial("another_users_link_in_a_sticky_folder_is_refused_at_once", root, sticky_link),
-        trial("a_mounted_file_is_refused_at_once", mount, mounted),
+        trial("a_link_in_a_sticky_folder_is_refused_at_once", None, sticky_link),
         trial("a_device_or_pipe_without_permission_is_refused_at_once", root, special),
-        trial("in_a_folder_for_appends_only_nothing_but_a_new_picture_is_left", append, appends),
         trial("another_users_set_user_id_bit_goes", root, set_user_id),
         trial("root_leaves_a_file_its_owner", root, owner),
+        trial("an_access_list_leaves_the_owner_alone", lists, list),
+        trial("a_folder_adds_no_rights_to_an_old_picture", lists, folder_list),
     ]
 }
 
@@ -47,48 +48,23 @@ fn sticky() -> Result<(), Failed> {
     fs::write(&out, "old")?;
     // All users may write to the file, but in this folder only its owner may replace it.
     set_mode(&out, 0o666)?;
-    refuse_at_once(&place, &out, "Operation not permitted", true)?;
-    check_old(&place, "d")
+    refuse_at_once(&place, &out, "it is another user's file in a folder of all users", true)?;
+    check_old(&place, "d")?;
+    fs::write(place.file("config.txt"), CONFIG)?;
+    let output = place.render(PROGRAMS[0], &out).output()?;
+    if output.status.success() && fs::read(&out)? != b"old" { Ok(()) } else { Err(format!("{output:?}").into()) }
 }
 
-/// Checks that no link of another user in a sticky folder is followed, whether the file at its end exists or not. Linux
-/// refuses to open such a link only if the setting `fs.protected_symlinks` is on.
 fn sticky_link() -> Result<(), Failed> {
     let place = Place::new()?;
     let link = place.folder("d", 0o1777)?.join("link.ppm");
     place.folder("own", 0o755)?;
     for target in ["out.ppm", "missing.ppm"] {
-        let target = place.file("own").join(target);
         fs::write(place.file("own/out.ppm"), "old")?;
-        symlink(&target, &link)?;
-        lchown(&link, Some(NOBODY), Some(NOBODY))?;
-        refuse_at_once(&place, &link, "", false)?;
+        symlink(place.file("own").join(target), &link)?;
+        refuse_at_once(&place, &link, "it leads through a link in a folder of all users", false)?;
         check_old(&place, "own")?;
-        // The owner of the folder made this link, so it is followed.
-        lchown(&link, Some(0), Some(0))?;
-        fs::write(place.file("config.txt"), CONFIG)?;
-        let output = place.render(PROGRAMS[0], &link).output()?;
-        if !output.status.success() || fs::read(&target)? == b"old" {
-            return Err(format!("{output:?}").into());
-        }
-        fs::remove_file(&target)?;
         fs::remove_file(&link)?;
-    }
-    Ok(())
-}
-
-fn mounted() -> Result<(), Failed> {
-    let place = Place::new()?;
-    let out = place.folder("d", 0o755)?.join("out.ppm");
-    // Two mounts are tested over the output: a file of this file system, and a file of another file system.
-    let disk = Disk::mount(place.file("disk"))?;
-    for source in [place.file("source"), disk.0.join("source")] {
-        fs::write(&source, "old")?;
-        fs::write(&out, "")?;
-        let bound = Mount::bind(&source, &out)?;
-        refuse_at_once(&place, &out, "a file is mounted here", false)?;
-        check_old(&place, "d")?;
-        drop(bound);
     }
     Ok(())
 }
@@ -101,29 +77,6 @@ fn special() -> Result<(), Failed> {
         run("mknod", [out.as_os_str()].into_iter().chain(arguments.iter().map(OsStr::new)))?;
         set_mode(&out, 0o600)?;
         refuse_at_once(&place, &out, "Permission denied", true)?;
-    }
-    Ok(())
-}
-
-/// Checks an output in an append-only folder: a new file can be created there, but no file can be replaced, renamed or
-/// removed.
-fn appends() -> Result<(), Failed> {
-    let place = Place::new()?;
-    fs::create_dir(place.file("d"))?;
-    for program in PROGRAMS {
-        let out = place.file("d/out.ppm");
-        {
-            let _appends = AppendOnly::new(place.file("d"))?;
-            let output = place.render(program, &out).output()?;
-            if !output.status.success() {
-                return Err(format!("{output:?}").into());
-            }
-            check_names(&place, "d", &["out.ppm"])?;
-            let output = promptly(&place.render(program, &out), false)?;
-            check_refusal(&output, &out, "Operation not permitted")?;
-            check_names(&place, "d", &["out.ppm"])?;
-        }
-        fs::remove_file(&out)?;
     }
     Ok(())
 }
@@ -150,41 +103,44 @@ fn run<S: AsRef<OsStr>>(program: &str, arguments: impl IntoIterator<Item = S>) -
     if output.status.success() { Ok(()) } else { Err(format!("{program}: {output:?}").into()) }
 }
 
-/// A mount over the file at this path. It ends when this value is dropped.
-struct Mount<'a>(&'a Path);
+/// The attribute with the access list of a file, and the one with the list that a folder gives its new files.
+const LIST: &str = "system.posix_acl_access";
+const DEFAULT_LIST: &str = "system.posix_acl_default";
 
-impl<'a> Mount<'a> {
-    fn bind(source: &Path, target: &'a Path) -> Result<Self, Failed> {
-        run("mount", [OsStr::new("--bind"), source.as_ref(), target.as_ref()])?;
-        Ok(Self(target))
+/// Gives the file at `path` an access list, in the form of the kernel's header `posix_acl_xattr.h`. User 1234 and the
+/// owner may read, write and execute; `others` are the rights of all others.
+fn set_list(path: &Path, name: &str, others: u16) -> Result<(), Failed> {
+    const ALL: u32 = u32::MAX;
+
+    let mut list = 2_u32.to_le_bytes().to_vec();
+    // What each entry is about, its rights, and the number of its user.
+    for (tag, rights, number) in [(1_u16, 7, ALL), (2, 7, 1234), (4, 0, ALL), (16, 7, ALL), (32, others, ALL)] {
+        list.extend(tag.to_le_bytes());
+        list.extend(u16::to_le_bytes(rights));
+        list.extend(u32::to_le_bytes(number));
     }
+    Ok(setxattr(path, name, &list, XattrFlags::empty())?)
 }
 
-impl Drop for Mount<'_> {
-    fn drop(&mut self) {
-        // An error is ignored here. If the unmounting fails, removing the test's temporary folder fails too.
-        let _ = run("umount", [self.0]);
-    }
+fn knows_access_lists() -> bool {
+    set_list(Folder::new().path(), LIST, 0).is_ok()
 }
 
-/// A folder that is append-only until this value is dropped.
-struct AppendOnly(PathBuf);
-
-impl AppendOnly {
-    fn new(folder: PathBuf) -> Result<Self, Failed> {
-        run("chattr", [OsStr::new("+a"), folder.as_os_str()])?;
-        Ok(Self(folder))
-    }
+/// Whether the file at `path` has no access list, and these permissions.
+fn is_plain(path: &Path, new: &Metadata, mode: u32) -> bool {
+    getxattr(path, LIST, &mut [0_u8; 0][..]).is_err() && permissions(new) == mode
 }
 
-impl Drop for AppendOnly {
-    fn drop(&mut self) {
-        // An error is ignored here. If the folder stays append-only, removing the test's temporary folder fails.
-        let _ = run("chattr", [OsStr::new("-a"), self.0.as_os_str()]);
-    }
+fn list() -> Result<(), Failed> {
+    // All others may read the file, but with the list's limit the bits of the group would give it all rights.
+    replaces_with_rights(false, |out| set_list(out, LIST, 4), |out, new| is_plain(out, new, 0o700))
 }
 
-/// Whether the file system of the temporary folder supports append-only folders.
-fn append_only_is_known() -> bool {
-    AppendOnly::new(Folder::new().path().to_owned()).is_ok()
+fn folder_list() -> Result<(), Failed> {
+    let give_list_to_new_files = |out: &Path| {
+        set_mode(out, 0o640)?;
+        // A file that is created from now on gets this list, but the old picture has none.
+        set_list(out.parent().ok_or("it lies in a folder")?, DEFAULT_LIST, 0)
+    };
+    replaces_with_rights(false, give_list_to_new_files, |out, new| is_plain(out, new, 0o640))
 }

@@ -11,8 +11,6 @@ use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::trial;
 
-#[cfg(target_os = "linux")]
-mod access_lists;
 mod rights;
 
 const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
@@ -32,9 +30,7 @@ pub fn trials() -> Vec<Trial> {
         trial("a_full_disk_leaves_the_old_file", mount, a_full_disk_leaves_the_old_file),
     ];
     let root = (!is_root).then_some("needs root");
-    trials.extend(rights::trials(root, mount));
-    #[cfg(target_os = "linux")]
-    trials.extend(access_lists::trials(root));
+    trials.extend(rights::trials(root));
     trials
 }
 

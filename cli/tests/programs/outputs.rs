@@ -39,9 +39,9 @@ fn bad_outputs_are_refused_before_rendering() {
     let _socket = std::os::unix::net::UnixListener::bind(bench.file("socket")).expect("the folder is writable");
     let mut cases = vec![
         ("no/out.ppm", "", "No such file or directory"),
-        ("folder", "", "is a directory"),
+        ("folder", "", "Is a directory"),
         ("''", "", ""),
-        ("socket", "", "it is a socket"),
+        ("socket", "", "No such device or address"),
         ("config.txt/out.ppm", "", "Not a directory"),
         // No user, not even root, can create a file there.
         ("/proc/out.ppm", "", ""),
@@ -93,6 +93,24 @@ fn an_output_that_is_an_input_is_refused_before_it_is_read() {
         assert_eq!(fs::read(bench.file("config.txt")).expect("it stands"), b"no key");
         assert_eq!(fs::read(bench.file("scene.txt")).expect("it stands"), b"no entity");
         assert_eq!(bench.outputs(), ["hard", "link"]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_new_picture_obeys_the_mask_of_the_process() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let bench = Bench::new(SMALL, "");
+    for program in PROGRAMS {
+        for (mask, mode) in [("077", 0o600), ("027", 0o640), ("000", 0o666)] {
+            let script = format!("umask {mask}; exec \"$0\" config.txt scene.txt out.ppm");
+            let output = Command::new("bash").current_dir(bench.file("")).args(["-c", &script, program]).output();
+            assert_succeeded(&output.expect("the program runs"));
+            let new = fs::metadata(bench.file("out.ppm")).expect("it was written").permissions().mode();
+            assert_eq!(new & 0o7777, mode, "{mask}");
+            fs::remove_file(bench.file("out.ppm")).expect("it is ours");
+        }
     }
 }
 
