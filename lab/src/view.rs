@@ -1,127 +1,101 @@
-//! Answers the requests of the page in `web/site`: its files, the two input files, and pictures.
+//! Answers the requests of the page in `web/site`: its files, and the two input files. The page itself renders.
 //!
 //! | Request | Answer |
 //! |---|---|
 //! | `GET /FILE` | a file of the page |
-//! | `GET /view/files` | the texts of both input files, and their version |
-//! | `GET /view/version` | the version alone, which changes when a file changes |
-//! | `POST /view/render/NUMBER` | the PPM file of the two texts in the body; `NUMBER` names the picture |
-//! | `GET /view/progress` | the number of finished rows and of all rows |
-//! | `POST /view/cancel/NUMBER` | nothing; stops the picture if it is being rendered |
-//! | `POST /view/camera` | the new version; writes the camera in the body into the configuration file |
+//! | `GET /view/files` | a line of JSON (`Files`), then the texts of both input files |
+//! | `GET /view/version` | the versions of both files, which change when the files change |
+//! | `POST /view/config`, `POST /view/scene` | the new version of the file, after the text in the body was saved |
 //!
-//! [`loopback`] limits the requests and asks for the secret. [`input`] reads the files, and [`native`] renders one
-//! picture at a time. `camera` is the only part that writes.
+//! [`loopback`] limits the requests and asks for the secret. [`input`] reads the files. `save` is the only part that
+//! writes.
 
-mod camera;
 pub mod input;
-pub mod native;
 mod replace;
+mod save;
 pub mod site;
 
 use std::sync::Mutex;
 
 use loopback::Answer;
-use loopback::budget::{Budget, Full};
-use loopback::client::Client;
 use loopback::request::Request;
 use output::Options;
+use serde::Serialize;
 
 pub use input::Input;
-use native::Native;
 pub use site::Site;
 
 /// The start of the paths of all requests but those for the files of the page. A cookie does not open them.
 pub const PRIVATE: &str = "/view/";
 
-/// The page, its two input files and the renderer behind it.
+/// The page and its two input files.
 #[derive(Debug)]
 pub struct View {
     site: Site,
-    config: Input,
-    scene: Input,
-    native: Native,
-    /// The bytes of the answers with the files.
-    budget: Budget,
-    /// How the configuration is written.
+    /// The configuration and the scene.
+    inputs: [Input; 2],
+    /// How a file is written.
     how: Options,
-    /// Held while a camera is saved.
+    /// Held while a text is saved.
     saving: Mutex<()>,
 }
 
+/// What the page gets before the two texts.
+#[derive(Serialize)]
+struct Files {
+    /// The version of each file.
+    version: [String; 2],
+    /// The path of each file, from which the page takes the name of a picture.
+    path: [String; 2],
+    /// The length of the configuration in bytes.
+    length: usize,
+}
+
 impl View {
-    /// Returns the view of two input files. Bytes of pictures and answers are counted in `budget`. `how` tells how a
-    /// camera is written into the configuration.
-    pub fn new(site: Site, [config, scene]: [Input; 2], budget: Budget, how: Options) -> Self {
-        Self { site, config, scene, native: Native::new(budget.clone()), budget, how, saving: Mutex::default() }
+    /// Returns the view of two input files. `how` tells how a text is saved into its file.
+    pub fn new(site: Site, inputs: [Input; 2], how: Options) -> Self {
+        Self { site, inputs, how, saving: Mutex::default() }
     }
 
-    /// Answers one request of `client`.
-    pub fn answer(&self, request: &Request, client: &Client) -> Answer {
+    /// Answers one request.
+    pub fn answer(&self, request: &Request) -> Answer {
         let path = request.path.split('?').next().unwrap_or_default();
-        let number = |start: &str| path.strip_prefix(start).and_then(|number| number.parse::<u32>().ok());
-        match request.method.as_str() {
-            "GET" => match path {
-                "/view/files" => self.files(),
-                "/view/version" => Answer::ok("text/plain", self.version()),
-                "/view/progress" => Answer::ok("text/plain", self.native.progress()),
-                _ => self.site.file(path),
-            },
-            "POST" if path == "/view/camera" => self.save_camera(&request.body),
-            "POST" => {
-                if let Some(number) = number("/view/render/") {
-                    self.native.render(number, &request.body, client)
-                } else if let Some(number) = number("/view/cancel/") {
-                    self.native.cancel(number);
-                    Answer::ok("text/plain", "")
-                } else {
-                    Answer::not_found()
-                }
-            }
+        let [config, scene] = &self.inputs;
+        match (request.method.as_str(), path) {
+            ("GET", "/view/files") => self.files(),
+            ("GET", "/view/version") => Answer::ok("text/plain", self.inputs.each_ref().map(Input::version).join(" ")),
+            ("GET", _) => self.site.file(path),
+            ("POST", "/view/config") => self.save(config, &request.body),
+            ("POST", "/view/scene") => self.save(scene, &request.body),
+            ("POST", _) => Answer::not_found(),
             _ => Answer::refused("405 Method Not Allowed", "this server answers GET and POST"),
         }
     }
 
-    /// Answers with both files: a line with their version and the length of the configuration in bytes, then the
-    /// configuration, then the scene.
+    /// Answers with both files. A file that does not exist has no bytes, and a version that says so.
     fn files(&self) -> Answer {
         let texts = || -> Result<Answer, Answer> {
-            let inputs = [&self.config, &self.scene];
-            let refused = |input: &Input, error| Answer::refused("404 Not Found", input.message(&error));
-            let open = |input: &Input| input.open().map_err(|error| refused(input, error));
-            let [(config, length), (scene, other)] = [open(inputs[0])?, open(inputs[1])?];
-            // Each file is in memory twice: alone, and in the answer.
-            let share = self.budget.take(2 * (length + other) as usize + 1000);
-            let mut share = share.map_err(full)?;
-            let text = |input: &Input, file, length| input.text(file, length).map_err(|error| refused(input, error));
-            let (config, scene) = (text(inputs[0], config, length)?, text(inputs[1], scene, other)?);
-            let version = [&config, &scene].map(|text| input::version_of(text.as_bytes())).join("-");
-            let body = [&format!("{version} {}\n", config.len()), &config[..], &scene].concat();
-            share.shrink(body.len());
-            Ok(Answer { share: Some(share), ..Answer::ok("application/octet-stream", body) })
+            let text = |input: &Input| match input.text() {
+                Ok(text) => Ok((input::version_of(text.as_bytes()), text)),
+                Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                    Ok((input::MISSING.to_owned(), String::new()))
+                }
+                Err(error) => Err(Answer::refused("404 Not Found", input.message(&error))),
+            };
+            let [(one, config), (other, scene)] = [text(&self.inputs[0])?, text(&self.inputs[1])?];
+            let path = self.inputs.each_ref().map(|input| input.path().to_string_lossy().into_owned());
+            let head = Files { version: [one, other], path, length: config.len() };
+            // Serialising texts into memory never fails.
+            let head = serde_json::to_string(&head).unwrap_or_default();
+            Ok(Answer::ok("application/octet-stream", [&head, "\n", &config, &scene].concat()))
         };
         texts().unwrap_or_else(|refusal| refusal)
-    }
-
-    /// Returns a text that changes when the content of one of the files changes.
-    fn version(&self) -> String {
-        [&self.config, &self.scene].map(Input::version).join("-")
     }
 }
 
 /// Returns the answer to a request that is wrong.
 fn invalid(message: impl Into<String>) -> Answer {
     Answer::refused("422 Unprocessable Content", message)
-}
-
-/// Returns the answer to a request that gives an error of the renderer.
-fn wrong(error: cpu::Error) -> Answer {
-    invalid(String::from_utf8_lossy(&error.message()))
-}
-
-/// Returns the answer to a request for which other requests leave too few bytes.
-fn full(full: Full) -> Answer {
-    Answer::refused("503 Service Unavailable", full.to_string())
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
-//! `render-lab view`: serves the page of `web/site` on this machine, with the native renderer behind it.
+//! `render-lab view`: serves the page of `web/site` on this machine, with two input files that it loads and saves.
 
 use std::io::{self, Write as _};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use loopback::Server;
 use output::Options;
 
 use crate::view::{Input, PRIVATE, Site, View};
-use crate::{Failure, sources, terminal};
+use crate::{Failure, terminal};
 
 /// Options of `view`.
 #[derive(Debug, Args)]
@@ -20,7 +20,7 @@ pub struct Arguments {
     config: PathBuf,
     /// Scene file
     scene: PathBuf,
-    /// Folder of the page [default: out/site, which web/build makes, or else the page installed with this program]
+    /// Folder of the page [default: out/site of the checkout of this program, or else the page installed with it]
     #[arg(long, value_name = "FOLDER")]
     site: Option<PathBuf>,
     /// Port of the address 127.0.0.1; 0 takes any free port, but a browser keeps texts for each port
@@ -32,17 +32,16 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Serves the page until the process is stopped. Prints the page's address. `how` tells how the configuration is
-    /// written.
+    /// Serves the page until the process is stopped. Prints the page's address. `how` tells how a text is saved.
     ///
     /// # Errors
-    /// An error of the two files or of the page's folder, or a port that is in use.
+    /// A file that cannot be read, an error of the page's folder, or a port that is in use. A fault in a text is none,
+    /// because the page shows it.
     pub fn run(&self, how: Options) -> Result<(), Failure> {
         let inputs = [Input::new(&self.config)?, Input::new(&self.scene)?];
-        // The files are read once before the page exists, so that their errors are shown with their places.
-        sources::config(&self.config, &[])?.check_picture().map_err(|error| error.in_file(&self.config))?;
-        sources::scene(&self.scene)?;
-        let site = Site::read(&self.site.clone().unwrap_or_else(default_site))?;
+        let own = || own_site(&std::env::current_exe().ok()?);
+        let site = self.site.clone().or_else(own).ok_or("the program does not know where it is; use --site")?;
+        let site = Site::read(&site)?;
         let server = Server::new(self.port).map_err(|error| {
             format!("cannot listen at 127.0.0.1:{}: {error}; choose another port with --port", self.port)
         })?;
@@ -54,18 +53,20 @@ impl Arguments {
                 terminal::note(&format!("cannot open the browser: {error}; open the address yourself"));
             });
         }
-        let view = View::new(site, inputs, server.budget(), how);
+        let view = View::new(site, inputs, how);
         // The result is an error or never comes.
-        server.serve(move |request, client| view.answer(&request, client)).map(|_| ()).map_err(Failure::from)
+        server.serve(move |request| view.answer(&request)).map(|_| ()).map_err(Failure::from)
     }
 }
 
-/// Returns the folder of the page that was built here, or else of the one in the archive of this program.
-fn default_site() -> PathBuf {
-    let built = PathBuf::from("out/site");
-    let own = std::env::current_exe().ok();
-    let installed = own.and_then(|own| Some(own.parent()?.parent()?.join("share/exact-renderer/site")));
-    installed.filter(|folder| !built.is_dir() && folder.is_dir()).unwrap_or(built)
+/// Returns the folder of the page that belongs to the program at `own`: that of the checkout in which the program was
+/// built, or the one that was installed with it. The current folder does not count: it may be one that a stranger has
+/// made, whose page would get the secret.
+fn own_site(own: &Path) -> Option<PathBuf> {
+    let folder = own.parent()?;
+    let is_target = |folder: &&Path| folder.file_name().is_some_and(|name| name == "target");
+    let built = folder.ancestors().find(is_target).and_then(|target| Some(target.parent()?.join("out/site")));
+    built.or_else(|| Some(folder.parent()?.join("share/exact-renderer/site")))
 }
 
 /// Opens the page in the user's browser.
@@ -85,4 +86,22 @@ fn open(url: &str) -> io::Result<()> {
         drop(file);
     });
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_is_that_of_the_checkout_or_the_one_installed_with_the_program() {
+        for (program, site) in [
+            ("/home/a/render/target/release/render-lab", "/home/a/render/out/site"),
+            ("/home/a/render/target/x86_64-unknown-linux-musl/release/render-lab", "/home/a/render/out/site"),
+            ("/usr/bin/render-lab", "/usr/share/exact-renderer/site"),
+            ("/home/a/targets/bin/render-lab", "/home/a/targets/share/exact-renderer/site"),
+        ] {
+            assert_eq!(own_site(Path::new(program)), Some(site.into()), "{program}");
+        }
+        assert_eq!(own_site(Path::new("/render-lab")), None);
+    }
 }

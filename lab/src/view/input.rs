@@ -12,11 +12,11 @@ use sha2::{Digest, Sha256};
 
 use crate::terminal;
 
-/// Largest size of an input file that the page can edit, in bytes. The body of a request has room for two such texts.
+/// Largest size of an input file that the page can edit, in bytes.
 pub const MAX_TEXT: u64 = 16 << 20;
 
-/// The version of a file that cannot be read.
-const MISSING: &str = "missing";
+/// The version of a file that does not exist, or cannot be read.
+pub const MISSING: &str = "missing";
 
 /// An input file.
 #[derive(Clone, Debug)]
@@ -28,15 +28,17 @@ pub struct Input {
 }
 
 impl Input {
-    /// Returns the input file at `named`, whose links are followed now.
+    /// Returns the input file at `named`, whose links are followed now. The file may be missing, but its folder may not.
     ///
     /// # Errors
-    /// A message if there is no regular file that can be read.
+    /// A message if there is something else than a regular file that can be read, or no folder.
     pub fn new(named: &Path) -> Result<Self, String> {
         let mut this = Self { named: named.to_owned(), path: named.to_owned() };
-        this.path = named.canonicalize().map_err(|error| this.message(&error))?;
-        this.open().map_err(|error| this.message(&error))?;
-        Ok(this)
+        this.path = place(named).map_err(|error| this.message(&error))?;
+        match this.open() {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(this.message(&error)),
+            _ => Ok(this),
+        }
     }
 
     /// The path to which the links of the file's name led when the program started.
@@ -76,12 +78,12 @@ impl Input {
         content(file, length)
     }
 
-    /// Returns the text of the file that [`Input::open`] has opened, and that had `length` bytes.
+    /// Returns the text of the file.
     ///
     /// # Errors
-    /// Those of [`content`], or [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
-    pub fn text(&self, file: File, length: u64) -> io::Result<String> {
-        text_of(content(file, length)?)
+    /// Those of [`Input::read`], or [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
+    pub fn text(&self) -> io::Result<String> {
+        text_of(self.read()?)
     }
 
     /// Returns a text that changes when the content of the file changes. Its time of modification would not do, because
@@ -99,6 +101,17 @@ impl Input {
             }
         };
         digest().unwrap_or_else(|_| MISSING.to_owned())
+    }
+}
+
+/// Returns the path to which the links of `named` lead. If there is no such file, the links of its folder are followed.
+fn place(named: &Path) -> io::Result<PathBuf> {
+    match (named.canonicalize(), named.file_name()) {
+        (Err(error), Some(name)) if error.kind() == io::ErrorKind::NotFound => {
+            // The parent of a name without a folder is the empty path.
+            Ok(Path::new(".").join(named).parent().unwrap_or(named).canonicalize()?.join(name))
+        }
+        (path, _) => path,
     }
 }
 

@@ -1,13 +1,10 @@
-//! Tests of the answers to the page's requests. Those for pictures are in `pictures`.
+//! Tests of the answers to the page's requests.
 
 use std::fs;
-use std::net::{TcpListener, TcpStream};
 
 use test_support::folder::Folder;
 
 use super::*;
-
-mod pictures;
 
 /// A page of one file, as `web/build` makes it.
 const INDEX: &str = "<!doctype html><meta name=\"served-by\" content=\"\">";
@@ -23,23 +20,13 @@ fn view() -> (Folder, View) {
     folder.write("site/scenes/names.json", "[]");
     let site = Site::read(&folder.file("site")).expect("it has a page");
     let inputs = ["config.txt", "scene.txt"].map(|name| Input::new(&folder.file(name)).expect("it is a file"));
-    let view = View::new(site, inputs, Budget::new(BYTES), Options::default());
+    let view = View::new(site, inputs, Options::default());
     (folder, view)
 }
 
-/// The bytes of the tests' budget.
-const BYTES: usize = loopback::MAX_BYTES;
-
-/// Both ends of a connection: that of the client and that of the server.
-fn connection() -> [TcpStream; 2] {
-    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
-    let client = TcpStream::connect(listener.local_addr().expect("it listens")).expect("it listens");
-    [client, listener.accept().expect("there is a connection").0]
-}
-
 fn asked(view: &View, method: &str, path: &str, body: &str) -> (&'static str, String) {
-    let [_client, server] = connection();
-    asked_by(&server, view, method, path, body)
+    let answer = view.answer(&Request { method: method.to_owned(), path: path.to_owned(), body: body.into() });
+    (&answer.status[..3], String::from_utf8_lossy(&answer.body).into_owned())
 }
 
 /// Checks that the request is refused with this status, and returns the message.
@@ -47,16 +34,6 @@ fn refused(view: &View, method: &str, path: &str, body: &str, expected: &str) ->
     let (status, message) = asked(view, method, path, body);
     assert_eq!(status, expected, "{path}: {message}");
     message
-}
-
-fn asked_by(server: &TcpStream, view: &View, method: &str, path: &str, body: &str) -> (&'static str, String) {
-    let answer = answer(server, view, method, path, body);
-    (&answer.status[..3], String::from_utf8_lossy(&answer.body).into_owned())
-}
-
-fn answer(server: &TcpStream, view: &View, method: &str, path: &str, body: &str) -> Answer {
-    let request = Request { method: method.to_owned(), path: path.to_owned(), body: body.into() };
-    view.answer(&request, &Client::new(server))
 }
 
 #[test]
@@ -88,21 +65,32 @@ fn a_folder_without_the_page_is_refused_with_the_remedy() {
     assert!(message(&folder).contains("is of another version; build it with web/build"));
 }
 
+/// Returns the versions of both files.
+fn versions(view: &View) -> [String; 2] {
+    let both = asked(view, "GET", "/view/version", "").1;
+    let (config, scene) = both.split_once(' ').expect("there are two");
+    [config.to_owned(), scene.to_owned()]
+}
+
 #[test]
-fn the_input_files_are_given_with_a_version_that_changes_with_them() {
+fn the_input_files_are_given_with_versions_that_change_with_them() {
     let (_folder, view) = view();
-    let version = asked(&view, "GET", "/view/version", "").1;
-    assert_eq!(asked(&view, "GET", "/view/files", ""), ("200", format!("{version} 33\n{CONFIG}{SCENE}")));
-    fs::write(view.scene.path(), "").expect("the folder is writable");
-    assert_ne!(asked(&view, "GET", "/view/version", "").1, version);
-    fs::remove_file(view.scene.path()).expect("the folder is writable");
-    assert!(refused(&view, "GET", "/view/files", "", "404").starts_with("Cannot read file ["));
+    let versions_before = versions(&view);
+    let (status, answer) = asked(&view, "GET", "/view/files", "");
+    let (head, texts) = answer.split_once('\n').expect("the head is a line");
+    let head: serde_json::Value = serde_json::from_str(head).expect("it is JSON");
+    let path = view.inputs.each_ref().map(|input| input.path().to_str().expect("it is a text"));
+    let expected = serde_json::json!({ "version": versions_before, "path": path, "length": 33 });
+    assert_eq!((status, head, texts), ("200", expected, &*format!("{CONFIG}{SCENE}")));
+    fs::write(path[1], "").expect("the folder is writable");
+    assert_eq!((&versions(&view)[0], versions(&view)[1] == versions_before[1]), (&versions_before[0], false));
 }
 
 #[test]
 fn a_pipe_or_a_link_in_the_place_of_a_file_is_refused_at_once() {
     let (folder, view) = view();
-    let config = view.config.path();
+    let config = view.inputs[0].path();
+    let before = versions(&view)[0].clone();
     let secret = folder.write("secret.txt", "gamma: 3\n");
     // In the place of the configuration: a named pipe, or a link to the target.
     for (target, reason) in [
@@ -116,75 +104,71 @@ fn a_pipe_or_a_link_in_the_place_of_a_file_is_refused_at_once() {
             Some(target) => std::os::unix::fs::symlink(target, config).expect("the folder is writable"),
         }
         assert!(refused(&view, "GET", "/view/files", "", "404").contains(reason), "{reason}");
-        assert!(refused(&view, "POST", "/view/camera", &camera("", "0 0 -5"), "422").contains(reason), "{reason}");
-        assert!(asked(&view, "GET", "/view/version", "").1.starts_with("missing-"));
+        assert!(refused(&view, "POST", "/view/config", &format!("{before}\n"), "422").contains(reason), "{reason}");
+        assert_eq!(versions(&view)[0], "missing");
+        refused(&view, "POST", "/view/config", "missing\ngamma: 1\n", "409");
     }
     assert_eq!(folder.read("secret.txt"), b"gamma: 3\n");
+    assert_eq!(folder.names(), ["config.txt", "scene.txt", "secret.txt", "site"], "no temporary file is left");
 }
 
 #[test]
-fn the_answer_with_the_files_is_counted_and_refused_with_the_numbers() {
-    let (_folder, mut view) = view();
-    let texts = 33 + 42;
-    view.budget = Budget::new(2 * texts + 1000);
-    let share = view.budget.take(1).expect("it fits");
-    let (status, message) = asked(&view, "GET", "/view/files", "");
-    assert_eq!(
-        (status, message.split(';').next()),
-        ("503", Some("this takes 1150 bytes, and 1149 of 1150 bytes are free"))
-    );
-    drop(share);
-    let [_client, server] = connection();
-    let answer = answer(&server, &view, "GET", "/view/files", "");
-    assert_eq!((answer.status, view.budget.taken()), ("200 OK", answer.body.len()), "until it is sent");
-    drop(answer);
-    assert_eq!(view.budget.taken(), 0);
-}
-
-/// Returns the body that asks to save the camera at `position`.
-fn camera(version: &str, position: &str) -> String {
-    let position = format!("camera_position: {position}");
-    let lines = [&position[..], "camera_target: 0 0 1", "camera_north: 0 1 0"];
-    serde_json::json!({ "version": version, "lines": lines }).to_string()
-}
-
-#[test]
-fn a_camera_is_saved_into_the_configuration_that_the_page_has_read() {
+fn a_text_is_saved_over_the_version_that_the_page_has_read_and_over_no_other() {
     let (folder, view) = view();
-    let config = || String::from_utf8(folder.read("config.txt")).expect("it is text");
-    let save = |body: &str| asked(&view, "POST", "/view/camera", body);
-    let version = || asked(&view, "GET", "/view/version", "").1;
-    let first = version();
-    assert_eq!(asked(&view, "GET", "/view/camera", "").0, "404", "a link saves nothing");
-    let (status, answered) = save(&camera(&first, "0 0 -5"));
-    assert_eq!((status, &answered), ("200", &version()), "the answer is the new version");
-    let written = format!("{CONFIG}camera_position: 0 0 -5\ncamera_target: 0 0 1\ncamera_north: 0 1 0\n");
-    assert_eq!(config(), written);
-    // The page has not read this file.
-    assert_eq!(save(&camera(&first, "0 0 -6")).0, "409");
-    let edited = format!("{written}max_depth: 7\n");
-    fs::write(view.config.path(), &edited).expect("the folder is writable");
-    assert_eq!(save(&camera(&answered, "0 0 -6")).0, "409");
-    assert_eq!(config(), edited, "the file is as it was");
-    assert_eq!(save(&camera(&version(), "0 0 -6")).0, "200");
-    assert_eq!(config(), edited.replace("0 0 -5", "0 0 -6"));
+    for (index, name) in ["config", "scene"].into_iter().enumerate() {
+        let (path, file) = (format!("/view/{name}"), format!("{name}.txt"));
+        let save = |version: &str, text: &str| asked(&view, "POST", &path, &format!("{version}\n{text}"));
+        let first = versions(&view)[index].clone();
+        assert_eq!(asked(&view, "GET", &path, "").0, "404", "a link saves nothing");
+        // A text with faults is saved too: the user goes on tomorrow.
+        let (status, second) = save(&first, "gama: 2\r\n\nä");
+        assert_eq!((status, &second), ("200", &versions(&view)[index]), "the answer is the new version");
+        assert_eq!(folder.read(&file), "gama: 2\r\n\nä".as_bytes());
+        assert_eq!(save(&first, "x").0, "409", "the page has not read this file");
+        fs::write(folder.file(&file), "edited").expect("the folder is writable");
+        assert_eq!(save(&second, "x").0, "409");
+        assert_eq!(save("missing", "x").0, "409");
+        assert_eq!(folder.read(&file), b"edited", "the edit stays");
+        assert_eq!(save(&versions(&view)[index], "").0, "200");
+        assert_eq!(folder.read(&file), b"");
+    }
 }
 
 #[test]
-fn a_camera_that_cannot_be_saved_leaves_the_configuration() {
+fn a_file_that_does_not_exist_is_empty_and_is_created_once() {
+    let folder = Folder::new();
+    fs::create_dir_all(folder.file("site")).expect("the folder is writable");
+    folder.write("site/index.html", INDEX);
+    let site = Site::read(&folder.file("site")).expect("it has a page");
+    let inputs = ["config.txt", "scene.txt"].map(|name| Input::new(&folder.file(name)).expect("its folder exists"));
+    let view = View::new(site, inputs, Options { sync: true });
+    assert_eq!(versions(&view), ["missing", "missing"]);
+    let (status, answer) = asked(&view, "GET", "/view/files", "");
+    assert!(status == "200" && answer.ends_with("\"length\":0}\n"), "{answer}");
+    let (status, version) = asked(&view, "POST", "/view/scene", "missing\nmatte: m 1 1 1\n");
+    assert_eq!((status, &version), ("200", &versions(&view)[1]));
+    refused(&view, "POST", "/view/scene", "missing\n", "409");
+    assert_eq!(folder.read("scene.txt"), b"matte: m 1 1 1\n");
+    assert_eq!(folder.names(), ["scene.txt", "site"], "no temporary file is left");
+    assert!(Input::new(&folder.file("none/config.txt")).is_err(), "there is no folder");
+}
+
+#[test]
+fn what_is_no_text_for_a_file_leaves_the_file() {
     let (folder, view) = view();
-    let version = || asked(&view, "GET", "/view/version", "").1;
-    let refused = |body: &str, status| refused(&view, "POST", "/view/camera", body, status);
-    refused("{}", "422");
-    refused(&camera(&version(), &"1".repeat(5000)), "413");
-    refused(&camera(&version(), "0 0 0\nmax_depth: 9"), "422");
-    let message = refused(&camera(&version(), "0 0 1"), "422");
-    assert!(message.contains("is the same point as camera_target"), "{message}");
+    refused(&view, "POST", "/view/config", "", "422");
+    let version = versions(&view)[0].clone();
+    let body = [version.as_bytes(), b"\n\xff"].concat();
+    let request = Request { method: "POST".to_owned(), path: "/view/config".to_owned(), body };
+    assert!(view.answer(&request).status.starts_with("422"), "it is not UTF-8");
+    let most = input::MAX_TEXT as usize;
+    refused(&view, "POST", "/view/config", &format!("{version}\n{}", "\n".repeat(most + 1)), "413");
     assert_eq!(folder.read("config.txt"), CONFIG.as_bytes());
-    fs::remove_file(view.config.path()).expect("the folder is writable");
-    refused(&camera(&version(), "0 0 -5"), "422");
-    fs::create_dir(view.config.path()).expect("the folder is writable");
-    let message = refused(&camera(&version(), "0 0 -5"), "422");
+    let body = format!("{version}\n{}", "\n".repeat(most));
+    assert!(body.len() <= loopback::request::MAX_BODY, "the server takes the largest text");
+    assert_eq!(asked(&view, "POST", "/view/config", &body).0, "200");
+    fs::remove_file(view.inputs[0].path()).expect("the folder is writable");
+    fs::create_dir(view.inputs[0].path()).expect("the folder is writable");
+    let message = refused(&view, "POST", "/view/config", &format!("{version}\n"), "422");
     assert!(message.contains("it is not a regular file"), "{message}");
-    assert_eq!(folder.names(), ["config.txt", "scene.txt", "site"], "no temporary file is left");
 }

@@ -18,7 +18,7 @@ impl Server {
     }
 
     fn page(&self) -> TcpStream {
-        let stream = self.ask("GET", "/", "");
+        let stream = self.ask("/");
         stream.set_read_timeout(Some(PATIENCE)).expect("it is a time");
         stream
     }

@@ -1,12 +1,13 @@
-//! Tests `render-lab view` as a running server, under hostile requests and without a free file descriptor.
+//! Tests `render-lab view` as a running server: what it serves, and without a free file descriptor.
 
 #![cfg(target_os = "linux")]
 
 mod exhausted;
-mod load;
+mod foreign;
 
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -24,14 +25,20 @@ struct Server {
 }
 
 impl Server {
+    /// Starts the server in a folder with its page.
     fn start() -> Self {
-        static TURN: Mutex<()> = Mutex::new(());
-        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = Folder::with_scene("image_width: 8\nmax_depth: 2\n", "");
         std::fs::create_dir(folder.file("site")).expect("the folder is writable");
         folder.write("site/index.html", "<!doctype html><meta name=\"served-by\" content=\"\">");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
-        command.current_dir(folder.path()).args(["view", "config.txt", "scene.txt", "--port", "0", "--site", "site"]);
+        Self::run(Path::new(env!("CARGO_BIN_EXE_render-lab")), folder, &["--site", "site"])
+    }
+
+    /// Starts the server of `program` in `folder`.
+    fn run(program: &Path, folder: Folder, options: &[&str]) -> Self {
+        static TURN: Mutex<()> = Mutex::new(());
+        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut command = Command::new(program);
+        command.current_dir(folder.path()).args(["view", "config.txt", "scene.txt", "--port", "0"]).args(options);
         let mut child = Running::start(command.stdout(Stdio::piped())).expect("the program starts");
         let mut line = String::new();
         BufReader::new(child.stdout.take().expect("it is a pipe")).read_line(&mut line).expect("it prints its address");
@@ -44,15 +51,12 @@ impl Server {
         TcpStream::connect(&self.address).expect("the system takes connections for it")
     }
 
-    /// Sends a request with the secret, and returns the connection.
-    fn ask(&self, method: &str, path: &str, body: &str) -> TcpStream {
+    /// Requests a path with the secret, and returns the connection.
+    fn ask(&self, path: &str) -> TcpStream {
         let mut stream = self.connect();
         let Self { address, secret, .. } = self;
-        let length = body.len();
-        let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {secret}\r\nContent-Length: {length}\r\n\r\n"
-        );
-        stream.write_all((head + body).as_bytes()).expect("the system takes it");
+        let head = format!("GET {path} HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {secret}\r\n\r\n");
+        stream.write_all(head.as_bytes()).expect("the system takes it");
         stream
     }
 }

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::budget::Share;
-
 /// The headers of every answer. No page of another origin may show an answer in a frame, load it or refer to its
 /// window. The browser loads nothing from another host, stores no answer, and does not guess content types.
 pub const HEADERS: &str = "\
@@ -27,8 +25,6 @@ pub struct Answer {
     pub kind: &'static str,
     /// The content.
     pub body: Arc<Vec<u8>>,
-    /// The bytes of the budget that the body takes, if the owner of the server has counted them already.
-    pub share: Option<Share>,
 }
 
 impl Answer {
@@ -41,13 +37,13 @@ impl Answer {
     /// Returns the answer that succeeds with `body`, which other answers may use at the same time.
     #[must_use]
     pub const fn shared(kind: &'static str, body: Arc<Vec<u8>>) -> Self {
-        Self { status: "200 OK", kind, body, share: None }
+        Self { status: "200 OK", kind, body }
     }
 
     /// Returns an answer that fails with `status`, and with `text` as an explanation.
     #[must_use]
     pub fn refused(status: &'static str, text: impl Into<String>) -> Self {
-        Self { status, kind: "text/plain", body: Arc::new(text.into().into_bytes()), share: None }
+        Self { status, kind: "text/plain", body: Arc::new(text.into().into_bytes()) }
     }
 
     /// Returns the answer to a request for a path that does not exist.

@@ -1,33 +1,8 @@
-//! The client of one connection: its time limits, and whether it is still there.
+//! The time limits for the client of one connection.
 
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
-
-/// The client of a connection whose request has been read.
-#[derive(Debug)]
-pub struct Client<'a>(&'a TcpStream);
-
-impl<'a> Client<'a> {
-    /// Returns the client of this connection, whose request has been read.
-    #[must_use]
-    pub const fn new(stream: &'a TcpStream) -> Self {
-        Self(stream)
-    }
-
-    /// Whether the client has closed its connection, or has sent more than its one request. In both cases the answer
-    /// is not needed, so long work for it should stop.
-    #[must_use]
-    pub fn is_gone(&self) -> bool {
-        let peek = || {
-            self.0.set_nonblocking(true)?;
-            let seen = self.0.peek(&mut [0]);
-            self.0.set_nonblocking(false)?;
-            seen
-        };
-        !matches!(peek(), Err(error) if error.kind() == io::ErrorKind::WouldBlock)
-    }
-}
 
 /// A stream that fails after a point in time. If only each read and write had a limit, a slow client could keep its
 /// connection forever.

@@ -4,10 +4,9 @@
 //! The server answers one request on each connection and closes it. The server is not made for an open network.
 //!
 //! [`request`] reads requests and limits their size. [`client`] limits their time. [`secret`] tells which requests are
-//! answered. [`connections`] limits their number, and [`budget`] the bytes of all of them together.
+//! answered. [`connections`] limits their number.
 
 mod answer;
-pub mod budget;
 pub mod client;
 pub mod connections;
 pub mod request;
@@ -23,14 +22,10 @@ use nix::errno::Errno;
 
 pub use answer::Answer;
 use answer::HEADERS;
-use budget::{Budget, Share};
-use client::{Client, Timed};
+use client::Timed;
 use connections::{Connections, Place};
 use request::{Head, Refusal, Request};
 use secret::{Admission, Secret};
-
-/// Largest number of bytes of all bodies and answers together, and of what the owner of the server counts with them.
-pub const MAX_BYTES: usize = 768 << 20;
 
 /// Time limit for the client to accept an answer, besides the time for its bytes at [`LEAST_RATE`].
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -55,7 +50,6 @@ const FOREIGN: &str = "403 Forbidden: a page of another origin has sent this req
 pub struct Server {
     listener: TcpListener,
     connections: Connections,
-    budget: Budget,
     /// The secret that every request must prove. If it is `None`, all requests are answered.
     secret: Option<Secret>,
     patience: Patience,
@@ -80,8 +74,7 @@ impl Server {
     pub fn new(port: u16) -> io::Result<Self> {
         let listener = TcpListener::bind(("127.0.0.1", port))?;
         let patience = Patience { request: request::MAX_TIME, answer: PATIENCE, rate: LEAST_RATE };
-        let (connections, budget) = (Connections::default(), Budget::new(MAX_BYTES));
-        Ok(Self { listener, connections, budget, secret: None, patience })
+        Ok(Self { listener, connections: Connections::default(), secret: None, patience })
     }
 
     /// Returns the server with a new secret. Paths that begin with `private` are data, which a cookie does not open.
@@ -110,19 +103,13 @@ impl Server {
         Ok(format!("http://{}{path}", self.address()?))
     }
 
-    /// Returns the budget for the bytes of bodies and answers.
-    #[must_use]
-    pub fn budget(&self) -> Budget {
-        self.budget.clone()
-    }
-
     /// Serves every client in its own thread, because browsers open connections that they may use only later. Calls
-    /// `answer` with each request and its client.
+    /// `answer` with each request.
     ///
     /// # Errors
     /// An error if the system can accept no more connections. A temporary error, such as too few file descriptors, is
     /// not returned.
-    pub fn serve(self, answer: impl Fn(Request, &Client) -> Answer + Send + Sync + 'static) -> io::Result<Infallible> {
+    pub fn serve(self, answer: impl Fn(Request) -> Answer + Send + Sync + 'static) -> io::Result<Infallible> {
         let shared = Arc::new((self, answer));
         loop {
             let stream = match shared.0.listener.accept() {
@@ -157,20 +144,12 @@ impl Server {
         &self,
         stream: &TcpStream,
         mut place: Place,
-        answer: impl Fn(Request, &Client) -> Answer,
+        answer: impl Fn(Request) -> Answer,
     ) -> io::Result<()> {
         match self.read(stream, &mut place) {
-            Ok((request, is_first, _share)) => {
-                let mut answer = answer(request, &Client::new(stream));
-                // A body that is used by several answers is counted once, by its owner.
-                if answer.share.is_none() && Arc::strong_count(&answer.body) == 1 {
-                    match self.budget.take(answer.body.len()) {
-                        Ok(share) => answer.share = Some(share),
-                        Err(full) => answer = Answer::refused("503 Service Unavailable", full.to_string()),
-                    }
-                }
+            Ok((request, is_first)) => {
                 let cookie = self.secret.as_ref().filter(|_| is_first).map(Secret::set_cookie);
-                self.respond(stream, &answer, cookie)
+                self.respond(stream, &answer(request), cookie)
             }
             Err(Refusal::Broken(error)) => Err(error),
             Err(Refusal::Status(status, text)) => {
@@ -181,7 +160,7 @@ impl Server {
     }
 
     /// Reads one request. Also returns whether it is the first one, with the secret in its address.
-    fn read(&self, stream: &TcpStream, place: &mut Place) -> Result<(Request, bool, Share), Refusal> {
+    fn read(&self, stream: &TcpStream, place: &mut Place) -> Result<(Request, bool), Refusal> {
         let mut reader = BufReader::new(Timed::new(stream, self.patience.request));
         let mut head = Head::read(&mut reader)?;
         let admission = self.secret.as_ref().map_or(Admission::Full, |secret| secret.admit(&head));
@@ -196,8 +175,7 @@ impl Server {
         if !place.keep() {
             return Err(Refusal::Broken(io::ErrorKind::ConnectionAborted.into()));
         }
-        let (request, share) = head.with_body(&mut reader, &self.budget)?;
-        Ok((request, is_first, share))
+        Ok((head.with_body(&mut reader)?, is_first))
     }
 
     /// Sends an answer. The client must accept all of it in time.

@@ -4,16 +4,14 @@ use std::borrow::Cow;
 use std::io::{self, BufRead, Read};
 use std::time::Duration;
 
-use crate::budget::{Budget, Share};
-
 /// Largest length of the request line and of each header, in bytes.
 pub const MAX_LINE: usize = 8192;
 
 /// Largest number of headers of a request.
 pub const MAX_HEADERS: usize = 100;
 
-/// Largest length of a body, in bytes.
-pub const MAX_BODY: usize = 64 << 20;
+/// Largest length of a body, in bytes: a text of 16 MiB, and what is said about it.
+pub const MAX_BODY: usize = (16 << 20) + 1024;
 
 /// Time limit for a client to send its whole request.
 pub const MAX_TIME: Duration = Duration::from_secs(30);
@@ -114,27 +112,24 @@ impl Head {
         Ok(head)
     }
 
-    /// Reads the body of a `POST` request. Takes its length from `budget` before it receives the body. Requests of
-    /// other methods have none.
+    /// Reads the body of a `POST` request. Requests of other methods have none.
     ///
     /// # Errors
-    /// [`Refusal::Status`] if the body is too long, does not fit into the budget, or if memory is short.
-    /// [`Refusal::Broken`] if the connection ends or is too slow.
-    pub fn with_body(self, reader: &mut impl BufRead, budget: &Budget) -> Result<(Request, Share), Refusal> {
-        const BUSY: &str = "503 Service Unavailable";
-
+    /// [`Refusal::Status`] if the body is too long, or if memory is short. [`Refusal::Broken`] if the connection ends
+    /// or is too slow.
+    pub fn with_body(self, reader: &mut impl BufRead) -> Result<Request, Refusal> {
         let Self { method, path, length, .. } = self;
         let length = if method == "POST" { length } else { 0 };
         if length > MAX_BODY {
             let text = format!("a body of {length} bytes is too long; it may have {MAX_BODY}");
             return Err(Refusal::Status("413 Content Too Large", text.into()));
         }
-        let share = budget.take(length).map_err(|full| Refusal::Status(BUSY, full.to_string().into()))?;
         let mut body = Vec::new();
-        body.try_reserve_exact(length).map_err(|_| Refusal::Status(BUSY, "memory is short".into()))?;
+        let short = |_| Refusal::Status("503 Service Unavailable", "memory is short".into());
+        body.try_reserve_exact(length).map_err(short)?;
         body.resize(length, 0);
         reader.read_exact(&mut body)?;
-        Ok((Request { method, path, body }, share))
+        Ok(Request { method, path, body })
     }
 }
 
@@ -168,13 +163,9 @@ fn is_this_machine(host: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn read(text: &[u8]) -> Result<Request, &'static str> {
-        read_within(text, &Budget::new(usize::MAX))
-    }
-
-    fn read_within(mut text: &[u8], budget: &Budget) -> Result<Request, &'static str> {
-        let request = Head::read(&mut text).and_then(|head| head.with_body(&mut text, budget));
-        request.map(|(request, _)| request).map_err(|refusal| match refusal {
+    fn read(mut text: &[u8]) -> Result<Request, &'static str> {
+        let request = Head::read(&mut text).and_then(|head| head.with_body(&mut text));
+        request.map_err(|refusal| match refusal {
             Refusal::Status(status, _) => &status[..3],
             Refusal::Broken(_) => "broken",
         })
@@ -206,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn a_body_has_a_limit_and_counts_towards_the_budget() {
+    fn a_body_of_exactly_the_limit_is_read_and_one_byte_more_refused() {
         let post =
             |length: usize| format!("POST /results/a HTTP/1.1\r\nHost: [::1]:1\r\nContent-Length: {length}\r\n\r\n");
         let mut whole = post(MAX_BODY).into_bytes();
@@ -215,9 +206,6 @@ mod tests {
         assert_eq!(read(post(MAX_BODY + 1).as_bytes()), Err("413"));
         assert_eq!(read(post(usize::MAX).as_bytes()), Err("413"));
         assert_eq!(read(post(3).as_bytes()), Err("broken"), "the body is missing");
-        let three = post(3) + "abc";
-        assert!(read_within(three.as_bytes(), &Budget::new(3)).is_ok_and(|request| request.body == b"abc"));
-        assert_eq!(read_within(three.as_bytes(), &Budget::new(2)), Err("503"), "no share is left");
         assert_eq!(with_headers("Host: localhost\r\nContent-Length: -1\r\n"), Err("400"));
     }
 

@@ -1,4 +1,4 @@
-// Pictures in files that the user chooses or drops on the page.
+// Files that the user chooses, drops on the page, or saves.
 import { read, type Rgb } from './ppm';
 import { messageOf } from './words';
 
@@ -39,4 +39,14 @@ export function onFiles(button: HTMLElement, input: HTMLInputElement, take: (fil
             take(pictures);
         }
     }, { capture: true });
+}
+
+/** Lets the browser save a file. */
+export function save(name: string, content: Blob): void {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(content);
+    link.download = name;
+    link.click();
+    // The browser has begun to read the file when this time has passed.
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

@@ -1,18 +1,18 @@
 // Connects the parts of the page.
 import { movable } from './bars';
 import { Editor, linesOf } from './editor';
-import { inWorker, native } from './engines';
 import * as entries from './entries';
 import type { Entry } from './entries';
 import { example, FIRST, names } from './examples';
 import { Checker } from './faults';
 import * as link from './link';
+import { Saving } from './saving';
 import { takeSecret } from './secret';
 import { Studio } from './studio';
-import { causeOf, compile, instructionSet, isFault, Renderer, type Fault, type Row } from './module';
+import { causeOf, compile, instructionSet, Renderer, type Fault, type Row } from './module';
 import { Picture } from './picture';
 import * as store from './store';
-import { isSame, type Texts } from './store';
+import { isSame, type Current, type Texts } from './store';
 import * as view from './view';
 import { messageOf, say, speak, write, type Language } from './words';
 
@@ -21,17 +21,20 @@ const element = <E extends HTMLElement>(id: string): E => document.getElementByI
 /** Time without typing after which the texts are checked, in milliseconds. */
 const PAUSE = 200;
 
-/** Number of rays from which on the page says what a picture may cost. This machine traces some ten million a second. */
-const MANY_RAYS = 1e10;
-
 /** Number of characters from which on a link may be cut by programs that pass it on. */
 const LONG_LINK = 8000;
 
 const languages = element<HTMLSelectElement>('language');
 const earlierTexts = element<HTMLSelectElement>('earlier');
 const examples = element<HTMLSelectElement>('examples');
-const engines = element<HTMLSelectElement>('engine');
 const live = element<HTMLInputElement>('live');
+
+/** How texts are loaded. */
+interface Loading {
+    isTyped?: boolean;
+    isLink?: boolean;
+    losesTyped?: boolean;
+}
 
 /** The parts that exist once the module is loaded. */
 class Page {
@@ -49,18 +52,30 @@ class Page {
             this.#checker.show(fault.text as 0 | 1, [fault]);
         }
         this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', causeOf(fault))));
-    }, () => void this.#studio.rendered());
+    }, () => void this.#studio.rendered(), () => this.#saving.name ?? 'picture');
+    readonly #saving: Saving;
 
-    constructor(private readonly module: WebAssembly.Module, private readonly renderer: Renderer) {
+    constructor(private readonly module: WebAssembly.Module, renderer: Renderer) {
         const tables = [renderer.table(0), renderer.table(1)] as const;
         const listener = { changed: () => this.#changed(), render: () => this.#ask() };
         const editor = (name: string, rows: Row[]) =>
             new Editor(element(`${name}-editor`), linesOf(rows), element(`${name}-label`), listener);
         this.#editors = [editor('config', tables[0]), editor('scene', tables[1])];
+        this.#saving = new Saving(this.#editors, {
+            load: ([config, scene], isLost) => {
+                this.load({ config, scene }, { losesTyped: isLost });
+                void this.render();
+            },
+            keep: () => this.#keep(),
+            say: (text) => this.say(text),
+        });
         this.#checker = new Checker(module, this.#editors, [element('config-faults'), element('scene-faults')]);
         this.#studio = new Studio(module, renderer, {
             texts: () => this.#shown,
-            changeConfig: (change) => (this.#editors[0].text = change(this.#texts.config)),
+            changeConfig: async (change, isSaved) => {
+                this.#editors[0].text = change(this.#texts.config);
+                return !isSaved || this.#saving.save(0);
+            },
             say: (text) => this.say(text),
             unsay: () => this.#unsay(),
             picture: () => this.#picture.pixels,
@@ -119,9 +134,10 @@ class Page {
         write(element('old'), () => (fault ? `${this.#faultIn(fault.text)} ${say('oldViews')}` : words()));
     }
 
-    /** Whether the user or a button of the page has changed the texts since they were loaded. */
-    get isTyped(): boolean {
-        return this.#isTyped;
+    /** Reads the files of `render-lab view`, and returns the texts to show. */
+    async openFiles(kept: Current | null): Promise<Texts> {
+        const [config, scene] = await this.#saving.open(kept);
+        return { config, scene };
     }
 
     /** What the page shows, for the browser's history. */
@@ -130,18 +146,22 @@ class Page {
         return { ...this.#texts, modules, isTyped, isLink, view: this.#studio.view };
     }
 
-    /** Replaces both texts. What the user had typed becomes one of the earlier texts; returns false if that failed. */
-    load(texts: Texts, isTyped = false, isLink = false): boolean {
+    /**
+     * Replaces both texts. What the user had typed becomes one of the earlier texts; returns false if that failed.
+     * `losesTyped` is false if what was typed stays in the new texts.
+     */
+    load(texts: Texts, { isTyped = false, isLink = false, losesTyped = this.#isTyped }: Loading = {}): boolean {
         const own = store.modules();
         const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
-        const isKept = !(this.#isTyped || losesModules)
+        const isKept = !(losesTyped || losesModules)
             || this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
         this.#isLoading = true;
         this.#editors[0].text = texts.config;
         this.#editors[1].text = texts.scene;
         this.#isLoading = false;
-        [this.#isTyped, this.#isLink] = [isTyped, isLink];
+        this.#saving.loaded();
+        [this.#isTyped, this.#isLink] = [isTyped || (view.isServed && this.#saving.isAnyUnsaved), isLink];
         this.#keep();
         this.showEarlier();
         this.#unsay();
@@ -162,12 +182,12 @@ class Page {
     /** Shows and renders what a link or an entry of the browser's history has. */
     async open({ view: shown, isTyped, isLink, ...texts }: Entry): Promise<void> {
         this.clear();
-        this.load(texts, isTyped, isLink);
+        this.load(texts, { isTyped, isLink });
         entries.begin();
         if (shown) {
             void this.#studio.show(shown);
         }
-        await (isLink ? this.#renderLink() : this.render());
+        await this.render();
     }
 
     /** Keeps texts that are not those of the editors as earlier texts. */
@@ -182,7 +202,7 @@ class Page {
         if (fault) {
             this.say(() => this.#faultIn(fault.text));
         } else {
-            this.#picture.render(engines.value === 'native' ? native : inWorker(this.module), this.#texts);
+            this.#picture.render(this.module, this.#texts);
             this.#mark(null);
         }
     }
@@ -191,26 +211,6 @@ class Page {
     #ask(): void {
         this.#studio.reveal('exact');
         void this.render();
-    }
-
-    /**
-     * Renders the texts of a link in this page. The program behind the page renders them only when the user asks for it,
-     * because anyone may have made the link, and the program takes all of a processor for it.
-     */
-    async #renderLink(): Promise<void> {
-        if (engines.value !== 'native') {
-            return this.render();
-        }
-        const fault = await this.#check();
-        this.renderer.write(0, this.#texts.config);
-        const cost = this.renderer.cost();
-        if (fault || isFault(cost)) {
-            this.say(() => (fault ? this.#faultIn(fault.text) : say('failed', causeOf(cost as Fault))));
-            return;
-        }
-        const rays = cost.reduce((product, factor) => product * factor, 1);
-        this.say(() => say('linkShown')
-            + (rays < MANY_RAYS ? '' : ` ${say('linkCosts', ...cost, rays.toPrecision(2))}`));
     }
 
     showFaults(): void {
@@ -242,6 +242,7 @@ class Page {
 
     async #settle(): Promise<void> {
         this.#keep();
+        this.#saving.mark();
         const fault = await this.#check();
         if (live.checked && !fault) {
             void this.render();
@@ -249,7 +250,7 @@ class Page {
     }
 
     #keep(): void {
-        this.#tryTo(() => store.keep({ ...this.#texts, isTyped: this.#isTyped }));
+        this.#tryTo(() => store.keep({ ...this.#texts, isTyped: this.#isTyped, ...this.#saving.kept }));
     }
 
     /** Calls `act`. If it fails, tells so and returns false. */
@@ -293,16 +294,7 @@ async function first(page: Page): Promise<Entry> {
         }
     }
     if (view.isServed) {
-        const reload = (texts: Texts) => {
-            const wasTyped = page.isTyped;
-            const isKept = page.load(texts);
-            void page.render();
-            if (isKept) {
-                page.say(() => say(wasTyped ? 'reloadedTyped' : 'reloaded'));
-            }
-        };
-        const failed = (text: string | null) => page.say(() => text ?? say('unreachable'));
-        return replaceBy(await view.watch({ changed: reload, failed }));
+        return replaceBy(await page.openFiles(kept));
     }
     return replaceBy(entries.shown() ?? kept ?? await example(FIRST));
 }
@@ -321,14 +313,11 @@ async function start(): Promise<void> {
     const renderer = await Renderer.create(module);
     const page = new Page(module, renderer);
     document.documentElement.dataset.instructionSet = instructionSet;
-    if (view.isServed) {
-        element('engine-line').hidden = false;
-        engines.value = 'native';
-    }
+    element('live-save').hidden = !view.isServed;
     const use = async (texts: Texts | Promise<Texts>, isTyped = false) => {
         const loaded = await texts;
         page.clear();
-        page.load(loaded, isTyped);
+        page.load(loaded, { isTyped });
         await page.render();
     };
     languages.addEventListener('change', () => {

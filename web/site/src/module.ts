@@ -61,7 +61,6 @@ interface Exports {
     packed(part: number): number;
     truth(isSingle: number): number;
     steps(pixel: number): number;
-    cost(): number;
     step_names(): void;
     wgsl(): void;
     result(): number;
@@ -176,15 +175,6 @@ export class Renderer {
     /** Returns the steps of a pixel's path as the bytes of f32. */
     steps(pixel: number): Uint8Array<ArrayBuffer> | Fault {
         return this.#bytesOr(this.#exports.steps(pixel));
-    }
-
-    /** Returns the numbers whose product is the largest number of rays of the configuration that was written before. */
-    cost(): [pixels: number, samples: number, depth: number] | Fault {
-        if (this.#exports.cost() !== 0) {
-            return this.#fault();
-        }
-        const [pixels = 0, samples = 0, depth = 0] = this.#text().split(' ').map(Number);
-        return [pixels, samples, depth];
     }
 
     /** Returns the names of a step's numbers. */

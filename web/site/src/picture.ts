@@ -1,5 +1,6 @@
 // The picture with its bar, its digest and the buttons that save it.
-import type { Engine, Watcher } from './engines';
+import { render, type Watcher } from './engine';
+import { save } from './files';
 import type { Fault } from './module';
 import { png, read, type Rgb } from './ppm';
 import { erase, put, resize } from './shown';
@@ -26,13 +27,17 @@ export class Picture {
     /** The texts of the picture, also if it is not finished. */
     #texts: Texts | null = null;
 
-    constructor(private readonly onFault: (fault: Fault) => void, private readonly onDone: () => void) {
+    constructor(
+        private readonly onFault: (fault: Fault) => void,
+        private readonly onDone: () => void,
+        name: () => string,
+    ) {
         this.#cancel.addEventListener('click', () => this.cancel());
         const ppm = () => new Blob([this.#ppm ?? ''], { type: 'image/x-portable-pixmap' });
-        this.#saves[0]?.addEventListener('click', () => save('picture.ppm', ppm()));
+        this.#saves[0]?.addEventListener('click', () => save(`${name()}.ppm`, ppm()));
         this.#saves[1]?.addEventListener('click', () => {
             if (this.#ppm) {
-                save('picture.png', new Blob([png(this.#ppm)], { type: 'image/png' }));
+                save(`${name()}.png`, new Blob([png(this.#ppm)], { type: 'image/png' }));
             }
         });
     }
@@ -75,7 +80,7 @@ export class Picture {
     }
 
     /** Renders the texts. A picture that is not finished is cancelled. */
-    render(engine: Engine, texts: Texts): void {
+    render(module: WebAssembly.Module, texts: Texts): void {
         this.#stop?.();
         this.#isBegun = false;
         this.#forget(texts);
@@ -86,14 +91,13 @@ export class Picture {
         this.say(() => say('preparing'));
         const start = performance.now();
         let isCurrent = true;
-        // A cancelled engine may still send what it has sent before.
+        // A cancelled worker may still send what it has sent before.
         const current = <A extends unknown[]>(act: (...values: A) => void) => (...values: A) => {
             if (isCurrent) {
                 act(...values);
             }
         };
         let size = () => '';
-        const isRendered = () => this.say(() => `${say('rendering')} ${size()}`);
         const watcher: Watcher = {
             begin: current((width, height, step) => {
                 this.#canvas.ariaBusy = 'false';
@@ -101,13 +105,9 @@ export class Picture {
                 resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
                 this.#canvas.dataset.step = String(step);
                 size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
-                isRendered();
+                this.say(() => `${say('rendering')} ${size()}`);
             }),
             progress: current((done, height) => {
-                // The native renderer tells the size of its picture at the end alone.
-                if (done > 0 && size() === '') {
-                    isRendered();
-                }
                 this.#bar.value = done / height;
                 this.#bar.title = `${done} / ${height} ${say('rows')}`;
             }),
@@ -134,7 +134,7 @@ export class Picture {
                 this.say(() => say('failed', text));
             }),
         };
-        const cancel = engine(texts, watcher);
+        const cancel = render(module, texts, watcher);
         this.#stop = () => {
             isCurrent = false;
             cancel();
@@ -160,14 +160,4 @@ export class Picture {
         this.#cancel.disabled = true;
         this.#bar.hidden = true;
     }
-}
-
-/** Lets the browser save a file. */
-function save(name: string, content: Blob): void {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(content);
-    link.download = name;
-    link.click();
-    // The browser has begun to read the file when this time has passed.
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

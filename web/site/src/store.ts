@@ -24,6 +24,10 @@ export interface Earlier extends Texts {
 export interface Current extends Texts {
     /** Whether the user has changed them since they were loaded. */
     isTyped: boolean;
+    /** The files of `render-lab view` that were loaded last. */
+    files?: { versions: [config: string, scene: string]; paths: [config: string, scene: string] };
+    /** Whether each text is not in its file. */
+    unsaved?: [config: boolean, scene: boolean];
 }
 
 const CURRENT = 'render.texts';

@@ -1,6 +1,6 @@
 // The views that use the shaders. They are made when one of them is shown for the first time, so that a page without
 // them starts sooner.
-import { lines, taken, type Camera } from './camera';
+import { taken, type Camera } from './camera';
 import { Comparison } from './compare';
 import { onFiles } from './files';
 import { Device, Unavailable, type Refused } from './gpu/device';
@@ -16,15 +16,14 @@ import type { Rgb } from './ppm';
 import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
-import * as view from './view';
 import { messageOf, say, write } from './words';
 
 /** What the views need of the page. */
 export interface Owner {
     /** The texts that the views show: the last ones without an error. */
     texts(): Texts;
-    /** Changes the configuration in the editor. */
-    changeConfig(change: (config: string) => string): void;
+    /** Changes the configuration in the editor, and saves it if this is wanted. Returns false if that failed. */
+    changeConfig(change: (config: string) => string, isSaved: boolean): Promise<boolean>;
     say(text: () => string): void;
     /** Removes the last message, because the shaders have changed. */
     unsay(): void;
@@ -287,16 +286,10 @@ export class Studio {
         }
     }
 
-    /** Writes the camera into the configuration, and into its file first if it is to be saved. */
+    /** Writes the camera into the configuration, and saves it in its file if this is wanted. */
     async #take(camera: Camera, isSaved: boolean): Promise<void> {
-        try {
-            if (isSaved) {
-                await view.save(lines(camera).map((row) => row.join(' ')));
-            }
-            this.owner.changeConfig((config) => taken(config, camera));
+        if (await this.owner.changeConfig((config) => taken(config, camera), isSaved)) {
             this.owner.say(() => say(isSaved ? 'liveSaved' : 'liveTaken'));
-        } catch (error) {
-            this.owner.say(() => say('liveNotSaved', messageOf(error)));
         }
     }
 }

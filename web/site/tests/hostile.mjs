@@ -1,4 +1,4 @@
-// Tests of `render-lab view` against foreign pages, links of strangers and clients that have gone.
+// Tests of `render-lab view` against foreign pages and links of strangers.
 import { createServer } from 'node:http';
 import { chmodSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
@@ -31,44 +31,18 @@ async function foreign(html, use) {
     }
 }
 
-/** Returns the seconds of processor time that a process has used. */
-function used(pid) {
-    const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ');
-    return (Number(fields[11]) + Number(fields[12])) / 100;
-}
-
-/** Waits until the program has used some processor time since it had used `before` seconds: a picture is rendered. */
-async function works(program, before) {
-    const end = Date.now() + 20_000;
-    while (used(program.pid) < before + 0.2) {
-        check(Date.now() < end, 'the program renders no picture');
-        await new Promise((later) => setTimeout(later, 20));
-    }
-}
-
-/** Checks that the program uses hardly any time for a while. A picture would use all of it. */
-async function rests(program, text) {
-    // A picture may stop a moment after its client has gone.
-    await new Promise((later) => setTimeout(later, 500));
-    const before = used(program.pid);
-    await new Promise((later) => setTimeout(later, 1000));
-    const seconds = used(program.pid) - before;
-    check(seconds < 0.3, `${text}: ${seconds} s of a second`);
-}
-
 export const tests = {
     'a foreign page can neither frame nor open nor ask the page of render-lab view': ({ open, browser }) =>
-        view(async ({ url, origin, ask, config, program }) => {
+        view(async ({ url, origin, config, scene }) => {
             const own = await open(url);
             await digest(own);
-            const before = (await ask('progress')).text;
             // The browser has the cookie and the secret. `localhost` is another site than 127.0.0.1, and another port
             // of 127.0.0.1 is another origin of the same site, to which a browser sends the cookie.
             const target = `${origin}/${link(HOSTILE, { tab: 'live-pane', camera: null, pixel: null })}`;
             // Even an address with the secret, which no foreign page knows, is not shown in a frame.
             const known = `${url}${link(HOSTILE)}`;
             const html = `foreign<iframe src="${target}"></iframe><iframe src="${known}"></iframe><script>
-                const asks = ['render/1', 'camera', 'cancel/1'].map((path) => fetch('${origin}/view/' + path,
+                const asks = ['config', 'scene', 'files'].map((path) => fetch('${origin}/view/' + path,
                     { method: 'POST', mode: 'no-cors', credentials: 'include', body: ${JSON.stringify(JSON.stringify(HOSTILE))} }));
                 Promise.allSettled(asks).then(() => { document.title = 'asked'; });
                 addEventListener('click', () => { open(${JSON.stringify(target)}); });
@@ -92,9 +66,8 @@ export const tests = {
                     await opened.close();
                 }
             });
-            equal((await ask('progress')).text, before, 'no picture was begun');
             equal(readFileSync(config, 'utf8'), SMALL.config, 'the configuration');
-            await rests(program, 'after the foreign pages');
+            equal(readFileSync(scene, 'utf8'), SMALL.scene, 'the scene');
             const stranger = await (await browser.newContext()).newPage();
             const answer = await stranger.goto(`${origin}/`);
             equal(answer.status(), 403, 'a browser without the secret');
@@ -151,36 +124,18 @@ export const tests = {
         }).finally(() => { process.env.PATH = path; });
     },
 
-    'a link is shown and rendered by this machine only when the user asks': ({ open }) =>
-        view(async ({ url, origin, ask, program }) => {
+    'a link over the files changes no file, can be cancelled, and Back shows the files': ({ open }) =>
+        view(async ({ url, config, scene }) => {
             const page = await open(url);
             await digest(page);
             await page.evaluate((fragment) => (location.hash = fragment), link(HOSTILE));
-            await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('The link is shown'));
-            equal(await textOf(page, 'config'), HOSTILE.config, 'the configuration of the link');
-            const status = await page.textContent('#status');
-            check(status.endsWith('That may take long: 32 pixels × 9,000,000,000,000,000,000 samples × depth 5 are up to 1.4e+21 rays.'), status);
-            await rests(program, 'a link in an open page');
+            await page.waitForFunction((text) => JSON.parse(localStorage.getItem('render.texts')).config === text, HOSTILE.config);
+            await page.click('#cancel');
+            equal(await page.textContent('#status'), 'Cancelled.', 'the status');
             await page.goBack();
             await digest(page);
             equal(await textOf(page, 'config'), SMALL.config, 'the configuration of the files');
-            const shown = (await ask('progress')).text;
-            await page.goForward();
-            await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('The link is shown'));
-            const other = await open(`${origin}/${link({ ...SMALL, config: 'image_width: 9\n' })}`, { context: page.context() });
-            await other.waitForFunction(() => document.getElementById('status').textContent.startsWith('The link is shown'));
-            check(!(await other.textContent('#status')).includes('rays'), 'a cheap picture needs no warning');
-            equal((await ask('progress')).text, shown, 'no picture was begun');
-
-            for (const end of [() => page.click('#cancel'), () => page.close()]) {
-                const time = used(program.pid);
-                await page.click('#render');
-                await works(program, time);
-                await end();
-                await rests(program, `after ${end}`);
-            }
-            await other.click('#render');
-            await digest(other);
+            equal(readFileSync(config, 'utf8') + readFileSync(scene, 'utf8'), SMALL.config + SMALL.scene, 'the files');
         }),
 
     'a camera beyond the range of numbers in a link is a message and no exception': async ({ open, url }) => {

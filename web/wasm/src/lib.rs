@@ -164,18 +164,6 @@ pub extern "C" fn steps(pixel: usize) -> u32 {
     with_state(|state| Ok(state.live.as_ref().ok_or_else(unprepared)?.steps(pixel)))
 }
 
-/// Makes the result three numbers with blanks between them: the pixels of the configuration's picture, the samples of
-/// each pixel, and the maximum depth. Their product is the largest number of rays. Returns 0, or 1 with a fault as
-/// after [`check`].
-#[unsafe(no_mangle)]
-pub extern "C" fn cost() -> u32 {
-    with_state(|state| {
-        let config = state.config()?;
-        let size = config.image_size().map_err(|error| Fault::without_line(error.into(), 0))?;
-        Ok(format!("{} {} {}", size.pixels(), config.samples_per_pixel, config.max_depth).into_bytes())
-    })
-}
-
 /// Makes the result the names of a step's numbers, with line ends between them.
 #[unsafe(no_mangle)]
 pub extern "C" fn step_names() {

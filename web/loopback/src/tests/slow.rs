@@ -54,7 +54,6 @@ fn an_answer_that_the_client_reads_too_slowly_is_given_up() {
         });
         let result = talk(&server, &stream);
         drop(stream);
-        assert_eq!(server.budget.taken(), 0, "the bytes are given back");
         (result.is_ok(), reader.join().expect("it does not panic") >= LARGE)
     };
     assert_eq!(slowly(usize::MAX), (false, false));
