@@ -13,9 +13,10 @@ if (!out) {
 }
 
 await build({
-    entryPoints: [...['main', 'worker', 'checking', 'preparing'].map((name) => join(here, `src/${name}.ts`))],
+    entryPoints: [...['main', 'worker', 'preparing'].map((name) => join(here, `src/${name}.ts`))],
     outdir: out,
     bundle: true,
+    splitting: true,
     loader: { '.wgsl': 'text' },
     minify: true,
     format: 'esm',
@@ -26,6 +27,7 @@ await build({
 for (const name of ['index.html', '404.html', 'page.css', 'icon.svg']) {
     cpSync(join(here, name), join(out, name));
 }
+cpSync(join(here, '../../docs/files.md'), join(out, 'files.txt'));
 // The examples are the folders of scenes/, and a list of their names.
 const names = readdirSync(scenes).sort();
 for (const name of names) {

@@ -49,9 +49,7 @@ impl Arguments {
         let url = server.url()?;
         terminal::print(&url)?;
         if self.open {
-            open(&url).unwrap_or_else(|error| {
-                terminal::note(&format!("cannot open the browser: {error}; open the address yourself"));
-            });
+            open(&url).unwrap_or_else(|error| no_browser(&error.to_string()));
         }
         let view = View::new(site, inputs, how);
         // The result is an error or never comes.
@@ -69,6 +67,11 @@ fn own_site(own: &Path) -> Option<PathBuf> {
     built.or_else(|| Some(folder.parent()?.join("share/exact-renderer/site")))
 }
 
+/// Says that the browser was not opened.
+fn no_browser(reason: &str) {
+    terminal::note(&format!("cannot open the browser: {reason}; open the address yourself"));
+}
+
 /// Opens the page in the user's browser.
 ///
 /// All users of a machine can see the arguments of a program, so the address with the secret must not be one. It is in
@@ -80,7 +83,12 @@ fn open(url: &str) -> io::Result<()> {
     write!(file, "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url={url}\">")?;
     let mut command = Command::new("xdg-open");
     command.arg(file.path()).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.spawn()?;
+    let mut opening = command.spawn()?;
+    std::thread::spawn(move || match opening.wait() {
+        Ok(status) if status.success() => {}
+        Ok(status) => no_browser(&format!("xdg-open ended with {status}")),
+        Err(error) => no_browser(&error.to_string()),
+    });
     std::thread::spawn(move || {
         std::thread::sleep(Duration::from_secs(60));
         drop(file);

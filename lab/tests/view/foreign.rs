@@ -56,6 +56,6 @@ fn a_program_without_its_page_takes_none_from_the_current_folder() {
     let output = view.current_dir(folder.path()).args(["view", "config.txt", "scene.txt", "--port", "0"]).output();
     let output = output.expect("the program starts");
     let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.code() == Some(1) && output.stdout.is_empty(), "{output:?}");
+    assert!(output.status.code() == Some(2) && output.stdout.is_empty(), "{output:?}");
     assert!(message.contains("does not have the page; build it with web/build"), "{message}");
 }

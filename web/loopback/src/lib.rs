@@ -140,12 +140,7 @@ impl Server {
     }
 
     /// Reads one request and sends its answer. The connection has `place` until the end, also if it is refused.
-    fn talk(
-        &self,
-        stream: &TcpStream,
-        mut place: Place,
-        answer: impl Fn(Request) -> Answer,
-    ) -> io::Result<()> {
+    fn talk(&self, stream: &TcpStream, mut place: Place, answer: impl Fn(Request) -> Answer) -> io::Result<()> {
         match self.read(stream, &mut place) {
             Ok((request, is_first)) => {
                 let cookie = self.secret.as_ref().filter(|_| is_first).map(Secret::set_cookie);

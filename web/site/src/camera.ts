@@ -64,6 +64,21 @@ export function isInside(point: Vector, [kind, center, radius, axis]: ShapeOf): 
         : Math.abs(along) < length(axis) && length(subtract(arm, scale(unit(axis), along))) < radius;
 }
 
+/**
+ * Returns where the axes of the scene point in the picture: for each of x, y and z the letter of the nearest direction,
+ * which is right (r), left (l), up (u), down (d), away (a) or near (n).
+ */
+export function axes({ position, target, north }: Camera): string[] {
+    const back = unit(subtract(position, target));
+    const right = unit(cross(north, back));
+    const parts = [right, cross(back, right), back];
+    return [0, 1, 2].map((axis) => {
+        const along = parts.map((part) => part[axis] ?? 0);
+        const nearest = along.reduce((best, one, index) => (Math.abs(one) > Math.abs(along[best] ?? 0) ? index : best), 0);
+        return ['rl', 'ud', 'na'][nearest]?.[(along[nearest] ?? 0) > 0 ? 0 : 1] ?? '';
+    });
+}
+
 /** Returns the lines of a configuration that describe the camera with all digits. */
 export function lines({ position, target, north }: Camera): [key: string, value: string][] {
     return [['camera_position:', position.join(' ')], ['camera_target:', target.join(' ')], ['camera_north:', north.join(' ')]];

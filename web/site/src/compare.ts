@@ -144,7 +144,7 @@ export class Comparison {
             }
             this.listener.refused(null);
             const isSingle = this.#with.value === 'f32';
-            const exact = this.#truths[isSingle ? 1 : 0] ?? await this.preparer.truth(isSingle);
+            const exact = this.#truths[isSingle ? 1 : 0] ?? await this.preparer.truth(isSingle ? 1 : 0);
             if (!isRendered || !isCurrent()) {
                 return;
             }
@@ -185,8 +185,9 @@ export class Comparison {
             this.#exact.ariaBusy = 'false';
             this.#draw();
         } catch (error) {
-            this.#close();
-            write(element('compare-names'), () => messageOf(error));
+            // The comparison before stays.
+            write(element('compare-names'), () => [this.#names && say('filesNames', ...this.#names), messageOf(error)]
+                .filter(Boolean).join(' '));
         }
     }
 
@@ -235,7 +236,7 @@ export class Comparison {
         const { differing, pixels, rmse, largest, largestUlps } = difference;
         const isAccepted = largest < LARGEST && rmse < RMSE;
         // Differences of bytes are up to 255, and those of linear colours are small.
-        const [root, most] = [rmse, largest].map((one) => (this.#names ? one.toFixed(3) : one.toExponential(2)));
+        const [root, most] = [rmse, largest].map((one) => (this.#names ? one.toFixed(3) : one === 0 ? '0' : one.toExponential(2)));
         const key = !this.#names ? 'compareFigures' : isAccepted ? 'filesAccepted' : 'filesRefused';
         write(element('compare-most'), () => (isUlps ? say('ulps', largestUlps) : most ?? ''));
         // The place of the largest difference, by the numbers that the page shows.

@@ -1,9 +1,9 @@
 // An editor for one text, with colours, completions and marks for faults.
 import { autocompletion } from '@codemirror/autocomplete';
-import { isolateHistory } from '@codemirror/commands';
+import { invertedEffects, isolateHistory, redo, undo } from '@codemirror/commands';
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
-import { Compartment, EditorState, Prec, Transaction, type Extension } from '@codemirror/state';
+import { Compartment, EditorState, Prec, StateEffect, Transaction, type Extension } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { basicSetup } from 'codemirror';
@@ -15,7 +15,12 @@ import { editorWords } from './words';
 export interface Listener {
     changed(): void;
     render(): void;
+    /** The user has undone, or done again, the change that has loaded a text with this number. */
+    restored?(load: number, isUndone: boolean): void;
 }
+
+/** Marks a change that has loaded a text, with the number of the load. */
+const loading = StateEffect.define<number>();
 
 /** A fault at its place in a text. */
 export interface Mark {
@@ -64,14 +69,20 @@ export function linesOf(rows: Row[]): Extension {
  */
 const LONG_INPUT = 1000;
 
+/** Time after a key for which a fault in its line is not shown, in milliseconds: the word may not be complete. */
+export const TYPING = 1000;
+
 /** An editor of one text. */
 export class Editor {
     readonly #view: EditorView;
+    readonly #extensions: Extension;
+    readonly #words = new Compartment();
+    /** When the text has changed last. */
+    #typed = -Infinity;
 
     constructor(parent: HTMLElement, language: Extension, label: HTMLElement, listener: Listener) {
-        const words = new Compartment();
-        const extensions = [
-            words.of(EditorState.phrases.of(editorWords())),
+        this.#extensions = [
+            this.#words.of(EditorState.phrases.of(editorWords())),
             Prec.highest(keymap.of([{ key: 'Mod-Enter', run: () => (listener.render(), true) }])),
             basicSetup,
             // The icons are characters that the fonts of many systems lack.
@@ -91,22 +102,48 @@ export class Editor {
             }),
             EditorView.updateListener.of((update) => {
                 if (update.docChanged) {
+                    this.#typed = performance.now();
                     listener.changed();
                 }
+                const undone = update.transactions.find((one) => one.isUserEvent('undo') || one.isUserEvent('redo'));
+                const load = undone?.effects.find((effect) => effect.is(loading));
+                if (undone && load) {
+                    listener.restored?.(load.value as number, undone.isUserEvent('undo'));
+                }
             }),
+            invertedEffects.of((change) => change.effects.filter((effect) => effect.is(loading))),
         ];
-        this.#view = new EditorView({ parent, state: EditorState.create({ extensions }) });
-        document.addEventListener('spoken', () =>
-            this.#view.dispatch({ effects: words.reconfigure(EditorState.phrases.of(editorWords())) }));
+        this.#view = new EditorView({ parent, state: EditorState.create({ extensions: this.#extensions }) });
+        document.addEventListener('spoken', () => this.#speak());
+    }
+
+    #speak(): void {
+        this.#view.dispatch({ effects: this.#words.reconfigure(EditorState.phrases.of(editorWords())) });
     }
 
     get text(): string {
         return this.#view.state.doc.toString();
     }
 
-    /** Replaces the whole text. The user can undo it. */
     set text(text: string) {
+        this.load(text, -1);
+    }
+
+    /** Starts with a text. The user can undo nothing. */
+    begin(text: string): void {
+        this.#view.setState(EditorState.create({ doc: text, extensions: this.#extensions }));
+        this.#speak();
+    }
+
+    /** Undoes or redoes the last change. */
+    restore(isUndone: boolean): void {
+        (isUndone ? undo : redo)(this.#view);
+    }
+
+    /** Replaces the whole text, as load number `load` of the page. The user can undo it. */
+    load(text: string, load: number): void {
         this.#view.dispatch({
+            effects: loading.of(load),
             changes: { from: 0, to: this.#view.state.doc.length, insert: text },
             selection: { anchor: 0 },
             annotations: [Transaction.userEvent.of('input.load'), isolateHistory.of('full')],
@@ -120,6 +157,13 @@ export class Editor {
         this.#view.dispatch({ changes: { from, to, insert }, userEvent: 'input.type' });
     }
 
+    /** Whether the user has just typed in the line with this number. */
+    isTyping(line: number): boolean {
+        const { doc, selection } = this.#view.state;
+        return performance.now() - this.#typed < TYPING && this.#view.hasFocus
+            && doc.lineAt(selection.main.head).number === line;
+    }
+
     /** Marks faults in the text, and removes the marks before. */
     mark(faults: readonly Mark[]): void {
         const diagnostics = faults.filter((fault) => fault.line > 0).map((fault) => {
@@ -127,6 +171,11 @@ export class Editor {
             return { from, to, severity: 'error' as const, message: fault.message };
         });
         this.#view.dispatch(setDiagnostics(this.#view.state, diagnostics));
+    }
+
+    /** Moves the cursor to a line. */
+    goTo(line: number): void {
+        this.show({ line, column: 1, length: 0, message: '' });
     }
 
     /** Moves the cursor to the fault. */

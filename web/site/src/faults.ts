@@ -1,13 +1,14 @@
 // Checks both texts with the renderer in a worker, marks the faults in the editors, and lists them below.
 import { Asked } from './asked';
-import type { Verdict } from './checking';
-import type { Editor } from './editor';
+import { TYPING, type Editor } from './editor';
 import { MOST_FAULTS, textOf, type Fault, type TextNumber } from './module';
+import type { Answer, Request } from './preparing';
 import { messageOf, say } from './words';
 
 /** The checker of both texts. */
 export class Checker {
-    readonly #worker: Asked<{ text: TextNumber; content: string }, Verdict>;
+    readonly #worker: Asked<{ request: Request }, Answer>;
+    readonly #timers = [0, 0];
     /** The last text of each editor whose faults are known, and these faults. */
     readonly #known: ({ content: string; faults: Fault[] } | null)[] = [null, null];
 
@@ -16,7 +17,7 @@ export class Checker {
         private readonly editors: [Editor, Editor],
         private readonly lists: [HTMLElement, HTMLElement],
     ) {
-        this.#worker = new Asked('checking.js', module);
+        this.#worker = new Asked('preparing.js', module);
     }
 
     /** Checks both texts, and returns their first fault or null. */
@@ -27,7 +28,12 @@ export class Checker {
     }
 
     /** Marks the faults of a text and lists them, instead of those before. */
-    show(text: TextNumber, faults: Fault[]): void {
+    show(text: TextNumber, all: Fault[]): void {
+        clearTimeout(this.#timers[text]);
+        const faults = all.filter(({ line }) => !this.editors[text].isTyping(line));
+        if (faults.length < all.length) {
+            this.#timers[text] = window.setTimeout(() => this.show(text, all), TYPING);
+        }
         this.editors[text].mark(faults.map((fault) => ({ ...fault, message: textOf(fault) })));
         this.lists[text].replaceChildren(...faults.map((fault) => this.#row(text, fault)));
         if (faults.length === MOST_FAULTS) {
@@ -57,8 +63,10 @@ export class Checker {
             this.show(text, known.faults);
             return known.faults;
         }
-        const { faults } = await this.#worker.ask({ text, content }).catch((error: unknown) => (
-            { faults: [{ text, line: 0, column: 0, length: 0, message: messageOf(error) }] }));
+        const request = { kind: 'check', text, content } as const;
+        const faults = await this.#worker.ask({ request }).then(({ fault, facts }) =>
+            (fault ? [{ ...fault, text }] : JSON.parse(facts) as Fault[])).catch((error: unknown) =>
+            [{ text, line: 0, column: 0, length: 0, message: messageOf(error) }]);
         if (this.editors[text].text === content) {
             this.#known[text] = { content, faults };
             this.show(text, faults);

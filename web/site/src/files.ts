@@ -1,5 +1,5 @@
 // Files that the user chooses, drops on the page, or saves.
-import { read, type Rgb } from './ppm';
+import { readFile, type Rgb } from './ppm';
 import { messageOf } from './words';
 
 /** A picture with the name of its file. */
@@ -8,21 +8,25 @@ export interface Named {
     picture: Rgb;
 }
 
+/** What a file is, by its name. */
 const isPicture = ({ name }: File): boolean => /\.(ppm|pnm|png)$/i.test(name);
+const isText = (file: File): boolean => !isPicture(file) && !/\.wgsl$/i.test(file.name);
 
 /** Reads pictures. Throws with the name of the file that is none. */
 export function namedOf(files: readonly File[]): Promise<Named[]> {
     return Promise.all(files.slice(0, 2).map(async (file) => {
         try {
-            return { name: file.name, picture: read(new Uint8Array(await file.arrayBuffer())) };
+            return { name: file.name, picture: await readFile(new Uint8Array(await file.arrayBuffer())) };
         } catch (error) {
             throw new Error(`${file.name}: ${messageOf(error)}`);
         }
     }));
 }
 
-/** Calls `take` with the pictures that the user chooses by a button, or drops anywhere. Editors take other files. */
-export function onFiles(button: HTMLElement, input: HTMLInputElement, take: (files: File[]) => void): void {
+/** Calls `take` with the files that the user chooses by a button, or drops anywhere: pictures, or texts. */
+export function onFiles(
+    button: HTMLElement, input: HTMLInputElement, kind: 'pictures' | 'texts', take: (files: File[]) => void,
+): void {
     button.addEventListener('click', () => input.click());
     input.addEventListener('change', () => {
         take(Array.from(input.files ?? []));
@@ -32,11 +36,11 @@ export function onFiles(button: HTMLElement, input: HTMLInputElement, take: (fil
     document.addEventListener('dragover', (event) =>
         event.dataTransfer?.types.includes('Files') && event.preventDefault());
     document.addEventListener('drop', (event) => {
-        const pictures = ofDrag(event).filter(isPicture);
-        if (pictures.length > 0) {
+        const taken = ofDrag(event).filter(kind === 'pictures' ? isPicture : isText);
+        if (taken.length > 0) {
             event.preventDefault();
             event.stopPropagation();
-            take(pictures);
+            take(taken);
         }
     }, { capture: true });
 }

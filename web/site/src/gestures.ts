@@ -22,6 +22,15 @@ const [KEY_MOVE, KEY_DRAG] = [0.05, 1 / 36];
 /** The factor of the distance for a key and for a step of a mouse wheel. */
 const CLOSER = 0.9;
 
+/** The distance of a step of a mouse wheel in pixels, and of two fingers on a trackpad, which a browser gives as Ctrl. */
+const [WHEEL, PINCH] = [100, 10];
+
+/** The distances of an event's units in pixels: pixels, lines and pages. */
+const UNITS = [1, 33, 800];
+
+/** Largest number of steps of one event. */
+const MOST_STEPS = 3;
+
 /** Largest distance in pixels between pressing and releasing for which the gesture is a click. */
 const STILL = 4;
 
@@ -45,7 +54,8 @@ export class Gestures {
         element.addEventListener('contextmenu', (event) => event.preventDefault());
         element.addEventListener('wheel', (event) => {
             event.preventDefault();
-            wishes.zoom(event.deltaY > 0 ? 1 / CLOSER : CLOSER, this.placeOf(event));
+            const steps = (event.deltaY * (UNITS[event.deltaMode] ?? 1)) / (event.ctrlKey ? PINCH : WHEEL);
+            wishes.zoom(CLOSER ** -Math.min(Math.max(steps, -MOST_STEPS), MOST_STEPS), this.placeOf(event));
         }, { passive: false });
         element.addEventListener('keydown', (event) => this.#key(event));
     }

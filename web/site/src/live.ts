@@ -9,7 +9,7 @@ import { Gestures } from './gestures';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { developed, erase, paint, paintRows, shownConfig, shownWidth, TESTS } from './shown';
-import { messageOf, say, write } from './words';
+import { messageOf, say, write, type Key } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -355,7 +355,7 @@ export class Live {
     /** A frame by the exact renderer in WebAssembly. */
     async #slow(): Promise<ImageData | null> {
         const facts = this.#facts;
-        return facts && developed(await this.preparer.truth(false), facts);
+        return facts && developed(await this.preparer.truth(0), facts);
     }
 
     /** The configuration with the camera and the size of the view. */
@@ -386,6 +386,8 @@ export class Live {
             rate === null && duration >= WINDOW ? say('liveDuration', (duration / 1000).toFixed(1)) : '',
             name,
         ].filter(Boolean).join(', '));
+        const directions = this.#camera && camera.axes(this.#camera);
+        write(element('live-axes'), () => (directions ? say('axes', ...directions.map((one) => say(`axis_${one}` as Key))) : ''));
     }
 
     /** The first object around the camera. Its surface may hide all light, and then the picture is black. */

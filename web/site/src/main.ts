@@ -5,6 +5,7 @@ import * as entries from './entries';
 import type { Entry } from './entries';
 import { example, FIRST, names } from './examples';
 import { Checker } from './faults';
+import { onFiles } from './files';
 import * as link from './link';
 import { Saving } from './saving';
 import { takeSecret } from './secret';
@@ -21,6 +22,9 @@ const element = <E extends HTMLElement>(id: string): E => document.getElementByI
 /** Time without typing after which the texts are checked, in milliseconds. */
 const PAUSE = 200;
 
+/** Largest size of a text file that is opened, in bytes, as `render-lab view` has it. */
+const MOST_TEXT = 16 << 20;
+
 /** Number of characters from which on a link may be cut by programs that pass it on. */
 const LONG_LINK = 8000;
 
@@ -34,6 +38,7 @@ interface Loading {
     isTyped?: boolean;
     isLink?: boolean;
     losesTyped?: boolean;
+    name?: string | undefined;
 }
 
 /** The parts that exist once the module is loaded. */
@@ -41,6 +46,10 @@ class Page {
     #isTyped = false;
     #isLink = false;
     #isLoading = false;
+    /** The name of the scene, if it is not that of a file of `render-lab view`. */
+    #name: string | undefined;
+    /** The texts before and after each load, for undoing it in both editors. */
+    readonly #loads: [before: Texts, after: Texts][] = [];
     /** The texts that the views show: the last ones without an error. */
     #shown: Texts = { config: '', scene: '' };
     #timer = 0;
@@ -52,12 +61,16 @@ class Page {
             this.#checker.show(fault.text as 0 | 1, [fault]);
         }
         this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', causeOf(fault))));
-    }, () => void this.#studio.rendered(), () => this.#saving.name ?? 'picture');
+    }, () => void this.#studio.rendered(), () => this.#name ?? this.#saving.name ?? 'picture', () => this.module, (line) => this.#editors[1].goTo(line));
     readonly #saving: Saving;
 
     constructor(private readonly module: WebAssembly.Module, renderer: Renderer) {
         const tables = [renderer.table(0), renderer.table(1)] as const;
-        const listener = { changed: () => this.#changed(), render: () => this.#ask() };
+        const listener = {
+            changed: () => this.#changed(),
+            render: () => this.#ask(),
+            restored: (load: number, isUndone: boolean) => this.#restored(load, isUndone),
+        };
         const editor = (name: string, rows: Row[]) =>
             new Editor(element(`${name}-editor`), linesOf(rows), element(`${name}-label`), listener);
         this.#editors = [editor('config', tables[0]), editor('scene', tables[1])];
@@ -77,6 +90,8 @@ class Page {
                 return !isSaved || this.#saving.save(0);
             },
             say: (text) => this.say(text),
+            goTo: (line) => this.#editors[1].goTo(line),
+            left: () => this.leave(false),
             unsay: () => this.#unsay(),
             picture: () => this.#picture.pixels,
         });
@@ -88,8 +103,15 @@ class Page {
             }
         });
         document.querySelectorAll<HTMLElement>('.bar').forEach(movable);
+        document.querySelectorAll<HTMLElement>('.fold').forEach((button) => button.addEventListener('click', () => {
+            const isFolded = element(button.dataset.editor ?? '').classList.toggle('folded');
+            button.ariaExpanded = String(!isFolded);
+        }));
+        element('full').addEventListener('click', () => void (document.fullscreenElement
+            ? document.exitFullscreen() : element('result').requestFullscreen()));
         element('render').addEventListener('click', () => this.#ask());
         element('share').addEventListener('click', () => void this.#share());
+        onFiles(element('open'), element<HTMLInputElement>('texts-files'), 'texts', (files) => void this.#open(files, tables));
     }
 
     get #texts(): Texts {
@@ -142,24 +164,91 @@ class Page {
 
     /** What the page shows, for the browser's history. */
     get entry(): Entry {
-        const [modules, isTyped, isLink] = [store.modules(), this.#isTyped, this.#isLink];
-        return { ...this.#texts, modules, isTyped, isLink, view: this.#studio.view };
+        const [modules, isTyped, isLink, name] = [store.modules(), this.#isTyped, this.#isLink, this.#name];
+        return { ...this.#texts, modules, isTyped, isLink, view: this.#studio.view, ...(name ? { name } : {}) };
+    }
+
+    /** Whether the user has typed something that is not saved. */
+    get isUnsaved(): boolean {
+        return this.#isTyped && this.#saving.isAnyUnsaved;
+    }
+
+    /** Begins a new entry of the browser's history, with other texts if `isLoad` holds. */
+    leave(isLoad: boolean): void {
+        entries.keep(this.entry);
+        entries.push(isLoad);
+    }
+
+    /** Shows what the browser's entry has shown, after Back or Forward. */
+    move(): void {
+        if (entries.bounces(this.isUnsaved)) {
+            this.say(() => (this.isUnsaved ? say('unsavedBack') : ''));
+        } else if (entries.hasChanged()) {
+            entries.keep(this.entry);
+            const entry = entries.shown();
+            if (entry?.view && entries.hasSameTexts()) {
+                entries.begin();
+                void this.#studio.show(entry.view);
+            } else if (entry) {
+                void this.open(entry);
+            }
+        }
+    }
+
+    /** Undoes a load in both editors, or does it again, after the user has done so in one of them. */
+    #restored(load: number, isUndone: boolean): void {
+        const texts = this.#loads[load]?.[isUndone ? 0 : 1];
+        for (const [number, name] of (['config', 'scene'] as const).entries()) {
+            const editor = this.#editors[number];
+            if (texts && editor && editor.text !== texts[name]) {
+                editor.restore(isUndone);
+                if (editor.text !== texts[name]) {
+                    editor.text = texts[name];
+                }
+            }
+        }
+    }
+
+    /** Opens the text files that the user has chosen or dropped. Their names or their lines tell what they are. */
+    async #open(files: File[], tables: readonly Row[][]): Promise<void> {
+        const texts = { ...this.#texts };
+        let name = this.#name;
+        for (const file of files.slice(0, 2)) {
+            if (file.size > MOST_TEXT) {
+                this.say(() => say('textTooLarge', file.name));
+                return;
+            }
+            const content = await file.text();
+            const words = new Set(content.split('\n').map((line) => line.trim().split(/\s/, 1)[0]));
+            const [asConfig = 0, asScene = 0] = tables.map((rows) => rows.filter(({ tag }) => words.has(tag)).length);
+            const isConfig = /config/i.test(file.name) || (!/scene|escena/i.test(file.name) && asConfig > asScene);
+            texts[isConfig ? 'config' : 'scene'] = content;
+            name = isConfig ? name : file.name.replace(/\.[^.]*$/, '');
+        }
+        this.leave(true);
+        this.clear();
+        this.load(texts, { name });
+        this.#ask();
     }
 
     /**
      * Replaces both texts. What the user had typed becomes one of the earlier texts; returns false if that failed.
      * `losesTyped` is false if what was typed stays in the new texts.
      */
-    load(texts: Texts, { isTyped = false, isLink = false, losesTyped = this.#isTyped }: Loading = {}): boolean {
+    load(texts: Texts, { isTyped = false, isLink = false, losesTyped = this.#isTyped, name }: Loading = {}): boolean {
         const own = store.modules();
         const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
         const isKept = !(losesTyped || losesModules)
             || this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
+        const load = this.#loads.push([this.#texts, texts]) - 1;
         this.#isLoading = true;
-        this.#editors[0].text = texts.config;
-        this.#editors[1].text = texts.scene;
+        for (const [number, name] of (['config', 'scene'] as const).entries()) {
+            const editor = this.#editors[number];
+            load === 0 ? editor?.begin(texts[name]) : editor?.load(texts[name], load);
+        }
         this.#isLoading = false;
+        this.#name = name;
         this.#saving.loaded();
         [this.#isTyped, this.#isLink] = [isTyped || (view.isServed && this.#saving.isAnyUnsaved), isLink];
         this.#keep();
@@ -180,9 +269,9 @@ class Page {
     }
 
     /** Shows and renders what a link or an entry of the browser's history has. */
-    async open({ view: shown, isTyped, isLink, ...texts }: Entry): Promise<void> {
+    async open({ view: shown, isTyped, isLink, name, ...texts }: Entry): Promise<void> {
         this.clear();
-        this.load(texts, { isTyped, isLink });
+        this.load(texts, { isTyped, isLink, name });
         entries.begin();
         if (shown) {
             void this.#studio.show(shown);
@@ -235,6 +324,7 @@ class Page {
             return;
         }
         this.#isTyped = true;
+        entries.guard();
         this.#unsay();
         clearTimeout(this.#timer);
         this.#timer = window.setTimeout(() => void this.#settle(), PAUSE);
@@ -250,7 +340,7 @@ class Page {
     }
 
     #keep(): void {
-        this.#tryTo(() => store.keep({ ...this.#texts, isTyped: this.#isTyped, ...this.#saving.kept }));
+        this.#tryTo(() => store.keep({ ...this.#texts, isTyped: this.#isTyped, ...(this.#name ? { name: this.#name } : {}), ...this.#saving.kept }));
     }
 
     /** Calls `act`. If it fails, tells so and returns false. */
@@ -296,7 +386,7 @@ async function first(page: Page): Promise<Entry> {
     if (view.isServed) {
         return replaceBy(await page.openFiles(kept));
     }
-    return replaceBy(entries.shown() ?? kept ?? await example(FIRST));
+    return replaceBy(entries.shown() ?? kept ?? { ...await example(FIRST), name: FIRST });
 }
 
 async function start(): Promise<void> {
@@ -314,10 +404,11 @@ async function start(): Promise<void> {
     const page = new Page(module, renderer);
     document.documentElement.dataset.instructionSet = instructionSet;
     element('live-save').hidden = !view.isServed;
-    const use = async (texts: Texts | Promise<Texts>, isTyped = false) => {
+    const use = async (texts: Texts | Promise<Texts>, isTyped = false, name?: string) => {
         const loaded = await texts;
+        page.leave(true);
         page.clear();
-        page.load(loaded, { isTyped });
+        page.load(loaded, { isTyped, name });
         await page.render();
     };
     languages.addEventListener('change', () => {
@@ -329,7 +420,7 @@ async function start(): Promise<void> {
     examples.addEventListener('change', () => {
         const name = examples.value;
         examples.value = '';
-        use(example(name)).catch((error: unknown) => page.say(() => say('noExample', messageOf(error))));
+        use(example(name), false, name).catch((error: unknown) => page.say(() => say('noExample', messageOf(error))));
     });
     earlierTexts.addEventListener('change', () => {
         const texts = store.earlier()[Number(earlierTexts.value)];
@@ -349,15 +440,7 @@ async function start(): Promise<void> {
             }).catch(() => page.say(() => say('badLink')));
         }
     });
-    addEventListener('popstate', () => {
-        if (entries.hasChanged()) {
-            entries.keep(page.entry);
-            const entry = entries.shown();
-            if (entry) {
-                void page.open(entry);
-            }
-        }
-    });
+    addEventListener('popstate', () => page.move());
     addEventListener('pagehide', () => entries.keep(page.entry));
     await page.open(await first(page));
     names().then(

@@ -59,7 +59,7 @@ interface Exports {
     prepare(): number;
     aim(): number;
     packed(part: number): number;
-    truth(isSingle: number): number;
+    truth(kind: number): number;
     steps(pixel: number): number;
     step_names(): void;
     wgsl(): void;
@@ -67,6 +67,9 @@ interface Exports {
     result_length(): number;
     fault(): void;
 }
+
+/** Linear colours by the exact renderer (0) or by the twin of the shaders (1), or what the exact rays hit (2). */
+export type Truth = 0 | 1 | 2;
 
 /** Whether a result is a fault. */
 export const isFault = (result: object): result is Fault => 'message' in result;
@@ -167,9 +170,9 @@ export class Renderer {
         return this.#bytesOr(this.#exports.packed(part));
     }
 
-    /** Returns the linear colours in deterministic mode as the bytes of f64. */
-    truth(isSingle: boolean): Uint8Array<ArrayBuffer> | Fault {
-        return this.#bytesOr(this.#exports.truth(isSingle ? 1 : 0));
+    /** Returns a picture in deterministic mode as the bytes of f64. */
+    truth(kind: Truth): Uint8Array<ArrayBuffer> | Fault {
+        return this.#bytesOr(this.#exports.truth(kind));
     }
 
     /** Returns the steps of a pixel's path as the bytes of f32. */

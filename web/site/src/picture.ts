@@ -2,8 +2,10 @@
 import { render, type Watcher } from './engine';
 import { save } from './files';
 import type { Fault } from './module';
-import { png, read, type Rgb } from './ppm';
-import { erase, put, resize } from './shown';
+import { ExactView } from './exact-view';
+import { png, read, shown, type Rgb } from './ppm';
+import { erase, paint, put, resize } from './shown';
+import { stepOf } from './step';
 import { isSame, type Texts } from './store';
 import { Viewer } from './viewer';
 import { say, write } from './words';
@@ -18,7 +20,11 @@ export class Picture {
     readonly #digest = element('digest');
     readonly #cancel = element<HTMLButtonElement>('cancel');
     readonly #saves = [element<HTMLButtonElement>('save-ppm'), element<HTMLButtonElement>('save-png')];
-    readonly #viewer = new Viewer(element('exact-stage'), {});
+    readonly #viewer = new Viewer(element('exact-stage'), {
+        told: (column, row) => this.#view.told(column, row),
+        clicked: (column, row) => void this.#view.clicked(column, row),
+    });
+    readonly #view: ExactView;
     #stop: (() => void) | null = null;
     #state = () => '';
     /** Whether the canvas has the picture of the last texts, or a part of it. */
@@ -31,13 +37,21 @@ export class Picture {
         private readonly onFault: (fault: Fault) => void,
         private readonly onDone: () => void,
         name: () => string,
+        module: () => WebAssembly.Module,
+        goTo: (line: number) => void,
     ) {
+        this.#view = new ExactView(module, {
+            texts: () => (this.#ppm ? this.#texts : null),
+            paint: (image, step) => this.#paint(image, step),
+            goTo,
+            say: (text) => this.note(text),
+        });
         this.#cancel.addEventListener('click', () => this.cancel());
         const ppm = () => new Blob([this.#ppm ?? ''], { type: 'image/x-portable-pixmap' });
         this.#saves[0]?.addEventListener('click', () => save(`${name()}.ppm`, ppm()));
-        this.#saves[1]?.addEventListener('click', () => {
+        this.#saves[1]?.addEventListener('click', async () => {
             if (this.#ppm) {
-                save(`${name()}.png`, new Blob([png(this.#ppm)], { type: 'image/png' }));
+                save(`${name()}.png`, new Blob([await png(this.#ppm)], { type: 'image/png' }));
             }
         });
     }
@@ -61,6 +75,17 @@ export class Picture {
     /** Whether the picture belongs to these texts. Without a picture this holds. */
     isOf(texts: Texts): boolean {
         return this.#texts === null || isSame(this.#texts, texts);
+    }
+
+    /** Shows a view of the picture, or the picture itself again. */
+    #paint(image: ImageData | null, step: number): void {
+        const pixels = this.pixels;
+        const own = pixels && stepOf(pixels.width, pixels.height);
+        const shownNow = image ?? (pixels && own && shown(pixels, own));
+        if (shownNow) {
+            this.#canvas.dataset.step = String(image ? step : own);
+            paint(this.#canvas, shownNow);
+        }
     }
 
     /** Removes the picture, because another scene is loaded. */
@@ -108,8 +133,11 @@ export class Picture {
                 this.say(() => `${say('rendering')} ${size()}`);
             }),
             progress: current((done, height) => {
-                this.#bar.value = done / height;
+                const [share, seconds] = [done / height, (performance.now() - start) / 1000];
+                this.#bar.value = share;
                 this.#bar.title = `${done} / ${height} ${say('rows')}`;
+                const left = Math.ceil((seconds * (1 - share)) / share);
+                element('left').textContent = `${Math.floor(100 * share)} %${seconds > 1 ? `, ${say('timeLeft', left)}` : ''}`;
             }),
             show: current((pixels, first) => put(this.#canvas, pixels, first)),
             done: current((ppm, digest) => {
@@ -124,6 +152,7 @@ export class Picture {
                 write(same, () => say('same'));
                 this.#digest.replaceChildren('SHA-256 ', code, ' — ', same);
                 this.onDone();
+                void this.#view.renew();
             }),
             fault: current((fault) => {
                 this.#end();
@@ -159,5 +188,6 @@ export class Picture {
         this.#canvas.ariaBusy = 'false';
         this.#cancel.disabled = true;
         this.#bar.hidden = true;
+        element('left').textContent = '';
     }
 }

@@ -85,6 +85,7 @@ export class PixelView {
         private readonly names: readonly string[],
         private readonly find: () => Promise<Source | null>,
         private readonly broken: (error: unknown) => void,
+        private readonly goTo: (line: number) => void,
     ) {
         for (const id of ['pixel-column', 'pixel-row']) {
             element(id).addEventListener('change', () => void this.refresh());
@@ -184,7 +185,7 @@ export class PixelView {
     /** Shows the scene in deterministic light, with a mark around the pixel. */
     async #draw({ facts, preparer }: Source, column: number, row: number, isCurrent: () => boolean): Promise<void> {
         if (this.#image?.facts !== facts) {
-            this.#image = { facts, image: developed(await preparer.truth(false), facts) };
+            this.#image = { facts, image: developed(await preparer.truth(0), facts) };
         }
         if (isCurrent()) {
             paint(this.#picture, this.#image.image);
@@ -224,8 +225,12 @@ export class PixelView {
                 const cells = [[1, a, own], [2, b, wgsl && other]] as const;
                 for (const [cell, number, step] of WHOLE.has(name) ? cells : []) {
                     const said = () => (step ? meaning(number, name, kindOf(step), known) : '');
+                    const place = name === 'object' ? known.objects[number] : name === 'material' ? known.materials[number] : null;
                     if (said()) {
-                        write(row.cells[cell] as HTMLElement, () => `${number} (${said()})`);
+                        const link = document.createElement(place ? 'button' : 'span');
+                        link.addEventListener('click', () => place && this.goTo(place.line));
+                        write(link, () => `${number} (${said()})`);
+                        row.cells[cell]?.replaceChildren(link);
                     }
                 }
                 if (!isSame) {

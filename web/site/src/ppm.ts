@@ -1,5 +1,4 @@
 // Reads PPM (P3 and P6) and PNG, and converts the renderer's text to PNG.
-import { convertIndexedToRgb, decode, encode, hasPngSignature } from 'fast-png';
 import { say } from './words';
 
 /** A picture with three bytes for each pixel. */
@@ -12,12 +11,16 @@ export interface Rgb {
 /** Largest number of pixels, as `render-lab compare` has it. A few bytes can announce a picture of any size. */
 const MOST_PIXELS = 2 ** 26;
 
+/** The first bytes of a PNG file, as characters. */
+const PNG = '\x89PNG';
+
 /** Returns the pixels of a file. Throws if it is no valid picture with 8 bits a channel. */
-export function read(bytes: Uint8Array): Rgb {
-    return hasPngSignature(bytes) ? fromPng(bytes) : fromPpm(bytes);
+export async function readFile(bytes: Uint8Array): Promise<Rgb> {
+    return String.fromCharCode(...bytes.subarray(0, 4)) === PNG ? fromPng(bytes) : read(bytes);
 }
 
-function fromPpm(bytes: Uint8Array): Rgb {
+/** Returns the pixels of a PPM file. */
+export function read(bytes: Uint8Array): Rgb {
     const variant = String.fromCharCode(...bytes.subarray(0, 2));
     if (variant !== 'P3' && variant !== 'P6') {
         throw new Error(say('noPicture'));
@@ -60,7 +63,8 @@ function fromPpm(bytes: Uint8Array): Rgb {
     return { width, height, data };
 }
 
-function fromPng(bytes: Uint8Array): Rgb {
+async function fromPng(bytes: Uint8Array): Promise<Rgb> {
+    const { convertIndexedToRgb, decode } = await import('fast-png');
     const [width, height] = [16, 20].map((place) => new DataView(bytes.buffer, bytes.byteOffset).getUint32(place));
     if (!width || !height || width * height > MOST_PIXELS) {
         throw new Error(say('brokenPicture'));
@@ -81,7 +85,9 @@ function fromPng(bytes: Uint8Array): Rgb {
 }
 
 /** Returns a PNG file with the pixels of a PPM text. */
-export function png(ppm: Uint8Array): Uint8Array<ArrayBuffer> {
+export async function png(ppm: Uint8Array): Promise<Uint8Array<ArrayBuffer>> {
+    // The first picture does not wait for this library.
+    const { encode } = await import('fast-png');
     return encode({ ...read(ppm), channels: 3, depth: 8 }) as Uint8Array<ArrayBuffer>;
 }
 

@@ -1,6 +1,6 @@
 // Asks a worker to read scenes for the shaders, and for the same pictures by Rust.
 import { Asked } from './asked';
-import { causeOf, type Fault } from './module';
+import { causeOf, type Fault, type Truth } from './module';
 import type { Answer, Request } from './preparing';
 import type { Texts } from './store';
 import { messageOf, say, type Key } from './words';
@@ -62,9 +62,9 @@ export class Preparer {
         return this.#prepared(await this.#ask({ kind: 'aim', config }));
     }
 
-    /** Returns the linear colours in deterministic mode: three numbers for each pixel. */
-    async truth(isSingle: boolean): Promise<Float64Array<ArrayBuffer>> {
-        const { bytes } = await this.#ask({ kind: 'truth', isSingle });
+    /** Returns a picture in deterministic mode: three numbers for each pixel, or six of what its ray hits. */
+    async truth(truth: Truth): Promise<Float64Array<ArrayBuffer>> {
+        const { bytes } = await this.#ask({ kind: 'truth', truth });
         return new Float64Array(bytes[0]?.buffer ?? new ArrayBuffer(0));
     }
 

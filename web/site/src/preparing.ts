@@ -1,11 +1,12 @@
-// A worker that reads scenes for the shaders, and renders the same pictures by Rust.
-import { isFault, Renderer, type Fault } from './module';
+// A worker that checks texts, reads scenes for the shaders, and renders the same pictures by Rust.
+import { isFault, Renderer, type Fault, type TextNumber, type Truth } from './module';
 
 /** What the page asks for. */
 export type Request =
+    | { kind: 'check'; text: TextNumber; content: string }
     | { kind: 'prepare'; config: string; scene: string }
     | { kind: 'aim'; config: string }
-    | { kind: 'truth'; isSingle: boolean }
+    | { kind: 'truth'; truth: Truth }
     | { kind: 'steps'; pixel: number };
 
 /** A question with its number. The first message of the page has the module. */
@@ -16,6 +17,7 @@ export interface Answer {
     question: number;
     /** The buffers of the shaders for `prepare`, the first of them for `aim`, and one list of numbers otherwise. */
     bytes: Uint8Array<ArrayBuffer>[];
+    /** The facts for `prepare` and `aim`, and the faults of a text for `check`, as JSON. */
     facts: string;
     fault: Fault | null;
 }
@@ -25,6 +27,9 @@ let renderer: Renderer | null = null;
 
 function answer(loaded: Renderer, request: Request): Pick<Answer, 'bytes' | 'facts'> | Fault {
     switch (request.kind) {
+        case 'check':
+            loaded.write(request.text, request.content);
+            return { bytes: [], facts: JSON.stringify(loaded.check(request.text)) };
         case 'prepare': {
             loaded.write(0, request.config);
             loaded.write(1, request.scene);
@@ -37,7 +42,7 @@ function answer(loaded: Renderer, request: Request): Pick<Answer, 'bytes' | 'fac
             return fault ?? read(loaded, [0]);
         }
         case 'truth': {
-            const colors = loaded.truth(request.isSingle);
+            const colors = loaded.truth(request.truth);
             return isFault(colors) ? colors : { bytes: [colors], facts: '' };
         }
         case 'steps': {

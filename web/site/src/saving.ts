@@ -97,15 +97,18 @@ export class Saving {
      */
     async open(kept: Current | null): Promise<Pair<string>> {
         const read = await files();
-        this.#files = read;
+        const now: Files = { ...read, versions: [...read.versions] };
+        this.#files = now;
         this.#saved = [...read.texts];
         const shown: Pair<string> = [...read.texts];
         for (const number of NUMBERS) {
             const [own, old] = [kept?.[NAMES[number]], kept?.files];
             if (own !== undefined && kept?.unsaved?.[number] && old?.paths[number] === read.paths[number]) {
                 shown[number] = own;
-                const isChanged = old?.versions[number] !== read.versions[number] && own !== read.texts[number];
-                this.#offered = isChanged ? read : this.#offered;
+                if (old.versions[number] !== read.versions[number] && own !== read.texts[number]) {
+                    now.versions[number] = old.versions[number];
+                    this.#offered = read;
+                }
             }
         }
         this.#offer();

@@ -1,4 +1,4 @@
-// The secret of `render-lab view`, which every request for its files, pictures and changes must have.
+// The secret of `render-lab view`, which every request for its files and changes must have.
 //
 // The program prints an address with the secret. The page keeps the secret in its local storage, which a browser
 // separates by port, and loads itself again without it. So the secret is neither in the address bar nor in a link.

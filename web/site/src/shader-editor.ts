@@ -123,7 +123,7 @@ export class ShaderEditor {
     #load(): void {
         const module = this.#module;
         this.#isLoading = true;
-        this.#editor.text = module ? this.#edits[module.name] ?? module.source : '';
+        this.#editor.begin(module ? this.#edits[module.name] ?? module.source : '');
         this.#isLoading = false;
         this.#knobs.show();
         this.#mark();

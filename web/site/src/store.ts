@@ -28,6 +28,8 @@ export interface Current extends Texts {
     files?: { versions: [config: string, scene: string]; paths: [config: string, scene: string] };
     /** Whether each text is not in its file. */
     unsaved?: [config: boolean, scene: boolean];
+    /** The name of the scene, for pictures. */
+    name?: string;
 }
 
 const CURRENT = 'render.texts';

@@ -25,6 +25,10 @@ export interface Owner {
     /** Changes the configuration in the editor, and saves it if this is wanted. Returns false if that failed. */
     changeConfig(change: (config: string) => string, isSaved: boolean): Promise<boolean>;
     say(text: () => string): void;
+    /** Shows a line of the scene in its editor. */
+    goTo(line: number): void;
+    /** Another view is about to be shown. */
+    left(): void;
     /** Removes the last message, because the shaders have changed. */
     unsay(): void;
     /** The exact picture, if it is finished. */
@@ -42,7 +46,7 @@ interface Parts {
 
 /** The views of the shaders. */
 export class Studio {
-    readonly #tabs = new Tabs((name) => void this.#shown(name));
+    readonly #tabs: Tabs;
     #parts: Promise<Parts> | null = null;
     #made: Parts | null = null;
     /** Counts the views of links. */
@@ -59,11 +63,12 @@ export class Studio {
         private readonly renderer: Renderer,
         private readonly owner: Owner,
     ) {
+        this.#tabs = new Tabs((name) => void this.#shown(name), () => owner.left());
         this.#part.addEventListener('toggle', () => this.#part.open && this.#edit());
         this.#part.open = Object.keys(store.modules()).length > 0;
         document.getElementById('gpu-again')!.addEventListener('click', () => void this.#again());
         const files = document.getElementById('files') as HTMLInputElement;
-        onFiles(document.getElementById('compare-files')!, files, (chosen) => void this.#compare(chosen));
+        onFiles(document.getElementById('compare-files')!, files, 'pictures', (chosen) => void this.#compare(chosen));
     }
 
     /** Takes the texts of the editors, which are valid. */
@@ -107,7 +112,7 @@ export class Studio {
                 await path.show(live.source, ...pixel);
             }
         }
-        this.#tabs.show(tab);
+        this.#tabs.show(tab, true);
     }
 
     /** Makes the moved camera of the live view count. If that camera is impossible, says so and returns false. */
@@ -201,7 +206,7 @@ export class Studio {
         const pixel = new PixelView(this.renderer.stepNames(), async () => {
             await this.#read(live);
             return await this.#settles(live) ? live.source : null;
-        }, (error) => void this.#broken(error));
+        }, (error) => void this.#broken(error), (line) => this.owner.goTo(line));
         const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
         const follow = (source: Source | null | undefined, column: number, row: number) => {
             if (source) {

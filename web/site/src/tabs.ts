@@ -1,10 +1,10 @@
 // The tabs of the page's views. The arrow keys move between them, as in every list of tabs.
 
-/** Shows one view at a time, and calls `shown` with the id of its element after a change. */
+/** Shows one view at a time. Calls `left` before a change, and `shown` with the id of its element after it. */
 export class Tabs {
     readonly #tabs = Array.from(document.querySelectorAll<HTMLButtonElement>('[role=tab]'));
 
-    constructor(private readonly shown: (name: string) => void) {
+    constructor(private readonly shown: (name: string) => void, private readonly left: () => void) {
         this.#tabs.forEach((tab, index) => {
             tab.addEventListener('click', () => this.show(tab.getAttribute('aria-controls') ?? ''));
             tab.addEventListener('keydown', (event) => {
@@ -23,10 +23,13 @@ export class Tabs {
         return this.#tabs.find((tab) => tab.ariaSelected === 'true')?.getAttribute('aria-controls') ?? '';
     }
 
-    /** Shows the view whose element has the id `name`. Another name changes nothing. */
-    show(name: string): void {
+    /** Shows the view whose element has the id `name`. Another name changes nothing. A view of an entry is not left. */
+    show(name: string, isEntry = false): void {
         if (!this.#tabs.some((tab) => tab.getAttribute('aria-controls') === name)) {
             return;
+        }
+        if (name !== this.current && !isEntry) {
+            this.left();
         }
         for (const tab of this.#tabs) {
             const controls = tab.getAttribute('aria-controls') ?? '';

@@ -17,6 +17,8 @@ export interface Owner {
     /** The picture has another size or place. */
     moved?(): void;
     clicked?(column: number, row: number): void;
+    /** Returns what is told about a pixel instead of its colours, or null. */
+    told?(column: number, row: number): string | null;
 }
 
 /** The viewer of a stage. */
@@ -142,7 +144,9 @@ export class Viewer {
         // A large picture is shown in part, and its canvas has every `step`th pixel.
         const step = Number(this.#canvases[0]?.dataset.step ?? 1);
         const colors = data.map((bytes) => bytes.slice(0, 3).join(' ')).join(' | ');
-        const isKnown = data.every((bytes) => bytes[3] !== 0);
-        write(this.#pixel, () => (pixel && isKnown ? say('pixelAt', pixel[0] * step, pixel[1] * step, colors) : ''));
+        const told = pixel && this.owner.told?.(...pixel);
+        const isKnown = told || data.every((bytes) => bytes[3] !== 0);
+        const places = pixel?.map((place) => Math.floor(place * step)) ?? [];
+        write(this.#pixel, () => (pixel && isKnown ? say('pixelAt', ...places, told ?? colors) : ''));
     }
 }

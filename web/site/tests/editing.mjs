@@ -74,12 +74,25 @@ export const tests = {
         await page.waitForFunction(() => document.getElementById('examples').length > 1);
         const names = await page.locator('#examples option').allTextContents();
         equal(names.slice(1).join(), 'cylinders,grid,listings,materials,spheres,ten-thousand', 'the folders of scenes/');
+        const has = (wanted) => page.waitForFunction((texts) => {
+            const { config, scene } = JSON.parse(localStorage.getItem('render.texts'));
+            return config === texts.config && scene === texts.scene;
+        }, wanted);
+        const first = { config: await textOf(page, 'config'), scene: await textOf(page, 'scene') };
+        await page.click('#scene-editor .cm-content');
+        await page.keyboard.press('Control+z');
+        await has(first);
+        await type(page, 'config', SMALL.config);
         await type(page, 'scene', SMALL.scene);
         await page.selectOption('#examples', 'listings');
         await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.startsWith('matte: mat1'));
+        const example = { config: await textOf(page, 'config'), scene: await textOf(page, 'scene') };
         await page.click('#scene-editor .cm-content');
         await page.keyboard.press('Control+z');
-        await page.waitForFunction((scene) => JSON.parse(localStorage.getItem('render.texts')).scene === scene, SMALL.scene);
+        await has(SMALL);
+        await page.click('#config-editor .cm-content');
+        await page.keyboard.press('Control+y');
+        await has(example);
     },
 
     async 'six million blanks are inserted and checked while the page answers'({ open, url }) {

@@ -46,6 +46,8 @@ export const tests = {
         const first = await rowAfter(0);
         const second = await rowAfter(first);
         check(first > 0 && second > first && second < 360, `${first} and then ${second} rows of 360`);
+        const left = await page.textContent('#left');
+        check(/^\d+ %, [\d,]+ s left$/.test(left), `the share and the time left: ${left}`);
         await shoot(page, 'rows');
         await page.click('#cancel');
         equal(await page.textContent('#status'), 'Cancelled.', 'the status');
@@ -74,6 +76,43 @@ export const tests = {
         [Number(column), Number(row)]);
         equal(`${scale} % ${colors}`, `${Math.round((100 * width) / 32)} % ${own}`, 'the zoom and the numbers');
         equal(`${await opacity('digest')} ${await page.isVisible('#old')}`, '1 false', 'the mark of the new picture');
+    },
+
+    async 'other views tell the distance, the normal and the object of a pixel, and a click goes to its line'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        const scene = 'matte: grey .5 .5 .5\n\nsphere: 0 0 0 4 grey\ncylinder: 30 30 0 1 0 1 0 grey\n';
+        const config = 'image_width: 65\naspect_ratio: 1 1\nsamples_per_pixel: 1\ncamera_position: 0 0 -10\n';
+        await render(page, { config, scene });
+        const picture = (await pixels(page, 'canvas')).bytes.join();
+        const told = async (view) => {
+            await page.selectOption('#exact-view', view);
+            await page.waitForFunction((name) => document.getElementById('exact-scale').hidden === (name === 'picture'), view);
+            await page.hover('#exact-stage');
+            return page.innerText('#exact .viewing');
+        };
+        // The ray through the middle meets the sphere of radius 4 at 10 - 4 units, with its normal towards the camera.
+        for (const [view, words] of [['depth', /: 6\.0000\d+$/], ['normal', /: -?0\.\d{4} -?0\.\d{4} -(1\.0000|0\.999\d)$/],
+            ['object', /: sphere, line 3$/], ['cost', /: 2$/]]) {
+            await page.waitForTimeout(100);
+            const words2 = await told(view);
+            check(words.test(words2), `${view}: ${words2}`);
+            await shoot(page, `exact-${view}`);
+        }
+        await page.selectOption('#exact-view', 'depth');
+        equal(Number(await page.inputValue('#exact-low')), 6, 'the smallest distance');
+        await page.click('#exact-stage');
+        await page.keyboard.type('x');
+        await page.waitForFunction((text) => JSON.parse(localStorage.getItem('render.texts')).scene === text,
+            scene.replace('sphere:', 'xsphere:'));
+        await page.keyboard.press('Backspace');
+        await page.selectOption('#exact-view', 'picture');
+        await page.waitForFunction(() => document.getElementById('exact-scale').hidden);
+        equal((await pixels(page, 'canvas')).bytes.join(), picture, 'the picture again');
+        await page.fill('#exposure', '2');
+        // The default gamma is 2.2, and two steps are a factor of four.
+        const filter = await page.evaluate(() => document.getElementById('canvas').style.filter);
+        equal(Number(/brightness\(([\d.]+)\)/.exec(filter)[1]).toFixed(4), (4 ** (1 / 2.2)).toFixed(4), 'the factor of the bytes');
     },
 
     async 'the saved files have the bytes of the picture'({ open, url }) {
@@ -106,7 +145,7 @@ export const tests = {
     async 'every picture has the digest of render-aos without 128-bit lanes'({ open }) {
         // The check for lanes becomes a text that is no module, so the page takes the other module.
         const old = await serve((name, bytes) =>
-            name === '/main.js' ? bytes.toString().replace(/WebAssembly\.validate\(\w+\)/, 'false') : bytes);
+            name.endsWith('.js') ? bytes.toString().replace(/WebAssembly\.validate\(\w+\)/, 'false') : bytes);
         const page = await pictures(open, old.url);
         equal(await page.evaluate(() => document.documentElement.dataset.instructionSet), 'portable', 'the module');
         old.close();
@@ -125,11 +164,11 @@ export const tests = {
 
     async 'a worker that cannot be loaded is a message'({ open, url, browser, faults }) {
         const context = await browser.newContext();
-        await context.route(/(checking|preparing|worker)\.js$/, (route) => route.abort());
+        await context.route(/(preparing|worker)\.js$/, (route) => route.abort());
         const page = await open(url, { context });
         const says = (id, words) => page.waitForFunction(([name, text]) =>
             document.getElementById(name).textContent.includes(text), [id, words]);
-        await says('config-faults', 'could not be loaded: checking.js');
+        await says('config-faults', 'could not be loaded: preparing.js');
         await page.click('#tab-live');
         await says('live-status', 'could not be loaded: preparing.js');
         await page.evaluate(() => setTimeout(() => { throw new Error('an odd exception'); }));

@@ -85,15 +85,78 @@ export const tests = {
         };
         await render(page, SMALL);
         await page.click('#tab-exact');
-        await shows(() => page.goBack(), `${SCENE.config}max_depth: 3\n`, 'live');
-        await shows(() => page.goForward(), SMALL.config, 'exact');
+        const twice = async (move) => { await move(); await move(); };
+        await shows(() => twice(() => page.goBack()), `${SCENE.config}max_depth: 3\n`, 'live');
+        await shows(() => twice(() => page.goForward()), SMALL.config, 'exact');
         // Another address loads the page again.
         await page.click('#share');
         await page.waitForFunction(() => document.getElementById('link').value !== '');
-        await shows(() => page.goBack(), `${SCENE.config}max_depth: 3\n`, 'live');
+        await shows(() => twice(() => page.goBack()), `${SCENE.config}max_depth: 3\n`, 'live');
         await page.goto(`${url}?again${new URL(await page.inputValue('#link')).hash}`);
         await digest(page);
         await shows(() => page.goBack(), `${SCENE.config}max_depth: 3\n`, 'live');
+    },
+
+    async 'Back goes through tabs and examples, and never leaves the page while a text is not saved'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        const first = await textOf(page, 'scene');
+        const has = (text) => page.waitForFunction((scene) => JSON.parse(localStorage.getItem('render.texts')).scene === scene, text);
+        await type(page, 'scene', SMALL.scene);
+        await has(SMALL.scene);
+        for (let times = 0; times < 3; times++) {
+            await page.goBack().catch(() => null);
+            await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('Your text is not saved'));
+            equal(page.url(), url, 'the page stays');
+            await has(SMALL.scene);
+        }
+        await page.click('#tab-live');
+        await page.selectOption('#examples', 'listings');
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.startsWith('matte: mat1'));
+        await page.goBack();
+        await has(SMALL.scene);
+        equal(await page.getAttribute('#tab-live', 'aria-selected'), 'true', 'the tab of that entry');
+        await page.keyboard.press('Escape');
+        await type(page, 'scene', `${SMALL.scene}\n`);
+        await has(`${SMALL.scene}\n`);
+        await page.goBack();
+        await page.waitForSelector('#tab-exact[aria-selected=true]');
+        await has(`${SMALL.scene}\n`);
+        check(first !== SMALL.scene, 'the text was another one');
+        // A text that is saved, here by a download, may be left.
+        const [saved] = await Promise.all([page.waitForEvent('download'), page.click('#scene-save')]);
+        equal(saved.suggestedFilename(), 'scene.txt', 'the name of the file');
+        await page.goBack().catch(() => null);
+        await page.waitForURL('about:blank');
+    },
+
+    async 'text files are opened by a button or dropped, and go to their editors'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        const drop = (names) => page.evaluate((files) => {
+            const dataTransfer = new DataTransfer();
+            files.forEach(([name, text]) => dataTransfer.items.add(new File([text], name)));
+            // A scene that is dropped on the other editor goes to its own one.
+            document.querySelector('#config-editor .cm-content').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+        }, names);
+        const have = (config, scene) => page.waitForFunction(([one, other]) => {
+            const texts = JSON.parse(localStorage.getItem('render.texts'));
+            return texts.config === one && texts.scene === other;
+        }, [config, scene]);
+        const config = await textOf(page, 'config');
+        await drop([['scene.txt', SMALL.scene]]);
+        await have(config, SMALL.scene);
+        // Without a telling name the lines decide.
+        await drop([['a.txt', 'image_width: 33\n'], ['balls.txt', `${SMALL.scene}\n`]]);
+        await have('image_width: 33\n', `${SMALL.scene}\n`);
+        await digest(page);
+        const [picture] = await Promise.all([page.waitForEvent('download'), page.click('#save-png')]);
+        equal(picture.suggestedFilename(), 'balls.png', 'the name of the picture');
+        await page.setInputFiles('#texts-files', { name: 'my-config.txt', mimeType: 'text/plain', buffer: Buffer.from(SMALL.config) });
+        await have(SMALL.config, `${SMALL.scene}\n`);
+        await page.click('#config-editor .cm-content');
+        await page.keyboard.press('Control+z');
+        await have('image_width: 33\n', `${SMALL.scene}\n`);
     },
 
     async 'a broken link leaves the texts and says so'({ open, url }) {

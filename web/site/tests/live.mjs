@@ -153,6 +153,34 @@ export const tests = {
         }
     },
 
+    async 'the wheel follows its distance: a trackpad and a mouse come as near'({ open, url }) {
+        const page = await openLive(open, url);
+        const box = await page.locator('#live-canvas').boundingBox();
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+        const distance = async (events, delta) => {
+            await page.evaluate(([count, deltaY]) => {
+                const canvas = document.getElementById('live-canvas');
+                for (let event = 0; event < count; event++) {
+                    canvas.dispatchEvent(new WheelEvent('wheel', { deltaY, cancelable: true }));
+                }
+            }, [events, delta]);
+            await page.click('#live-take');
+            await page.waitForFunction(() => document.getElementById('said').innerText.endsWith('makes its exact picture.'));
+            const text = await page.locator('#config-editor .cm-line').allTextContents();
+            const [, x, y, z] = text.join('\n').match(/camera_position: (\S+) (\S+) (\S+)/).map(Number);
+            // The views take the new camera after a pause.
+            await page.waitForFunction((position) => JSON.parse(localStorage.getItem('render.texts')).config.includes(position), `${x} ${y} ${z}`);
+            await page.waitForTimeout(500);
+            await still(page);
+            return Math.hypot(x, y - 0.5, z);
+        };
+        await page.focus('#live-canvas');
+        const start = Math.hypot(1, 7);
+        const [one, fifty, few] = [await distance(1, -100), await distance(50, -2), await distance(20, 2)];
+        check(Math.abs(one / start - 0.9) < 1e-4 && Math.abs(fifty / one - 0.9) < 1e-4, `${start}, ${one}, ${fifty}`);
+        check(few > fifty && few < 1.1 * fifty, `20 events of distance 2 lead from ${fifty} to ${few}`);
+    },
+
     async 'the key Home goes back to the camera of the text'({ open, url }) {
         const page = await openLive(open, url);
         const first = await pixels(page, 'live-canvas');

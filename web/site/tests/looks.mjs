@@ -45,7 +45,8 @@ export const tests = {
         equal(fine.join(), '', 'inputs whose letters are smaller than 16 px, into which phones zoom');
         await page.evaluate(() => document.getElementById('render').scrollIntoView());
         await page.tap('#render');
-        check((await page.locator('.tabs').boundingBox()).y >= 0, 'the picture comes into sight');
+        const tabs = await page.locator('.tabs').boundingBox();
+        check(tabs.y >= 0, `the picture comes into sight, the tabs at ${tabs.y}`);
         await digest(page);
         await shoot(page, 'phone');
     },
@@ -90,7 +91,7 @@ export const tests = {
         await page.waitForFunction(() => document.getElementById('examples').length > 1);
         const reached = [];
         await page.evaluate(() => document.activeElement.blur());
-        for (let step = 0; step < 24; step++) {
+        for (let step = 0; step < 32; step++) {
             await page.keyboard.press('Tab');
             const name = await page.evaluate(() => {
                 const here = document.activeElement;
@@ -106,8 +107,9 @@ export const tests = {
             });
             reached.push(name);
         }
-        const expected = 'examples,language,config-editor,bar-editors,scene-editor,shader-summary,bar-columns,'
-            + 'tab-exact,exact-stage,exact-stage-fit,exact-stage-actual,render,save-ppm,save-png,live,share';
+        const expected = 'open,examples,language,config-fold,config-save,config-editor,bar-editors,scene-fold,scene-save,scene-editor,files-link,'
+            + 'shader-summary,bar-columns,tab-exact,full,render,save-ppm,save-png,exact-view,exposure,exact-stage,exact-stage-fit,'
+            + 'exact-stage-actual,live,share';
         equal(reached.join(), expected, 'the order of the keyboard');
         await page.focus('#examples');
         await page.keyboard.press('l');

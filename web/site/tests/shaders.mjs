@@ -42,6 +42,30 @@ async function differs(page, before) {
 }
 
 export const tests = {
+    async 'a loop that does not end is stopped with its function, and the text can be edited'({ open, url }) {
+        const page = await openModule(open, url, 'background');
+        const before = await pixels(page, 'live-canvas');
+        const [from, to] = ['let m =', 'var n = 0u; loop { if n > 5u { n = 0u; } n++; }\n    let m ='];
+        const start = performance.now();
+        await edit(page, from, to);
+        await page.waitForFunction(() => document.getElementById('shader-faults').textContent.includes('background_color did not end'));
+        console.log(`the loop was stopped after ${((performance.now() - start) / 1000).toFixed(1)} s`);
+        equal(await page.textContent('#shader-editor .cm-lintRange-error'), 'loop', 'the marked word');
+        equal(rmse((await pixels(page, 'live-canvas')).bytes, before.bytes), 0, 'the last good picture');
+        await shoot(page, 'shader-loop');
+        // A reload meets the same text, and goes on too.
+        await page.reload();
+        await page.click('#tab-live');
+        await page.waitForFunction(() => document.getElementById('shader-faults').textContent.includes('background_color did not end'));
+        // A fault behind the loop is marked at its place, and a loop that ends is no fault.
+        await edit(page, 'n++; }', 'n++; } let q = nothing;');
+        await page.waitForFunction(() => document.querySelector('#shader-editor .cm-lintRange-error')?.textContent === 'nothing');
+        const shown = await page.evaluate(() => Number(document.getElementById('live-canvas').dataset.frames ?? 0));
+        await edit(page, 'if n > 5u { n = 0u; } n++; } let q = nothing;', 'if n > 5u { break; } n++; }');
+        await frame(page, shown);
+        equal(await page.textContent('#shader-faults'), '', 'no fault is left');
+    },
+
     async 'an edited module changes the live view, and a fault keeps the last good picture'({ open, url }) {
         const page = await openModule(open, url, 'background');
         const first = await pixels(page, 'live-canvas');

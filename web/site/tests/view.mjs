@@ -84,9 +84,13 @@ export const tests = {
             check((await page.textContent('#status')).startsWith('scene.txt is saved'), 'the message');
             await type(page, 'scene', SMALL.scene);
             await type(page, 'config', `${SMALL.config}max_depth: 7\n`);
-            await isSaved(page, 'config', false);
+            for (const editor of ['config', 'scene']) {
+                await isSaved(page, editor, false);
+            }
             await page.keyboard.press('Control+s');
-            await isSaved(page, 'config', true);
+            for (const editor of ['config', 'scene']) {
+                await isSaved(page, editor, true);
+            }
             equal(readFileSync(config, 'utf8') + readFileSync(scene, 'utf8'), `${SMALL.config}max_depth: 7\n${SMALL.scene}`,
                 'both files');
             // The page knows its own changes, so it does not load the files again.

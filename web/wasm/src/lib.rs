@@ -11,6 +11,7 @@ mod fault;
 mod live;
 mod page;
 mod picture;
+mod seen;
 mod state;
 mod texts;
 
@@ -150,11 +151,12 @@ pub extern "C" fn packed(part: u32) -> u32 {
     })
 }
 
-/// Makes the result the linear colours in deterministic mode, as three f64 for each pixel. `is_single` is 1 for the
-/// twin of the shaders in f32, and 0 for the exact renderer. Returns 0, or 1 with a fault as after [`fault_at`].
+/// Makes the result a picture in deterministic mode, as f64. `kind` is 0 for the three linear colours of each pixel by
+/// the exact renderer, 1 for those by the twin of the shaders in f32, and 2 for what the exact rays hit
+/// (`seen::Seen`). Returns 0, or 1 with a fault as after [`fault_at`].
 #[unsafe(no_mangle)]
-pub extern "C" fn truth(is_single: u32) -> u32 {
-    with_state(|state| state.live.as_ref().ok_or_else(unprepared)?.truth(is_single != 0))
+pub extern "C" fn truth(kind: u32) -> u32 {
+    with_state(|state| state.live.as_ref().ok_or_else(unprepared)?.truth(kind))
 }
 
 /// Makes the result the steps of a pixel's path by the twin in f32: for each step as many f32 as [`step_names`] has

@@ -11,6 +11,7 @@ use twin::picture::depth;
 use twin::{Picture, features_of};
 
 use crate::fault::Fault;
+use crate::seen::{self, Seen};
 
 /// The cost of a ray in the hierarchy of `scenes/ten-thousand` on SwiftShader, in tests of a ray against an object.
 const COST_IN_HIERARCHY: usize = 1536;
@@ -122,23 +123,29 @@ impl Live {
         serde_json::to_vec(&facts).map_err(|error| Fault::own(error.to_string(), "", 2))
     }
 
-    /// Returns the linear colours in deterministic mode as the bytes of f64: by the exact renderer, or by the twin of
-    /// the shaders in f32 if `is_single` holds.
+    /// Returns a picture in deterministic mode as the bytes of f64: for `kind` 0 the linear colours by the exact
+    /// renderer, for 1 those by the twin of the shaders in f32, and for 2 what the exact rays hit.
     ///
     /// # Errors
     /// Too little memory.
-    pub fn truth(&self, is_single: bool) -> Result<Vec<u8>, Fault> {
+    pub fn truth(&self, kind: u32) -> Result<Vec<u8>, Fault> {
         let mut bytes = Vec::new();
-        let size = self.picture.size.pixels() * size_of::<Vec3>();
+        let size =
+            self.picture.size.pixels().saturating_mul(if kind == 2 { size_of::<Seen>() } else { size_of::<Vec3>() });
         let short = || Fault::without_line(cpu::Error::OutOfMemory { what: "the colours of the picture" }, 2);
         bytes.try_reserve_exact(size).map_err(|_| short())?;
-        let mut add = |color: Vec3| color.to_array().iter().for_each(|channel| bytes.extend(channel.to_le_bytes()));
-        if is_single {
-            (0..self.picture.size.pixels()).for_each(|index| add(self.picture.color(index).map(f64::from)));
+        let mut add = |numbers: &[f64]| numbers.iter().for_each(|number| bytes.extend(number.to_le_bytes()));
+        if kind == 1 {
+            let color = |index| self.picture.color(index).map(f64::from).to_array();
+            (0..self.picture.size.pixels()).for_each(|index| add(&color(index)));
+            return Ok(bytes);
+        }
+        let prepared = Prepared::<Aos>::new(&self.config, &self.scene, Scatter::Deterministic);
+        let prepared = prepared.map_err(|error| Fault::without_line(error, 0))?;
+        if kind == 2 {
+            seen::each(&prepared, |seen| add(&seen));
         } else {
-            let prepared = Prepared::<Aos>::new(&self.config, &self.scene, Scatter::Deterministic);
-            let prepared = prepared.map_err(|error| Fault::without_line(error, 0))?;
-            render_linear(&prepared, InstructionSet::best(), &Limits::default(), |_, mean| add(mean))
+            render_linear(&prepared, InstructionSet::best(), &Limits::default(), |_, mean| add(&mean.to_array()))
                 .map_err(|error| Fault::without_line(error, 2))?;
         }
         Ok(bytes)

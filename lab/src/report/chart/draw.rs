@@ -134,7 +134,8 @@ fn color(series: &Series) -> RGBColor {
 /// Draws the marker of a series. Each colour has its shape, because some readers cannot tell the colours apart.
 fn draw_marker(area: &Area<'_>, color: usize, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
     let solid = SERIES[color % SERIES.len()].0;
-    let shape = color % SERIES.len();
+    // After all colours were used once, each gets another shape.
+    let shape = (color + color / SERIES.len()) % SERIES.len();
     // Half the width in pixels, and less for shapes that look larger.
     let (size, up, small) = (6, 5, 4);
     // Filled markers are 60 % opaque, so that points below them are seen.
@@ -164,8 +165,8 @@ fn range(values: impl Iterator<Item = f64>, room: f64) -> std::ops::Range<f64> {
 }
 
 /// A logarithmic axis with round ticks. The ticks are 1, 2 and 5 in each decade. If these are fewer than two, they are
-/// multiples of a tenth, a fifth, a half or the whole of the power of ten. If these are too many, they are 1 and 3,
-/// then the powers of ten, then every second, third or fifth power of ten.
+/// all multiples of one round step. If these are too many, they are 1 and 3, then the powers of ten, then every second,
+/// third or fifth power of ten.
 struct Logarithmic(std::ops::Range<f64>);
 
 impl Ranged for Logarithmic {
@@ -202,9 +203,15 @@ fn ticks(range: &std::ops::Range<f64>, most: usize) -> Vec<f64> {
     };
     let few = with(&[1.0, 2.0, 5.0]);
     if few.len() < 2 {
-        let tenths =
-            |step: i32| (10..100).step_by(step as usize).map(|tenth| f64::from(tenth) / 10.0).collect::<Vec<_>>();
-        let sets = [1, 2, 5, 10].map(|step| with(&tenths(step)));
+        // The step is the same on both sides of a power of ten, so that no two labels come near each other.
+        let unit = 10_f64.powi(bounded(range.end.log10().floor()) - 2);
+        let multiples = |step: f64| -> Vec<f64> {
+            let first = (range.start / (step * unit)).ceil();
+            let count = (range.end / (step * unit) - first).clamp(0.0, 1000.0) as i32;
+            let all = (0..=count).map(|index| (first + f64::from(index)) * step * unit);
+            all.filter(|tick| range.contains(tick)).collect()
+        };
+        let sets = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0].map(multiples);
         if let Some(fine) = sets.into_iter().find(|ticks| ticks.len() <= most && ticks.len() > 1) {
             return fine;
         }
@@ -229,6 +236,13 @@ mod tests {
         assert_eq!(ticks(&(0.9..60.0), 9), [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]);
         assert_eq!(ticks(&(0.9..60.0), 4), [1.0, 3.0, 10.0, 30.0]);
         assert_eq!(ticks(&(3.4..4.8), 4), [3.5, 4.0, 4.5]);
+        let close = |range, expected: &[f64]| {
+            let found = ticks(&range, 7);
+            let are_close = found.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-12);
+            assert!(found.len() == expected.len() && are_close, "{found:?}");
+        };
+        close(0.94..1.07, &[0.94, 0.96, 0.98, 1.0, 1.02, 1.04, 1.06]);
+        close(0.6..1.9, &[0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8]);
         assert_eq!(ticks(&(0.9e-9..1.1), 4), [1e-9, 1e-6, 1e-3, 1.0]);
         assert_eq!(ticks(&(0.9..11000.0), 5), [1.0, 10.0, 100.0, 1000.0, 10000.0]);
     }

@@ -18,6 +18,8 @@ export type Edits = Record<string, string>;
 export interface Composition {
     code: string;
     parts: { name: string; path: string; source: string }[];
+    /** The loops in texts of the user, which end when they do not end themselves. */
+    loops: ShaderFault[];
 }
 
 /** A fault in a composition, at its place in the module's own text. */
@@ -39,8 +41,25 @@ const PROBE = /\bprobe\s*\(/g;
 /** A line that begins with a directive. */
 const DIRECTIVE = /^\s*(enable|requires|diagnostic)\b/;
 
+/** The binding with the number of a loop that was ended, from 1. */
+export const ENDED = 9;
+
+/** A loop up to its body. */
+const LOOP = /\b(?:loop|while|for)\b[^{]*\{/g;
+
+/** The statement at the start of the body of the user's loop number `loop`. All have the same length. */
+const guarded = (loop: number): string => ` if !loop_goes_on(${String(loop).padStart(4)}u) { break; }`;
+
 /** What stands before all modules, so that each of them can call `probe`. */
-const PROBED = 'var<private> probed: vec3<f32>;\n';
+const PROBED = 'var<private> probed: vec3<f32>;';
+
+/**
+ * What stands there too if the user's texts have loops. A device never ends a loop, and the browser waits for it. 2^24
+ * rounds of an invocation are five times as many as a loop over 65,535 objects takes at a depth of 50.
+ */
+const GUARD = `@group(0) @binding(${ENDED}) var<storage, read_write> ended_loop: atomic<u32>; var<private> rounds: u32; `
+    + 'fn loop_goes_on(number: u32) -> bool { rounds++; if rounds > 16777216u { atomicMax(&ended_loop, number); } '
+    + 'return rounds <= 16777216u && (rounds % 256u != 0u || atomicLoad(&ended_loop) == 0u); }';
 
 /** Whether a text has a call of `probe`. */
 export const hasProbe = (source: string): boolean => withoutComments(source).search(PROBE) >= 0;
@@ -59,8 +78,21 @@ function withProbes(source: string): string {
     }, source);
 }
 
-/** The number of characters by which {@link withProbes} moves what follows a call. */
-const MOVED = 'probed = vec3<f32>('.length - 'probe('.length;
+/** The number of characters by which {@link withProbes} moves what follows a call, and {@link withGuards} a loop. */
+const [MOVED, MOVED_BY_LOOP] = ['probed = vec3<f32>('.length - 'probe('.length, guarded(0).length];
+
+/** Lets each loop of a text end, and adds it to `loops` as the fault that it is then. */
+function withGuards(part: Composition['parts'][number], loops: ShaderFault[]): string {
+    const plain = withoutComments(part.source);
+    const ends = Array.from(plain.matchAll(LOOP), ({ index, 0: { length } }) => {
+        const name = Array.from(plain.slice(0, index).matchAll(/\bfn\s+(\w+)/g)).at(-1)?.[1] ?? '';
+        const rows = plain.slice(0, index).split('\n');
+        const [column, message] = [(rows.at(-1) ?? '').length + 1, say('endlessLoop', name)];
+        loops.push({ module: part.name, path: part.path, line: rows.length, column, length: 4, message });
+        return [index + length, loops.length] as const;
+    });
+    return ends.reduceRight((text, [end, loop]) => text.slice(0, end) + guarded(loop) + text.slice(end), part.source);
+}
 
 const ended = (text: string): string => (text.endsWith('\n') ? text : `${text}\n`);
 
@@ -84,20 +116,26 @@ export function compose(
     // The first module defines the number type. The list has each module after those that it needs.
     const parts = modules.filter(({ name }, index) => index === 0 || needed.has(name))
         .map(({ name, path, source }) => ({ name, path, source: ended(edits[name] ?? source).replace(/^\uFEFF/, ' ') }));
-    const code = PROBED + parts.map((part) => withProbes(part.source)).join('') + own;
-    return { code, parts };
+    const loops: ShaderFault[] = [];
+    const sources = parts.map((part) => withProbes(part.name in edits ? withGuards(part, loops) : part.source));
+    const code = `${PROBED}${loops.length > 0 ? ` ${GUARD}` : ''}\n${sources.join('')}${own}`;
+    return { code, parts, loops };
 }
 
 /** Returns the place of a fault in its module. `line` and `column` are places in the composition, counted from 1. */
-export function locate({ parts }: Composition, line: number, column: number, length: number, message: string): ShaderFault {
+export function locate({ parts, loops }: Composition, line: number, column: number, length: number, message: string): ShaderFault {
     let first = 2;
     for (const { name, path, source } of parts) {
         const lines = source.split('\n').length - 1;
         if (line >= first && line < first + lines) {
             const own = line - first + 1;
             const text = source.split('\n')[own - 1] ?? '';
-            const call = withoutComments(text).search(PROBE);
-            const moved = call >= 0 && column > call + MOVED ? MOVED : 0;
+            const plain = withoutComments(text);
+            const call = plain.search(PROBE);
+            const before = Array.from(plain.matchAll(LOOP)).filter((loop, index) =>
+                column > loop.index + loop[0].length + (index + 1) * MOVED_BY_LOOP).length;
+            const inLoops = loops.some(({ module }) => module === name) ? before * MOVED_BY_LOOP : 0;
+            const moved = inLoops + (call >= 0 && column > call + inLoops + MOVED ? MOVED : 0);
             // A browser advises to move a directive to the start of the text, where it is already.
             const words = DIRECTIVE.test(text) ? say('directive') : message;
             return { module: name, path, line: own, column: Math.max(column - moved, 1), length, message: words };

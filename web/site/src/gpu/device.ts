@@ -12,6 +12,8 @@ const PATIENCE = 15_000;
 export interface Kernel {
     pipeline: GPUComputePipeline;
     layout: GPUBindGroupLayout;
+    /** The user's loops, which end when they do not end themselves. */
+    loops: readonly ShaderFault[];
 }
 
 /** A composition that does not compile. */
@@ -72,10 +74,10 @@ export class Device {
             if (!adapter) {
                 throw new Unavailable('gpuNoAdapter');
             }
-            const { maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
+            const { maxStorageBufferBindingSize, maxBufferSize, maxStorageBuffersPerShaderStage } = adapter.limits;
+            const requiredLimits = { maxStorageBufferBindingSize, maxBufferSize, maxStorageBuffersPerShaderStage };
             // Browsers that follow an early draft of WebGPU give null instead of an error.
-            const gpu: GPUDevice | null = await soon(async () =>
-                adapter.requestDevice({ requiredLimits: { maxStorageBufferBindingSize, maxBufferSize } }));
+            const gpu: GPUDevice | null = await soon(async () => adapter.requestDevice({ requiredLimits }));
             if (!gpu) {
                 throw new Unavailable('gpuNoAdapter');
             }
@@ -140,7 +142,7 @@ export class Device {
         if (!pipeline) {
             throw new Refused(faults.length > 0 ? faults : [locate(composition, 0, 0, 0, refusal || (other?.message ?? ''))]);
         }
-        return { pipeline, layout };
+        return { pipeline, layout, loops: composition.loops };
     }
 
     /** Returns a buffer for `content`: the bytes to read, or the number of bytes that a shader writes. */

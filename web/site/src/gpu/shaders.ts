@@ -1,8 +1,8 @@
 // Renders with the WGSL port: pictures in deterministic mode, frames that add up samples, and the steps of a pixel.
 import type { Facts, Prepared } from '../preparer';
-import { compose, hasProbe, withoutEntry, type Composition, type Edits, type Module } from './compose';
+import { compose, ENDED, hasProbe, withoutEntry, type Composition, type Edits, type Module } from './compose';
 import developSource from './develop.wgsl';
-import type { Device, Kernel } from './device';
+import { Refused, type Device, type Kernel } from './device';
 import accumulateSource from './live.wgsl';
 import probeSource from './probe.wgsl';
 
@@ -54,6 +54,7 @@ export class Shaders {
     readonly #kernels = new Map<string, Promise<Kernel>>();
     readonly #frame: GPUBuffer;
     readonly #development: GPUBuffer;
+    readonly #ended: GPUBuffer;
     #bytes: GPUBuffer | null = null;
     #loaded: Loaded | null = null;
     /** The user's texts, with which the next kernels are compiled. */
@@ -62,6 +63,7 @@ export class Shaders {
     constructor(readonly device: Device, private readonly modules: readonly Module[]) {
         this.#frame = device.buffer(16);
         this.#development = device.buffer(24);
+        this.#ended = device.buffer(4);
     }
 
     /** Gives a scene to the device. A scene with one buffer replaces the camera alone. */
@@ -108,9 +110,22 @@ export class Shaders {
         return 'closest_hit' in this.edits ? null : this.#loaded?.hierarchy ?? null;
     }
 
-    /** Returns the buffers with the hierarchy at its binding. */
-    #withHierarchy(buffers: readonly GPUBuffer[]): (GPUBuffer | null)[] {
-        return Object.assign([...buffers], { [HIERARCHY]: this.#hierarchy });
+    /** Returns the buffers of a kernel, with the hierarchy at its binding, and the number of a loop that was ended. */
+    #bindings(kernel: Kernel, buffers: readonly GPUBuffer[]): (GPUBuffer | null)[] {
+        const ended = kernel.loops.length > 0 ? this.#ended : null;
+        return Object.assign([...buffers], { [HIERARCHY]: this.#hierarchy, [ENDED]: ended });
+    }
+
+    /** Throws {@link Refused} if a loop of the kernel did not end itself. */
+    async #check(kernel: Kernel): Promise<void> {
+        if (kernel.loops.length > 0) {
+            const [ended = 0] = new Uint32Array(await this.device.read(this.device.gpu.createCommandEncoder(), this.#ended, 4));
+            const loop = kernel.loops[ended - 1];
+            if (loop) {
+                this.device.gpu.queue.writeBuffer(this.#ended, 0, new Uint32Array(1));
+                throw new Refused([loop]);
+            }
+        }
     }
 
     /**
@@ -152,7 +167,7 @@ export class Shaders {
             gpu.queue.writeBuffer(inputs[0] as GPUBuffer, 0, patched);
             const encoder = gpu.createCommandEncoder();
             const last = mode === 'accumulate' ? this.#frame : states;
-            this.device.dispatch(encoder, kernel, this.#withHierarchy([...inputs, attenuations, part, last]), count);
+            this.device.dispatch(encoder, kernel, this.#bindings(kernel, [...inputs, attenuations, part, last]), count);
             if (!isInPlace) {
                 encoder.copyBufferToBuffer(part, 0, colors, 12 * first, 12 * count);
             }
@@ -169,12 +184,13 @@ export class Shaders {
         if (!isInPlace) {
             part.destroy();
         }
+        await this.#check(kernel);
         return isComplete;
     }
 
     /** Returns the bytes of the last frame for a canvas. `range` shows values between two limits instead of colours. */
     async develop(samples: number, range: [low: number, high: number] | null = null): Promise<ImageData | null> {
-        const composition = { code: developSource, parts: [] };
+        const composition = { code: developSource, parts: [], loops: [] };
         const kernel = await this.#compiled(composition, 'develop', [false, false, true], {});
         const loaded = this.#loaded;
         if (!loaded) {
@@ -225,9 +241,10 @@ export class Shaders {
         const size = 4 * numbers * loaded.facts.depth;
         const steps = this.device.buffer(size);
         const encoder = this.device.gpu.createCommandEncoder();
-        this.device.dispatch(encoder, kernel, this.#withHierarchy([...loaded.inputs, loaded.attenuations, steps]), 1);
+        this.device.dispatch(encoder, kernel, this.#bindings(kernel, [...loaded.inputs, loaded.attenuations, steps]), 1);
         const bytes = await this.device.read(encoder, steps, size);
         steps.destroy();
+        await this.#check(kernel);
         return new Float32Array(bytes);
     }
 
@@ -252,7 +269,8 @@ export class Shaders {
         constants: Record<string, number>,
     ): Promise<Kernel> {
         const inHierarchy = composition.parts.some(({ name }) => name === 'hierarchy');
-        const written = inHierarchy ? Object.assign([...own], { [HIERARCHY]: false }) : own;
+        const written = Object.assign([...own], inHierarchy ? { [HIERARCHY]: false } : {},
+            composition.loops.length > 0 ? { [ENDED]: true } : {});
         const key = `${entry} ${JSON.stringify(constants)} ${composition.code}`;
         const known = this.#kernels.get(key);
         if (known) {
