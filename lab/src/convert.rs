@@ -1,21 +1,8 @@
-//! Converts scenes of pbrt-v4 and Mitsuba 3 to ours, and ours to theirs.
+//! Writes scenes for pbrt-v4 and Mitsuba 3, so that another renderer can be the reference.
 //!
-//! [`pbrt`] and [`mitsuba`] read the two formats into [`world`], [`mod@complete`] makes a configuration and a scene of
-//! it, and [`write`](mod@write) writes both formats. [`mod@matches`] is the table of what has a match, and [`notes`]
-//! collects what has none. Begin with [`world::World`].
+//! [`write`](mod@write) writes both formats. [`sky`] draws the picture of a sky of two colours, and [`notes`] collects
+//! what has no match in the other format.
 
-pub mod complete;
-pub mod matches;
-pub mod materials;
-pub mod mitsuba;
 pub mod notes;
-pub mod pbrt;
-pub mod plugin;
 pub mod sky;
-pub mod tokens;
-pub mod transform;
-pub mod world;
 pub mod write;
-
-#[cfg(test)]
-mod tests;

@@ -3,7 +3,7 @@
 //! Each command has its own module in [`commands`]. The other modules hold what several commands use: [`picture`] reads
 //! and writes pictures, [`difference`] compares two of them, [`engine`] lists the implementations. [`mod@bench`]
 //! measures, and [`report`] converts the data into charts and pages. [`check`] holds other programs to the
-//! specification, and [`grade`] grades many of them; [`supervise`] runs them. [`convert`] knows the scenes of pbrt and
+//! specification, and [`grade`] grades many of them; [`supervise`] runs them. [`convert`] writes scenes for pbrt and
 //! Mitsuba. [`view`] answers the requests of the page in `web/site`.
 //!
 //! `cpu` does all rendering, on one thread.

@@ -15,7 +15,6 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::checkpoint::Origin;
-use crate::convert::transform::turned;
 use crate::engine::{self, ScatterName, name_of};
 use crate::picture::{self, Picture};
 use crate::{Failure, interrupt, sources, terminal};
@@ -132,6 +131,12 @@ impl Arguments {
         }
         config
     }
+}
+
+/// Returns `vector`, turned by `angle` in radians about `axis`, which has length one (Rodrigues' formula).
+fn turned(vector: Vec3, axis: Vec3, angle: f64) -> Vec3 {
+    let (sine, cosine) = angle.sin_cos();
+    vector * cosine + axis.cross(vector) * sine + axis * (axis.dot(vector) * (1.0 - cosine))
 }
 
 /// The frames, with what they have in common.

@@ -1,5 +1,4 @@
-//! `render-lab convert`: writes a picture in another format, or converts a scene between our files and those of pbrt-v4
-//! or Mitsuba 3.
+//! `render-lab convert`: writes a picture in another format, or our scene for pbrt-v4 or Mitsuba 3.
 
 use std::ffi::OsStr;
 use std::io::Write as _;
@@ -8,31 +7,32 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use cpu::internals::input::reader::read;
 use cpu::internals::input::text::MAX_FILE_BYTES;
-use cpu::{Config, Scene};
 use output::Options;
 
-use crate::convert::complete::complete;
 use crate::convert::notes::Notes;
 use crate::convert::sky::Layout;
-use crate::convert::world::World;
 use crate::convert::write::{self, Source};
-use crate::convert::{mitsuba, pbrt};
 use crate::numbers::above_zero;
 use crate::picture::any::{Any, Kind};
 use crate::picture::floats::GAMMA;
 use crate::{Failure, sources, terminal};
+
+/// The endings of the names of scenes for pbrt and Mitsuba.
+const SCENES: [&str; 2] = ["pbrt", "xml"];
+const NOT_READ: &str = "render-lab writes scenes of pbrt and Mitsuba, and reads them no more; write its spheres, \
+                        cylinders and materials as lines of a scene of ours (render-lab help scene), and its camera \
+                        and sky as those of a configuration (render-lab help config)";
 
 /// Options of `convert`.
 #[derive(Debug, Args)]
 #[command(
     after_help = include_str!("../../help/convert.txt").trim_ascii_end(),
     override_usage = "render-lab convert [OPTIONS] PICTURE OUT\n       \
-                      render-lab convert SCENE.pbrt|SCENE.xml CONFIG SCENE\n       \
                       render-lab convert CONFIG SCENE OUT.pbrt|OUT.xml"
 )]
 pub struct Arguments {
     /// Two pictures, PPM, PNG, PFM, NPY or EXR, of which the second is written in the format of its name's ending; - is
-    /// standard input, and PNG on standard output. Or three files of two scenes
+    /// standard input, and PNG on standard output. Or our configuration and scene, and the file for pbrt or Mitsuba
     #[arg(required = true, num_args = 2..=3, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Gamma between bytes and the linear light of PFM, NPY and EXR
@@ -48,25 +48,14 @@ impl Arguments {
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         let ending = |path: &Path| path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
         match &self.files[..] {
-            [input, out] => self.picture(input, out, options),
-            [config, scene, out] if ["pbrt", "xml"].contains(&&ending(out)[..]) => {
+            [input, out] if !SCENES.contains(&&ending(input)[..]) => self.picture(input, out, options),
+            [config, scene, out] if SCENES.contains(&&ending(out)[..]) => {
                 to_other([config, scene], out, ending(out) == "pbrt", options)
             }
-            [input, outs @ ..] if ["pbrt", "xml"].contains(&&ending(input)[..]) => {
-                let mut world = World::default();
-                let read = if ending(input) == "pbrt" { pbrt::read } else { mitsuba::read };
-                let found = read(input, &mut world).and_then(|()| complete(&mut world));
-                found.map_err(|fault| world.notes.failure(fault))?;
-                let texts = [generator::write::config(&world.config), generator::write::scene(&world.scene)];
-                let parsed = Config::parse(texts[0].as_bytes()).and_then(|_| Scene::parse(texts[1].as_bytes()));
-                let refused = |error| format!("the result would be no valid scene, so it is not written: {error}");
-                parsed.map_err(|error| world.notes.failure(((0, 1), refused(error))))?;
-                let [config, scene] = texts.map(String::into_bytes);
-                write_all(&world.inputs, &[(&outs[0], config), (&outs[1], scene)], options)?;
-                world.notes.print();
-                Ok(())
+            [input, ..] if SCENES.contains(&&ending(input)[..]) => {
+                Err(format!("{}: {NOT_READ}", terminal::name(input)).into())
             }
-            _ => Err("of three files, the first or the last must be a scene whose name ends in .pbrt or .xml".into()),
+            _ => Err("the third file must be a scene to write, whose name ends in .pbrt or .xml".into()),
         }
     }
 

@@ -1,14 +1,11 @@
-//! Collects what a conversion leaves out or approximates, with the file and the lines, and reports faults in a file.
+//! Collects what a conversion leaves out or approximates, with the file and the lines.
 
 use indexmap::IndexMap;
 
-use crate::{Failure, terminal};
+use crate::terminal;
 
 /// A line of one of the files that are read: the position of the file in [`Notes::files`], and the line's number.
 pub type Place = (usize, usize);
-
-/// A fault in a file, which ends the conversion: its place, and what is wrong with the remedy.
-pub type Fault = (Place, String);
 
 /// What the conversion could not do exactly.
 #[derive(Debug, Default)]
@@ -50,10 +47,5 @@ impl Notes {
     /// Prints the notes on standard error.
     pub fn print(&self) {
         self.to_lines().iter().for_each(|line| terminal::note(line));
-    }
-
-    /// Returns the failure for a fault, with the name of its file.
-    pub fn failure(&self, ((file, line), text): Fault) -> Failure {
-        format!("{}:{line}: {}", self.files[file], terminal::escape_lines(&text)).into()
     }
 }

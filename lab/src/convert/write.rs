@@ -6,10 +6,14 @@ use cpu::{Config, Material, Scene, Size, Vec3};
 use generator::write::{real, vector};
 use minijinja::{Value, context};
 
-use super::matches::{CONDUCTOR, GLASS, MATTE, ROUGH, SIDE};
 use super::notes::Notes;
-use super::transform::Transform;
 use crate::template::filled;
+
+const MATTE: &str = "matte and diffuse scatter by different rules; they agree with render --scatter published";
+const ROUGH: &str = "diffusion and roughness blur by different rules; the diffusion is taken as 2 alpha";
+const CONDUCTOR: &str = "metal and pbrt's conductor have the same colour only for light that falls straight on them";
+const GLASS: &str = "refractive lets all light through, and dielectric reflects a part (Fresnel)";
+const SIDE: &str = "the normal of our cylinder's side is as long as its radius; only a radius of 1 scatters as theirs";
 
 /// What is written: the values, the size of the picture, and the name of the file with the picture of the sky, if the
 /// sky is not of one colour.
@@ -105,11 +109,20 @@ fn object(&Object { shape, material }: &Object) -> Value {
             context! { kind => "sphere", material, center => vector(center), radius => real(radius) }
         }
         Shape::Cylinder(Cylinder { center, radius, axis }) => {
-            let Transform { columns: [x, y, z], origin, .. } = Transform::along(axis, center);
-            let row = |of: fn(Vec3) -> f64| [x, y, z, origin].map(|column| real(of(column))).join(" ");
+            let [x, y, z] = frame(axis);
+            let row = |of: fn(Vec3) -> f64| [x, y, z, center].map(|column| real(of(column))).join(" ");
             let rows = [row(|v| v.x), row(|v| v.y), row(|v| v.z), "0 0 0 1".to_owned()].join("  ");
-            let columns = format!("{} 0  {} 0  {} 0  {} 1", vector(x), vector(y), vector(z), vector(origin));
+            let columns = format!("{} 0  {} 0  {} 0  {} 1", vector(x), vector(y), vector(z), vector(center));
             context! { kind => "cylinder", material, columns, rows, radius => real(radius) }
         }
     }
+}
+
+/// Returns the images of the three unit vectors by a transform that takes the z axis from -0.5 to 0.5 to the axis of a
+/// cylinder, and x and y to unit vectors that are perpendicular to it.
+fn frame(axis: Vec3) -> [Vec3; 3] {
+    let unit = axis.unit_and_length().0;
+    let other = if unit.x.abs() < 0.6 { Vec3::new(1.0, 0.0, 0.0) } else { Vec3::new(0.0, 1.0, 0.0) };
+    let x = other.cross(unit).unit();
+    [x, unit.cross(x), axis]
 }

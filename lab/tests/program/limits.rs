@@ -129,7 +129,7 @@ fn complaints_name_the_file_and_the_remedy() {
         ("compare o same", "same: neither PPM"),
         ("compare o two", "different sizes: 1 x 1 and 2 x 1"),
         ("compare o /nowhere", "Error: /nowhere: "),
-        ("convert same empty x.png", "must be a scene whose name ends in .pbrt or .xml"),
+        ("convert same empty x.png", "the third file must be a scene to write, whose name ends in .pbrt or .xml"),
         ("bench all --part 4/3 --out o.json", "I/N is needed, as in 3/10"),
         ("bench error --out /nowhere/e.json", "/nowhere/e.json"),
         ("bench merge --out o.json same", "same: not the JSON that `render-lab bench ... --out FILE` writes: "),
