@@ -1,6 +1,6 @@
 //! Checks the arrays of numpy that a caller gives.
 
-use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyReadonlyArray2, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::IntoPyDict;
@@ -14,13 +14,31 @@ pub fn vectors<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<PyReadonl
     let py = value.py();
     let options = [("order", "C"), ("casting", "safe")].into_py_dict(py)?;
     options.set_item("copy", false)?;
-    let array = py.import("numpy")?.call_method1("asarray", (value,))?;
+    let numpy = py.import("numpy")?;
+    let array = numpy.call_method1("asarray", (value,))?;
+    // A contiguous array may begin at an odd address, and have numbers in the order of another machine.
+    let native = array.getattr("dtype")?.call_method1("newbyteorder", ("=",))?;
+    let array = numpy.call_method1("require", (array, native, ["C", "ALIGNED"]))?;
+    refuse_rounding(name, &array)?;
     let array = array.call_method("astype", ("float64",), Some(&options))?;
     let shape = array.getattr("shape")?;
     match array.extract::<PyReadonlyArray2<'py, f64>>() {
         Ok(vectors) if vectors.shape()[1] == 3 => Ok(vectors),
         _ => Err(PyValueError::new_err(format!("{name} has the shape {shape}, and (n, 3) is needed"))),
     }
+}
+
+/// Refuses whole numbers that float64 would round. numpy calls the conversion of 64-bit integers safe.
+fn refuse_rounding(name: &str, array: &Bound<'_, PyAny>) -> PyResult<()> {
+    let is_exact = if let Ok(numbers) = array.extract::<PyReadonlyArrayDyn<'_, i64>>() {
+        numbers.as_array().iter().all(|&number| number as f64 as i128 == i128::from(number))
+    } else if let Ok(numbers) = array.extract::<PyReadonlyArrayDyn<'_, u64>>() {
+        numbers.as_array().iter().all(|&number| number as f64 as i128 == i128::from(number))
+    } else {
+        true
+    };
+    let text = || format!("{name} has a whole number that float64 cannot hold; round it by array.astype(float)");
+    if is_exact { Ok(()) } else { Err(PyValueError::new_err(text())) }
 }
 
 /// Returns the largest magnitude of all components of `vectors`, or 0 without vectors.

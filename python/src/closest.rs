@@ -17,9 +17,10 @@ use cpu::{Error, Ray, Scene, Vec3};
 pub struct Hits {
     /// The place of the object among all objects of the scene, from 0, or -1 without a hit.
     pub object: Vec<i64>,
-    /// The lambda of the hit, in lengths of the ray's direction. It is infinite without a hit.
+    /// The lambda of the hit, in lengths of the ray's direction. It is NaN without a hit.
     pub lambda: Vec<f64>,
-    /// Three numbers for each ray: the normal that points out of the object. It has length one, or zero without a hit.
+    /// Three numbers for each ray: the normal that points out of the object. It has length one, or is NaN
+    /// without a hit.
     pub normal: Vec<f64>,
     /// The part of the object: 0 for a sphere or the side of a cylinder, 1 for the cap to which the axis points, 2 for
     /// the other cap, and -1 without a hit.
@@ -94,9 +95,10 @@ impl Hits {
 
     #[inline(always)]
     fn push(&mut self, objects: &AosObjects, ray: &Ray, hit: &ClosestHit) {
-        let (object, normal, part) = if hit.is_hit() { surface(objects, ray, hit) } else { (-1, Vec3::ZERO, -1) };
+        let none = (-1, Vec3::ONE * f64::NAN, -1);
+        let (object, normal, part) = if hit.is_hit() { surface(objects, ray, hit) } else { none };
         self.object.push(object);
-        self.lambda.push(hit.lambda);
+        self.lambda.push(if hit.is_hit() { hit.lambda } else { f64::NAN });
         self.normal.extend(normal.to_array());
         self.part.push(part);
     }

@@ -1,14 +1,16 @@
 //! The Python module `exact_renderer`: pictures, exact intersections, depth and normals as arrays of numpy.
 //!
-//! `texts` has the classes `Config` and `Scene`, whose values all go through the parsers of `cpu`. `picture` and `rays`
+//! `config` and `scene` have the classes `Config` and `Scene`, whose values all go through the parsers of `cpu`. `picture` and `rays`
 //! have the functions, whose work `worker` runs without the interpreter's lock. `fault` turns errors into exceptions.
 //! `exact_renderer.pyi` has the types for Python.
 
 mod arrays;
 mod closest;
+mod config;
 mod fault;
 mod picture;
 mod rays;
+mod scene;
 mod texts;
 mod values;
 mod worker;
@@ -18,11 +20,13 @@ mod worker;
 #[pyo3::pymodule]
 mod exact_renderer {
     #[pymodule_export]
+    use crate::config::Config;
+    #[pymodule_export]
     use crate::fault::Error;
     #[pymodule_export]
     use crate::picture::render;
     #[pymodule_export]
     use crate::rays::{depth, intersect, normals};
     #[pymodule_export]
-    use crate::texts::{Config, Scene};
+    use crate::scene::Scene;
 }

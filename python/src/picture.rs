@@ -10,8 +10,9 @@ use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::config::Config;
 use crate::fault::Fault;
-use crate::texts::{Config, Scene};
+use crate::scene::Scene;
 use crate::worker;
 
 /// Renders a scene, and returns an array of the shape (height, width, 3).

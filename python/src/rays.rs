@@ -10,8 +10,9 @@ use pyo3::prelude::*;
 
 use crate::arrays::{largest, vectors};
 use crate::closest::{self, Hits};
+use crate::config::Config;
 use crate::fault::Fault;
-use crate::texts::{Config, Scene};
+use crate::scene::Scene;
 use crate::worker;
 
 /// What `intersect` returns: objects, lambdas, normals and parts.
@@ -23,8 +24,8 @@ type Arrays<'py> =
 /// `origins` and `directions` have the shape (n, 3). The results are four arrays with an entry for each ray:
 ///
 /// - the index of the object that is hit, in the order of the scene, or -1;
-/// - lambda: the hit is at origin + lambda * direction. It is at least 0.001, and infinite without a hit;
-/// - the normal that points out of the object, of length one, or zeros without a hit;
+/// - lambda: the hit is at origin + lambda * direction. It is at least 0.001, and NaN without a hit;
+/// - the normal that points out of the object, of length one, or NaN without a hit;
 /// - the part: 0 for a sphere or the side of a cylinder, 1 for the upper cap, to which the axis points, 2 for the lower
 ///   cap, -1 without a hit.
 ///
@@ -61,7 +62,8 @@ pub fn intersect<'py>(
 
 /// Returns the distances from the camera to what the rays through the middles of the pixels hit.
 ///
-/// The array has the shape (height, width), and is infinite where there is no object.
+/// The array has the shape (height, width), and is NaN where there is no object, as in the files of `render-lab render
+/// --show depth`.
 #[pyfunction]
 pub fn depth<'py>(py: Python<'py>, config: &Config, scene: &Scene) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (size, hits) = pixels(py, config, scene)?;
@@ -70,7 +72,7 @@ pub fn depth<'py>(py: Python<'py>, config: &Config, scene: &Scene) -> PyResult<B
 
 /// Returns the normals of what the rays through the middles of the pixels hit.
 ///
-/// The array has the shape (height, width, 3). The normals point out of the objects and have length one, or are zeros
+/// The array has the shape (height, width, 3). The normals point out of the objects and have length one, or are NaN
 /// where there is no object.
 #[pyfunction]
 pub fn normals<'py>(py: Python<'py>, config: &Config, scene: &Scene) -> PyResult<Bound<'py, PyArray3<f64>>> {

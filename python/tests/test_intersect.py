@@ -39,7 +39,7 @@ class Intersections(unittest.TestCase):
             expected = closest(origins[index], directions[index], shapes)
             self.assertEqual((hit[index], part[index]), (expected[0], expected[2]))
             if expected[0] < 0:
-                self.assertEqual((distance[index], *normal[index]), (np.inf, 0, 0, 0))
+                self.assertTrue(np.isnan([distance[index], *normal[index]]).all())
                 continue
             self.assertLess(abs(distance[index] / float(expected[1]) - 1), 1e-9)
             self.assertAlmostEqual(np.linalg.norm(normal[index]), 1, places=4)
@@ -75,7 +75,16 @@ class Intersections(unittest.TestCase):
         directions = np.ones((3, 4), np.float32)[:, ::2] * [[0], [0], [1]]
         for one, other in zip(exact_renderer.intersect(origins, directions.T, scene(SHAPES[:1])), expected):
             np.testing.assert_array_equal(one, other)
-        self.assertEqual([list(expected[0]), list(expected[1])], [[0, -1], [4, np.inf]])
+        self.assertEqual(list(expected[0]), [0, -1])
+        np.testing.assert_array_equal(expected[1], [4, np.nan])
+        # Numbers at an odd address, in the byte order of another machine, and a large whole number.
+        odd = np.frombuffer(bytes(1) + origins.astype(float).tobytes(), "f8", 6, 1).reshape(2, 3)
+        self.assertFalse(odd.flags.aligned)
+        for same in (odd, origins.astype(">f8"), origins.astype(">i8"), np.asfortranarray(origins), origins.tolist()):
+            found = exact_renderer.intersect(same, [[0, 0, 1], [0, 0, 1]], scene(SHAPES[:1]))
+            for one, other in zip(found, expected):
+                np.testing.assert_array_equal(one, other)
+        exact_renderer.intersect(np.full((1, 3), 2**60), np.full((1, 3), np.uint64(2**63)), Scene())
         empty = exact_renderer.intersect(np.empty((0, 3)), np.empty((0, 3)), Scene())
         self.assertEqual([array.shape for array in empty], [(0,), (0,), (0, 3), (0,)])
 
@@ -87,6 +96,10 @@ class Intersections(unittest.TestCase):
             (np.ones((5, 3)), ValueError, "4 origins and 5 directions"),
             (good * np.inf, ValueError, "directions has a number that is not finite"),
             (good * 1j, TypeError, "complex128"),
+            (np.full((4, 3), 2**53 + 1), ValueError, "directions has a whole number that float64 cannot hold"),
+            (np.full((4, 3), -(2**60) - 1, ">i8"), ValueError, "float64 cannot hold"),
+            (np.full((4, 3), 2**64 - 1, "u8"), ValueError, "float64 cannot hold"),
+            (np.full((4, 3), 2**70, object), TypeError, "Cannot cast"),
             ([["a"] * 3] * 4, TypeError, "Cannot cast"),
         ):
             with self.assertRaisesRegex(error, words):

@@ -1,8 +1,11 @@
 """Tests pictures, scenes and configurations, and their errors."""
 
+import copy
 import hashlib
 import itertools
+import multiprocessing
 import pathlib
+import pickle
 import unittest
 
 import numpy as np
@@ -62,6 +65,45 @@ class Pictures(unittest.TestCase):
         self.assertEqual(SMALL, Config.parse(text))
         self.assertEqual(SMALL.replace(gamma=1), Config.parse(text + "gamma: 1"))
         self.assertEqual(Config(gamma=np.float32(0.1)), Config(gamma=0.10000000149011612))
+
+
+class Values(unittest.TestCase):
+    def test_a_copy_a_pickle_and_what_repr_shows_are_equal(self):
+        config = SMALL.replace(camera_position=(0.1, -1e-300, 1e300), ray_rng_seed=2**64 - 1)
+        names = {"Config": Config, "Scene": Scene}
+        for value in (config, Config(), made(), Scene()):
+            copies = [copy.copy(value), copy.deepcopy(value), eval(repr(value), names)]
+            copies += [pickle.loads(pickle.dumps(value, protocol)) for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1)]
+            for one in copies:
+                self.assertEqual(one, value)
+        # A copy of a scene is another one.
+        scene = made()
+        other = copy.copy(scene).sphere((0, 0, 0), 1, "grey")
+        self.assertEqual((len(scene), len(other)), (6, 7))
+
+    def test_another_process_renders(self):
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            picture = pool.apply_async(exact_renderer.render, (SMALL, made())).get(60)
+        np.testing.assert_array_equal(picture, exact_renderer.render(SMALL, made()))
+
+    def test_a_configuration_has_its_keys(self):
+        self.assertEqual((SMALL.image_width, SMALL.aspect_ratio, SMALL.gamma), (20, (4, 3), 2.2))
+        self.assertEqual(Config().camera_position, (0, 0, -10))
+        keys = [name for name in dir(Config) if not name.startswith("_") and name not in ("parse", "replace")]
+        self.assertEqual((len(keys), Config(**{key: getattr(SMALL, key) for key in keys})), (13, SMALL))
+        self.assertIn("image_width=20, gamma=2.2, camera_position=(0.0, 0.0, -10.0)", repr(SMALL))
+
+    def test_a_scene_is_a_sequence_of_its_entries(self):
+        scene = made()
+        entries = list(scene)
+        self.assertEqual(entries[0], ("matte", "grey", (0.5, 0.5, 0.5)))
+        self.assertEqual(entries[1:3], [("metal", "mirror", (0.9, 0.8, 0.7), 0.05), ("refractive", "glass", 1.5)])
+        self.assertEqual(entries[4], ("cylinder", (2, 0, 1), 0.5, (0, 2, 0), "mirror"))
+        self.assertEqual((scene[-1], scene[3:5]), (entries[5], entries[3:5]))
+        self.assertEqual((Scene(entries), Scene(iter(scene))), (scene, scene))
+        self.assertRaises(IndexError, lambda: scene[6])
+        self.assertRaisesRegex(ValueError, "is no entry of a scene", Scene, [("cone", (0, 0, 0))])
+        self.assertRaisesRegex(exact_renderer.Error, "no material", Scene, entries[3:])
 
 
 class Errors(unittest.TestCase):
