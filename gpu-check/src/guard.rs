@@ -75,9 +75,14 @@ impl Limits {
         Ok(match status.map(|status| status.code()) {
             Some(Some(0)) => End::Success(text),
             Some(Some(REFUSED)) => End::Refused(text),
+            // An unmodified shader takes so long only if other programs keep the machine busy.
+            None => End::Excess(format!(
+                "did not end within {} s of elapsed time, perhaps because the machine is busy; try again",
+                self.patience.as_secs()
+            )),
             _ => End::Excess(format!(
                 "{}; at most {} MiB of memory and {} s are allowed",
-                status.map_or_else(|| "did not come to an end".to_owned(), |status| format!("ended by {status}")),
+                status.map(|status| format!("ended by {status}")).unwrap_or_default(),
                 self.memory >> 20,
                 self.seconds,
             )),

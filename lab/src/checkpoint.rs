@@ -4,6 +4,7 @@
 //! the SHA-256 digest of all this.
 
 use std::io;
+use std::ops::Range;
 use std::path::Path;
 
 use cpu::internals::Streams;
@@ -82,8 +83,9 @@ pub struct Checkpoint {
     pub rows: usize,
     /// The states of the random streams after these rows; see [`Streams::visit`].
     pub words: Vec<u64>,
-    /// The channels of the pixels of the finished rows.
-    pixels: Vec<u8>,
+    /// The bytes of the file, and where the channels of the pixels of the finished rows lie.
+    bytes: Vec<u8>,
+    pixels: Range<usize>,
 }
 
 impl Checkpoint {
@@ -97,11 +99,11 @@ impl Checkpoint {
             io::ErrorKind::FileTooLarge => "it is larger than a checkpoint of this picture".to_owned(),
             _ => error.to_string(),
         });
-        let parsed = parsed.and_then(|bytes| Self::parse(&bytes, wanted, size));
+        let parsed = parsed.and_then(|bytes| Self::parse(bytes, wanted, size));
         parsed.map_err(|reason| format!("the checkpoint {} cannot be used: {reason}", terminal::name(path)).into())
     }
 
-    fn parse(bytes: &[u8], wanted: &Origin, size: Size) -> Result<Self, String> {
+    fn parse(bytes: Vec<u8>, wanted: &Origin, size: Size) -> Result<Self, String> {
         const DAMAGED: &str = "it is damaged, or no checkpoint; start again without --resume";
 
         let (content, sum) = bytes.split_last_chunk::<DIGEST_BYTES>().ok_or(DAMAGED)?;
@@ -120,12 +122,13 @@ impl Checkpoint {
             return Err(DAMAGED.to_owned());
         }
         let words = words.as_chunks().0.iter().map(|&word| u64::from_le_bytes(word)).collect();
-        Ok(Self { rows: header.rows, words, pixels: pixels.to_vec() })
+        let pixels = content.len() - pixels.len()..content.len();
+        Ok(Self { rows: header.rows, words, bytes, pixels })
     }
 
     /// Copies the finished rows into `image`.
     pub fn fill(&self, image: &mut impl Image) {
-        for (index, &[red, green, blue]) in self.pixels.as_chunks().0.iter().enumerate() {
+        for (index, &[red, green, blue]) in self.bytes[self.pixels.clone()].as_chunks().0.iter().enumerate() {
             image.set_pixel(index, Rgb { red, green, blue });
         }
     }
@@ -185,8 +188,9 @@ mod tests {
         })
         .expect("it is small");
         let bytes = fs::read(&path).expect("it was written");
-        let parse =
-            |bytes: &[u8], origin: &Origin| Checkpoint::parse(bytes, origin, prepared.size).map(|whole| whole.rows);
+        let parse = |bytes: &[u8], origin: &Origin| {
+            Checkpoint::parse(bytes.to_vec(), origin, prepared.size).map(|whole| whole.rows)
+        };
         assert_eq!(parse(&bytes, &origin), Ok(2));
         for at in 0..bytes.len() {
             let mut damaged = bytes.clone();

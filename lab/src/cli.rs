@@ -90,10 +90,8 @@ impl Command {
     /// # Errors
     /// The reason why the command ended early.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        if let Self::Render(_) | Self::Animate(_) | Self::Bench(_) | Self::View(_) = self {
-            // The renderer would ignore a wrong name, and another set would be measured.
-            InstructionSet::named()?;
-        }
+        // The renderer would ignore a wrong name, and another set would be used or measured.
+        InstructionSet::named()?;
         match self {
             Self::Render(arguments) => arguments.run(options),
             Self::Animate(arguments) => arguments.run(options),

@@ -4,6 +4,7 @@
 use serde::Serialize;
 
 use crate::picture::Picture;
+use crate::picture::floats::Floats;
 
 /// Upper limit of the largest pixel difference, in levels. The course accepts only values below it.
 pub const MAXIMUM_BOUND: f64 = 150.0;
@@ -53,7 +54,12 @@ pub struct Errors {
 impl Errors {
     /// Returns the figures of these distances.
     pub fn of(distances: impl ExactSizeIterator<Item = f64>) -> Self {
-        let (count, mut errors) = (distances.len() as f64, Self::default());
+        Self::of_some(distances.len(), distances)
+    }
+
+    /// Returns the figures of `count` distances.
+    fn of_some(count: usize, distances: impl Iterator<Item = f64>) -> Self {
+        let (count, mut errors) = (count.max(1) as f64, Self::default());
         let (mut sum, mut squares) = (0.0, 0.0);
         for distance in distances.filter(|distance| *distance > 0.0) {
             sum += distance;
@@ -63,6 +69,81 @@ impl Errors {
         }
         Self { rmse: (squares / count).sqrt(), mae: sum / count, ..errors }
     }
+}
+
+/// The differences between two pictures of numbers of equal size, such as depths. Numbers that are not finite, such as
+/// the depth where nothing is hit, are counted apart.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Numbers {
+    /// Root of the mean square of the differences.
+    pub rmse: f64,
+    /// The largest difference.
+    pub maximum: f64,
+    /// The mean of the differences.
+    pub mae: f64,
+    /// How many numbers differ.
+    pub differing: usize,
+    /// How many numbers both pictures have.
+    pub numbers: usize,
+    /// How many numbers only the first picture has.
+    pub only_first: usize,
+    /// How many numbers only the second picture has.
+    pub only_second: usize,
+    /// The smallest rectangle that holds all pixels with a difference, or with a number in only one picture: column,
+    /// row, width, height.
+    pub bounding_box: Option<[usize; 4]>,
+    /// Whether the differences are below the bounds that the user gave, or there is none.
+    pub accepted: bool,
+}
+
+/// Whether a number counts. Others say that there is none.
+fn is_there(number: f32) -> bool {
+    number.is_finite()
+}
+
+impl Numbers {
+    /// Returns the differences between two pictures of numbers. `bounds` are those of the maximum and of the RMSE.
+    ///
+    /// # Errors
+    /// An error if the pictures have different sizes or channels.
+    pub fn between(first: &Floats, second: &Floats, bounds: [Option<f64>; 2]) -> Result<Self, String> {
+        let shapes = [first, second].map(|floats| (floats.width, floats.height, floats.channels));
+        if shapes[0] != shapes[1] {
+            let [a, b] = shapes.map(|(width, height, channels)| format!("{width} x {height} x {channels}"));
+            return Err(format!("the pictures have different sizes or channels: {a} and {b}"));
+        }
+        let pairs = || first.values.iter().copied().zip(second.values.iter().copied());
+        let count = |of: [bool; 2]| pairs().filter(|&(a, b)| [is_there(a), is_there(b)] == of).count();
+        let (numbers, only_first, only_second) = (count([true; 2]), count([true, false]), count([false, true]));
+        let distances = pairs().filter(|&(a, b)| is_there(a) && is_there(b));
+        let Errors { rmse, maximum, mae, differing } = Errors::of_some(numbers, distances.map(|(a, b)| distance(a, b)));
+        let differs = |&(a, b): &(f32, f32)| is_there(a) != is_there(b) || is_there(a) && a != b;
+        let wrong = pairs().enumerate().filter(|(_, pair)| differs(pair));
+        let bounding_box = bounding_box(wrong.map(|(at, _)| at / first.channels), first.width);
+        let is_below = |value: f64, bound: Option<f64>| bound.is_none_or(|bound| value < bound);
+        let accepted = if bounds == [None; 2] {
+            bounding_box.is_none()
+        } else {
+            only_first + only_second == 0 && is_below(maximum, bounds[0]) && is_below(rmse, bounds[1])
+        };
+        Ok(Self { rmse, maximum, mae, differing, numbers, only_first, only_second, bounding_box, accepted })
+    }
+}
+
+/// Returns the distance of two numbers.
+pub fn distance(first: f32, second: f32) -> f64 {
+    (f64::from(first) - f64::from(second)).abs()
+}
+
+/// Returns the smallest rectangle that holds these pixels: column, row, width, height.
+fn bounding_box(pixels: impl Iterator<Item = usize>, width: usize) -> Option<[usize; 4]> {
+    let mut corners: Option<[usize; 4]> = None;
+    for index in pixels {
+        let (x, y) = (index % width, index / width);
+        let [left, top, right, bottom] = corners.unwrap_or([x, y, x, y]);
+        corners = Some([left.min(x), top.min(y), right.max(x), bottom.max(y)]);
+    }
+    corners.map(|[left, top, right, bottom]| [left, top, right - left + 1, bottom - top + 1])
 }
 
 /// Returns the difference of two pixels: the mean of the absolute differences of their channels, in levels from 0 to
@@ -81,6 +162,14 @@ impl Difference {
     /// # Errors
     /// An error if the pictures have different sizes.
     pub fn between(first: &Picture, second: &Picture) -> Result<Self, String> {
+        Self::within(first, second, [MAXIMUM_BOUND, RMSE_BOUND])
+    }
+
+    /// Returns the differences between two pictures, accepted below these bounds of the maximum and of the RMSE.
+    ///
+    /// # Errors
+    /// An error if the pictures have different sizes.
+    pub fn within(first: &Picture, second: &Picture, bounds: [f64; 2]) -> Result<Self, String> {
         if (first.width, first.height) != (second.width, second.height) {
             let [a, b] = [first, second].map(|picture| format!("{} x {}", picture.width, picture.height));
             return Err(format!("the pictures have different sizes: {a} and {b}"));
@@ -90,12 +179,6 @@ impl Difference {
         // The exact sum of the squares over all channels. It cannot overflow: 2^30 pixels times 3 times 255^2 is below
         // 2^48.
         let channel_squares: u64 = pairs().flat_map(|(&a, &b)| channels(a, b)).map(|d| u64::from(d * d)).sum();
-        let mut corners: Option<[usize; 4]> = None;
-        for (index, _) in pairs().enumerate().filter(|(_, (a, b))| a != b) {
-            let (x, y) = (index % first.width, index / first.width);
-            let [left, top, right, bottom] = corners.unwrap_or([x, y, x, y]);
-            corners = Some([left.min(x), top.min(y), right.max(x), bottom.max(y)]);
-        }
         let pixels = first.pixels.len();
         let channel_mse = channel_squares as f64 / (3 * pixels) as f64;
         Ok(Self {
@@ -106,8 +189,8 @@ impl Difference {
             flip: flip(first, second),
             differing,
             pixels,
-            bounding_box: corners.map(|[left, top, right, bottom]| [left, top, right - left + 1, bottom - top + 1]),
-            accepted: maximum < MAXIMUM_BOUND && rmse < RMSE_BOUND,
+            bounding_box: bounding_box(pairs().enumerate().filter(|(_, (a, b))| a != b).map(|(at, _)| at), first.width),
+            accepted: maximum < bounds[0] && rmse < bounds[1],
         })
     }
 }
@@ -147,6 +230,27 @@ mod tests {
         // The mean square over all channels is (81 + 9) / 12 = 7.5.
         let expected = 10.0 * (65025.0_f64 / 7.5).log10();
         assert!((difference.psnr.expect("they differ") - expected).abs() < 1e-12);
+    }
+
+    #[test]
+    fn numbers_that_are_not_there_are_counted_apart() {
+        let floats = |values: &[f32]| Floats {
+            width: 3,
+            height: values.len() / 3,
+            channels: 1,
+            values: values.to_vec(),
+            is_depth: true,
+        };
+        let (nan, far) = (f32::NAN, f32::INFINITY);
+        let (first, second) = (floats(&[1.0, nan, 2.0, nan, 5.0, far]), floats(&[1.0, nan, 5.0, 7.0, nan, nan]));
+        let found = Numbers::between(&first, &second, [None; 2]).expect("one size");
+        // Two numbers are in both pictures, with the differences 0 and 3.
+        assert_eq!((found.numbers, found.only_first, found.only_second, found.differing), (2, 1, 1, 1));
+        assert_eq!((found.maximum, found.mae, found.rmse), (3.0, 1.5, 4.5_f64.sqrt()));
+        assert_eq!((found.bounding_box, found.accepted), (Some([0, 0, 3, 2]), false));
+        let near =
+            |bounds| Numbers::between(&floats(&[1.0; 3]), &floats(&[1.5; 3]), bounds).expect("one size").accepted;
+        assert!(near([Some(0.6), None]) && !near([Some(0.5), None]) && !near([None, Some(0.5)]) && !near([None; 2]));
     }
 
     #[test]

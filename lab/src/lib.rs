@@ -34,6 +34,7 @@ use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
 
 pub use failure::Failure;
@@ -47,6 +48,7 @@ const STACK_BYTES: usize = 8 << 20;
 pub fn main() -> ExitCode {
     // From here on, a signal that ends the process first removes the temporary files.
     output::stop::remove_temporary_when_stopped();
+    interrupt::block_wish();
     // A debug build needs about 300 kB of stack. The main thread's stack may be smaller, so another thread does all
     // work.
     let thread = std::thread::Builder::new().name("main".to_owned()).stack_size(STACK_BYTES);
@@ -79,11 +81,46 @@ fn with_negative_numbers(command: Command) -> Command {
     command.mut_args(option).mut_subcommands(with_negative_numbers)
 }
 
+/// Adds a tip to the error for an unknown option: the key of `--set` that it names, or the command that has it.
+fn advise(error: &mut clap::Error, arguments: &[OsString]) {
+    let Some(ContextValue::String(option)) = error.get(ContextKind::InvalidArg) else { return };
+    if error.kind() != ErrorKind::UnknownArgument {
+        return;
+    }
+    let (option, name) = (option.clone(), option.trim_start_matches('-').replace('-', "_"));
+    let keys = format::CONFIG.iter().map(|line| line.tag.trim_end_matches(':'));
+    let is_meant =
+        |key: &&str| *key == name || key.starts_with(&format!("{name}_")) || key.ends_with(&format!("_{name}"));
+    let command = arguments.get(1).and_then(|name| name.to_str()).unwrap_or_default();
+    let has_keys = ["render", "animate"].contains(&command);
+    let tip = if let (true, Some(key)) = (has_keys && !name.is_empty(), { keys }.find(is_meant)) {
+        let words: Vec<_> = arguments.iter().filter_map(|word| word.to_str()).collect();
+        let joined = words.iter().find_map(|word| word.strip_prefix(&*option)?.strip_prefix('='));
+        let next = words.iter().skip_while(|word| **word != option).nth(1).filter(|next| !next.starts_with('-'));
+        let value = joined.or(next.copied());
+        format!("write '--set {key}={}'", value.unwrap_or("VALUE"))
+    } else if error.get(ContextKind::SuggestedArg).is_none() {
+        let cli = cli::Cli::command();
+        let options = cli.get_subcommands().filter(|other| !other.is_hide_set()).flat_map(|other| {
+            other.get_opts().filter_map(|option| option.get_long()).map(|long| (long.as_bytes(), other.get_name()))
+        });
+        let all: Vec<_> = options.collect();
+        let word = option.trim_start_matches('-').as_bytes();
+        let Some(near) = format::hint::nearest(word, all.iter().map(|(long, _)| *long)) else { return };
+        let commands: Vec<_> = all.iter().filter(|(long, _)| *long == near).map(|(_, name)| *name).collect();
+        format!("'--{}' is an option of {}", String::from_utf8_lossy(near), commands.join(", "))
+    } else {
+        return;
+    };
+    error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+}
+
 /// Parses the command line. Prints the message of an error, or the help.
 fn command_line() -> Result<cli::Cli, Failure> {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     let matches = with_negative_numbers(cli::Cli::command()).try_get_matches_from(&arguments);
-    matches.and_then(|matches| cli::Cli::from_arg_matches(&matches)).map_err(|error| {
+    matches.and_then(|matches| cli::Cli::from_arg_matches(&matches)).map_err(|mut error| {
+        advise(&mut error, &arguments);
         let is_clean = |argument: &OsString| {
             cpu::internals::input::text::escape(argument.as_encoded_bytes()).as_bytes() == argument.as_encoded_bytes()
         };

@@ -6,14 +6,17 @@
 pub mod any;
 mod exr;
 pub mod floats;
+mod npy;
+mod pfm;
+pub mod png;
 mod ppm;
 
-use std::io::{self, Cursor, Write};
+use std::io;
 use std::path::Path;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD as STANDARD;
-use cpu::{Error, Image, Rgb, Size};
+use cpu::{Error, Image, Rgb};
 
 use crate::Failure;
 use any::Any;
@@ -28,7 +31,10 @@ pub const MAX_PIXELS: usize = 1 << 26;
 
 /// The largest factor by which deflate can compress. A PNG whose pixels need more bytes than the file's size times this
 /// factor is damaged.
-const DEFLATE_GROWTH: usize = 1032;
+const DEFLATE_GROWTH: u64 = 1032;
+
+/// What some programs write behind the last byte of a picture.
+const LINE_ENDS: [&[u8]; 3] = [b"", b"\n", b"\r\n"];
 
 /// A picture in memory with three channels of 8 bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,31 +69,39 @@ impl Picture {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn of(image: &impl Image) -> Result<Self, Error> {
-        let size = image.size();
-        let pixel = |index| {
+        let (width, height) = (image.size().width(), image.size().height());
+        let pixels = with_room(width * height).map_err(|_| Error::OutOfMemory { what: "the picture" })?;
+        Ok(Self::part([0, 0, width, height], width, pixels, Self::pixels_of(image)))
+    }
+
+    /// Returns the part of a picture of `width` pixels that starts at column `x` and row `y`. `pixel` returns the pixel
+    /// at an index, and `pixels` is empty. Call [`with_room`] for it before long work.
+    pub fn part(
+        [x, y, part_width, height]: [usize; 4],
+        width: usize,
+        mut pixels: Vec<[u8; 3]>,
+        pixel: impl Fn(usize) -> [u8; 3],
+    ) -> Self {
+        let row = |row: usize| (row * width + x)..(row * width + x + part_width);
+        pixels.extend((y..y + height).flat_map(row).map(pixel));
+        Self { width: part_width, height, pixels }
+    }
+
+    /// Returns a function that gives the pixels of an image that the renderer made.
+    pub fn pixels_of(image: &impl Image) -> impl Fn(usize) -> [u8; 3] {
+        |index| {
             let Rgb { red, green, blue } = image.pixel(index);
             [red, green, blue]
-        };
-        let mut pixels = with_room(size.pixels()).map_err(|_| Error::OutOfMemory { what: "the picture" })?;
-        pixels.extend((0..size.pixels()).map(pixel));
-        Ok(Self { width: size.width(), height: size.height(), pixels })
+        }
     }
 
     /// Returns a copy of the part of the picture that starts at column `x` and row `y`.
     ///
-    /// # Panics
-    /// If the part does not lie within the picture.
-    ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub fn crop(&self, [x, y, width, height]: [usize; 4]) -> Result<Self, Error> {
-        let mut pixels =
-            with_room(width * height).map_err(|_| Error::OutOfMemory { what: "the part of the picture" })?;
-        for row in self.pixels.chunks(self.width).skip(y).take(height) {
-            pixels.extend_from_slice(&row[x..x + width]);
-        }
-        assert_eq!(pixels.len(), width * height, "the part lies within the picture");
-        Ok(Self { width, height, pixels })
+    /// A message if memory is short, or if the part does not lie within the picture.
+    pub fn crop(&self, part: [usize; 4]) -> Result<Self, String> {
+        within(part, self.width, self.height)?;
+        Ok(Self::part(part, self.width, with_room(part[2] * part[3])?, |index| self.pixels[index]))
     }
 
     /// Returns the picture as the [`data_uri`] of a PNG.
@@ -99,45 +113,6 @@ impl Picture {
         self.write_png(&mut png)?;
         Ok(data_uri(&png))
     }
-
-    /// Writes the picture to `out` in the format PNG.
-    ///
-    /// # Errors
-    /// An error of `out`.
-    pub fn write_png(&self, out: impl Write) -> io::Result<()> {
-        let mut writer = png_encoder(out, [self.width, self.height])?.write_header()?;
-        // Writes pieces of [`PIECE`] bytes, so that the whole compressed picture is never in memory.
-        let mut stream = writer.stream_writer_with_size(PIECE)?;
-        stream.write_all(self.pixels.as_flattened())?;
-        stream.finish()?;
-        Ok(writer.finish()?)
-    }
-
-    /// Writes the picture to `out` in the format PPM (P3), as the renderer does.
-    ///
-    /// # Errors
-    /// An error of `out`.
-    pub fn write_ppm(&self, out: impl Write) -> io::Result<()> {
-        let explain = |error: cpu::internals::input::error::Picture| io::Error::other(error.to_string());
-        let size = Size::new(self.width as u64, self.height as u64).map_err(explain)?;
-        let mut image = cpu::internals::layout::aos::AosImage::black(size).map_err(io::Error::other)?;
-        for (index, &[red, green, blue]) in self.pixels.iter().enumerate() {
-            image.set_pixel(index, Rgb { red, green, blue });
-        }
-        cpu::internals::image::ppm::write_ppm(&image, out)
-    }
-}
-
-/// Returns an encoder for a PNG of this width and height, with three channels of 8 bits.
-///
-/// # Errors
-/// An error if the picture is too large for a PNG.
-pub fn png_encoder<'a, W: Write + 'a>(out: W, size: [usize; 2]) -> io::Result<png::Encoder<'a, W>> {
-    let [width, height] = size.map(|pixels| u32::try_from(pixels).map_err(io::Error::other));
-    let mut encoder = png::Encoder::new(out, width?, height?);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    Ok(encoder)
 }
 
 /// Returns the data URI of the bytes of a PNG: an address with the picture itself, in base 64, for an HTML page.
@@ -145,14 +120,59 @@ pub fn data_uri(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", STANDARD.encode(png))
 }
 
-/// Number of bytes of the compressed picture that are written at once.
-const PIECE: usize = 1 << 16;
+/// Memory in bytes that large allocations leave free, for the small ones that follow and cannot fail with a message.
+const SPARE: usize = 1 << 24;
 
-/// Returns an empty list with room for `count` items, or an error message if memory is short.
+/// Returns an empty list with room for `count` items.
+///
+/// # Errors
+/// A message if memory is short, or if less than [`SPARE`] bytes would be left.
 pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, String> {
     let mut list = Vec::new();
-    list.try_reserve_exact(count).map_err(|_| "not enough memory for the picture".to_owned())?;
+    list.try_reserve_exact(count).map_err(|_| NO_MEMORY.to_owned())?;
+    // Short lists are taken from the spare memory of a long one.
+    if count.saturating_mul(size_of::<T>()) >= SPARE {
+        spare(0)?
+    }
     Ok(list)
+}
+
+/// Refuses to go on if `bytes` and [`SPARE`] bytes more cannot be allocated. Call it before libraries that do not
+/// report too little memory.
+///
+/// # Errors
+/// A message.
+pub(crate) fn spare(bytes: usize) -> Result<(), String> {
+    let mut list = Vec::<u8>::new();
+    let reserved = list.try_reserve_exact(bytes.saturating_add(SPARE));
+    // Otherwise the compiler may leave out the allocation.
+    std::hint::black_box(&list);
+    reserved.map_err(|_| NO_MEMORY.to_owned())
+}
+
+const NO_MEMORY: &str = "not enough memory for the picture; choose a smaller one, or allow more by ulimit -v";
+
+/// Checks that the part (column, row, width, height) lies within a picture of `width` x `height` pixels.
+///
+/// # Errors
+/// A message that names the option.
+pub(crate) fn within([x, y, part_width, part_height]: [usize; 4], width: usize, height: usize) -> Result<(), String> {
+    let is_within = |start: usize, length: usize, all| start.checked_add(length).is_some_and(|end| end <= all);
+    if is_within(x, part_width, width) && is_within(y, part_height, height) {
+        return Ok(());
+    }
+    Err(format!("--crop goes beyond the picture of {width} x {height} pixels"))
+}
+
+/// Reads the part of a picture in a text: its column, row, width and height.
+///
+/// # Errors
+/// A message that says what is needed.
+pub(crate) fn parse_crop(text: &str) -> Result<[usize; 4], String> {
+    let numbers: Option<Vec<usize>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    let part = numbers.and_then(|numbers| <[usize; 4]>::try_from(numbers).ok());
+    part.filter(|[.., width, height]| *width > 0 && *height > 0)
+        .ok_or_else(|| "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT, the last two positive".to_owned())
 }
 
 /// Returns the number of pixels that a picture's header announces, or an error if it is more than [`MAX_PIXELS`].
@@ -160,40 +180,6 @@ pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, String> {
 fn check_pixels(announced: Option<usize>) -> Result<usize, String> {
     let is_allowed = |count: &usize| *count <= MAX_PIXELS;
     announced.filter(is_allowed).ok_or_else(|| format!("it has more than {MAX_PIXELS} pixels"))
-}
-
-fn from_png(bytes: &[u8]) -> Result<Picture, String> {
-    let mut decoder = png::Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    // The size is checked before memory is allocated for the pixels, because a few bytes can announce a picture of any
-    // size.
-    let info = reader.info();
-    check_pixels((info.width as usize).checked_mul(info.height as usize))?;
-    if reader.output_color_type().1 != png::BitDepth::Eight {
-        return Err("a PNG of more than 8 bits a channel".to_owned());
-    }
-    let announced = reader.info().raw_bytes();
-    if announced > bytes.len().saturating_mul(DEFLATE_GROWTH) {
-        return Err(format!("a PNG that announces {announced} bytes of pixels and cannot hold them"));
-    }
-    // png 0.18.1 panics on a palette whose length is no multiple of 3.
-    if reader.info().palette.as_ref().is_some_and(|palette| palette.len() % 3 != 0) {
-        return Err("a PNG whose palette ends within a colour".to_owned());
-    }
-    let length = reader.output_buffer_size().ok_or("too large a PNG")?;
-    let mut buffer = with_room(length)?;
-    buffer.resize(length, 0);
-    let frame = reader.next_frame(&mut buffer).map_err(|error| error.to_string())?;
-    let samples = frame.color_type.samples();
-    let colors = buffer[..frame.buffer_size()].chunks_exact(samples);
-    let mut pixels = with_room(colors.len())?;
-    pixels.extend(colors.map(|channels| match *channels {
-        [red, green, blue, ..] => [red, green, blue],
-        [grey, ..] => [grey; 3],
-        [] => [0; 3],
-    }));
-    Ok(Picture { width: frame.width as usize, height: frame.height as usize, pixels })
 }
 
 #[cfg(test)]

@@ -52,7 +52,8 @@ pub fn table(rows: &[Vec<String>]) -> String {
 /// Returns a progress bar of `steps` steps on standard error, with their name `what`. It shows nothing if standard
 /// error is not a terminal.
 pub fn progress(steps: usize, what: &'static str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{wide_bar} {percent} %  {pos} of {len} {msg}  {per_sec}  {eta} left");
+    let style =
+        ProgressStyle::with_template("{wide_bar} {percent} %  {pos} of {len} {msg}  {per_sec:>14}  {eta:>4} left");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(steps as u64).with_style(style).with_message(what)
 }

@@ -16,9 +16,9 @@ pub const MAX_SAMPLES: u64 = 1 << 28;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[repr(u32)]
 pub enum Convention {
-    /// [`Scatter::Statement`], which `render-aos` and `render-soa` use.
+    /// As render-aos and render-soa do
     Statement = 1,
-    /// [`Scatter::Published`].
+    /// As the course's published pictures were made
     Published = 2,
 }
 

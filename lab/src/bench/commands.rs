@@ -47,6 +47,8 @@ pub struct Timed {
     pub seconds: Vec<f64>,
     /// Median of the user times.
     pub median: Median,
+    /// Elapsed time of every round, in seconds.
+    pub elapsed: Vec<f64>,
     /// Median of the elapsed times, in seconds.
     pub wall: Median,
     /// Largest resident memory of all runs, in MB (10⁶ bytes).
@@ -81,6 +83,21 @@ impl Rounds {
     /// # Errors
     /// [`Failure::Interrupted`], or the first run that fails, if `all` must succeed.
     pub fn measure(&self, jobs: &[Job], limits: &Limits, all: bool) -> Result<Vec<Result<Timed, String>>, Failure> {
+        self.measure_prepared(jobs, &[], limits, all)
+    }
+
+    /// Measures `jobs` as [`Rounds::measure`] does. Before each run of a job, runs the job of `prepare` at the same place
+    /// without measuring it, if `prepare` is not empty.
+    ///
+    /// # Errors
+    /// Those of [`Rounds::measure`], and the first preparation that fails.
+    pub fn measure_prepared(
+        &self,
+        jobs: &[Job],
+        prepare: &[Job],
+        limits: &Limits,
+        all: bool,
+    ) -> Result<Vec<Result<Timed, String>>, Failure> {
         let printed = TempDir::new()?;
         let warm_up = usize::from(self.warm_up) * jobs.len();
         let rounds = usize::from(self.warm_up) + usize::from(self.rounds);
@@ -89,6 +106,9 @@ impl Rounds {
         for (number, index) in order(rounds, jobs.len()).enumerate() {
             bar.inc(1);
             let (job, Ok(done)) = (&jobs[index], &mut runs[index]) else { continue };
+            if let Some(prepare) = prepare.get(index) {
+                prepare.run(printed.path(), limits).map_err(|failure| failure.about(&prepare.name))?;
+            }
             match job.run(printed.path(), limits) {
                 Ok(run) if number >= warm_up => done.push(run),
                 Ok(_) => {}
@@ -113,6 +133,7 @@ impl Timed {
             median: Median::of(&seconds),
             seconds,
             wall: Median::of(&all(|run| run.wall)),
+            elapsed: all(|run| run.wall),
             memory: all(|run| run.memory).into_iter().fold(0.0, f64::max),
             joules: joules.map(|joules| Median::of(&joules)),
         }

@@ -66,7 +66,7 @@ impl Times {
     fn of(value: Value) -> Result<Self, String> {
         let (machines, times): (_, Vec<_>) = if value.get("commands").is_some() {
             let record: Record = serde_json::from_value(value).map_err(|error| error.to_string())?;
-            let times = record.commands.into_iter().map(|timed| (timed.command, timed.seconds));
+            let times = record.commands.into_iter().map(|timed| (timed.command, timed.elapsed));
             (vec![record.machine], times.collect())
         } else {
             let results: Results = serde_json::from_value(value).map_err(|error| error.to_string())?;

@@ -27,8 +27,8 @@ pub struct Arguments {
     config: PathBuf,
     /// Scene file
     scene: PathBuf,
-    /// A name that ends in .png gives one animated PNG. Any other name is a folder for the frames, where those that it
-    /// has already are kept
+    /// A name that ends in .png or .apng gives one animated PNG. A name without such an ending is a folder for the
+    /// frames, where those that it has already are kept
     out: PathBuf,
     /// Configuration file whose camera the last frame has, on a straight way from the first. Without it the camera
     /// turns once about its target and its north
@@ -75,6 +75,7 @@ impl Arguments {
         sources::refuse_stdout("an animation", &self.out)?;
         sources::refuse_inputs_in_one(&inputs)?;
         output::refuse_inputs(&self.out, &inputs)?;
+        let is_one_file = is_animated(&self.out)?;
         let config = sources::config(&self.config, &self.set)?;
         let to = self.to.as_ref().map(|path| sources::config(path, &self.set)).transpose()?;
         let scene = sources::scene(&self.scene)?;
@@ -91,7 +92,7 @@ impl Arguments {
         let rows = size.height() * cameras.len();
         let bar = if self.quiet { ProgressBar::hidden() } else { terminal::progress(rows, "rows") };
         let film = Film { scene: &scene, scatter: self.scatter, cameras, size, bar };
-        let rendered = if self.out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+        let rendered = if is_one_file {
             film.write_animated(&self.out, self.rate, options)?
         } else {
             let origin = |config| Origin::new(config, &scene, &name_of(&self.scatter));
@@ -105,8 +106,10 @@ impl Arguments {
             super::print_json(&json!({ "frames": frames, "rendered": rendered, "seconds": seconds }))?;
         }
         if !self.quiet {
-            let name = terminal::name(&self.out);
-            terminal::note(&format!("{name}: {frames} frames, {rendered} of them rendered in {seconds:.1} s"));
+            let (name, what) = (terminal::name(&self.out), if is_one_file { "an animated PNG" } else { "a folder" });
+            terminal::note(&format!(
+                "{name}: {what} of {frames} frames, {rendered} of them rendered in {seconds:.1} s"
+            ));
         }
         Ok(())
     }
@@ -131,6 +134,26 @@ impl Arguments {
         }
         config
     }
+}
+
+/// Returns whether `out` is one animated PNG, and not a folder of frames.
+///
+/// # Errors
+/// The name of a new folder ends as that of a file of pictures, which would surprise.
+fn is_animated(out: &Path) -> Result<bool, Failure> {
+    const OTHERS: [&str; 15] =
+        ["gif", "webp", "avif", "mp4", "m4v", "mov", "mkv", "webm", "avi", "mpg", "mpeg", "jpg", "jpeg", "ppm", "exr"];
+    let ending = out.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    let is_folder = out.is_dir() || out.as_os_str().as_encoded_bytes().ends_with(b"/");
+    if OTHERS.contains(&&ending[..]) && !is_folder {
+        let name = terminal::name(out);
+        return Err(format!(
+            "{name}: .{ending} is not written. Name an animated PNG (.png), or a folder of frames, from which ffmpeg \
+             makes a film: render-lab help animate"
+        )
+        .into());
+    }
+    Ok(["png", "apng"].contains(&&ending[..]) && !is_folder)
 }
 
 /// Returns `vector`, turned by `angle` in radians about `axis`, which has length one (Rodrigues' formula).
@@ -165,7 +188,7 @@ impl Film<'_> {
     fn write_animated(&self, out: &Path, rate: u16, options: Options) -> Result<usize, Failure> {
         let mut output = Output::open(out, options)?;
         let text = |error: png::EncodingError| error.to_string();
-        let mut encoder = picture::png_encoder(&mut output, [self.size.width(), self.size.height()])?;
+        let mut encoder = picture::png::encoder(&mut output, [self.size.width(), self.size.height()])?;
         encoder.set_animated(self.cameras.len() as u32, 0).map_err(text)?;
         encoder.set_frame_delay(1, rate).map_err(text)?;
         let mut writer = encoder.write_header().map_err(text)?;
@@ -186,6 +209,13 @@ impl Film<'_> {
         let about = serde_json::to_string_pretty(about).map_err(|error| error.to_string())?;
         let place = folder.join(ABOUT);
         let frames: Vec<_> = (0..self.cameras.len()).map(|frame| folder.join(format!("{frame:04}.png"))).collect();
+        // A pipe of this name would be waited for, and a device overwritten.
+        for path in frames.iter().chain([&place]) {
+            if fs::symlink_metadata(path).is_ok_and(|found| !found.is_file()) {
+                let name = terminal::name(path);
+                return Err(format!("{name}: it is not a regular file; delete it, or choose another folder").into());
+            }
+        }
         if fs::exists(&place).map_err(|error| format!("{name}: {error}"))? {
             if sources::regular(&place).and_then(|place| read_text(place, 1 << 16)).ok().as_ref() != Some(&about) {
                 return Err(format!("{name}: it has frames of another animation; choose another folder").into());

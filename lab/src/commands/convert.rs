@@ -15,6 +15,7 @@ use crate::convert::write::{self, Source};
 use crate::numbers::above_zero;
 use crate::picture::any::{Any, Kind};
 use crate::picture::floats::GAMMA;
+use crate::picture::spare;
 use crate::{Failure, sources, terminal};
 
 /// The endings of the names of scenes for pbrt and Mitsuba.
@@ -38,6 +39,21 @@ pub struct Arguments {
     /// Gamma between bytes and the linear light of PFM, NPY and EXR
     #[arg(long, default_value_t = GAMMA, value_parser = above_zero)]
     gamma: f64,
+    /// Scale numbers for a PNG or PPM: LOW becomes black, HIGH white, without gamma
+    #[arg(long, value_name = "LOW,HIGH", value_parser = range, allow_hyphen_values = true)]
+    range: Option<(f64, f64)>,
+    /// Part or layer of an EXR, or one of its channels
+    #[arg(long, value_name = "NAME")]
+    layer: Option<String>,
+}
+
+/// Returns the two numbers in a text such as `0,12.5`.
+fn range(text: &str) -> Result<(f64, f64), String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    let range = text.split_once(',').and_then(|(low, high)| Some((number(low)?, number(high)?)));
+    range
+        .filter(|(low, high)| low < high)
+        .ok_or_else(|| "two numbers are needed, LOW,HIGH, the second larger".to_owned())
 }
 
 impl Arguments {
@@ -63,7 +79,15 @@ impl Arguments {
         let kind = Kind::of(out, Kind::Png)?;
         output::refuse_inputs(out, &[input])?;
         let output = sources::open(out, options)?;
-        let picture = Any::read(&sources::input(input))?;
+        let mut picture = Any::read_layer(&sources::input(input), self.layer.as_deref())?;
+        match (&picture, self.range) {
+            (Any::Floats(floats), Some(range)) if !kind.is_of_floats() => picture = Any::Bytes(floats.scaled(range)?),
+            (Any::Floats(floats), None) if !kind.is_of_floats() => {
+                floats.clipped().iter().for_each(|lost| terminal::note(&format!("{}: {lost}", terminal::name(input))));
+            }
+            (_, Some(_)) => return Err("--range is for numbers (PFM, NPY, EXR) that become a PNG or PPM".into()),
+            _ => {}
+        }
         Ok(output.fill(|file| picture.write(kind, self.gamma, file))?)
     }
 }
@@ -78,6 +102,10 @@ fn to_other(inputs: [&PathBuf; 2], out: &PathBuf, is_pbrt: bool, options: Option
     let (config, scene) = (sources::config(inputs[0], &[])?, sources::scene(inputs[1])?);
     let size = config.check_picture().and_then(|()| Ok(config.image_size()?));
     let size = size.map_err(|error| sources::about_picture(error, inputs[0], &[]))?;
+    // Both texts and the new one are in memory. A cylinder takes at most a thousand bytes of the new one.
+    let bytes = [inputs[0], inputs[1]].map(|path| std::fs::metadata(path).map_or(0, |about| about.len() as usize));
+    spare(1000 * (scene.objects.len() + scene.materials.len()) + 3 * (bytes[0] + bytes[1]))
+        .map_err(|_| "not enough memory for the text of the scene; allow more by ulimit -v")?;
     // The name stands between quotation marks in both formats.
     let name = out.file_name().and_then(OsStr::to_str).unwrap_or_default();
     let name = format!("{}.exr", name.replace(|c: char| !c.is_alphanumeric() && !"-_. ".contains(c), "_"));

@@ -1,5 +1,6 @@
 //! `render-lab render`: renders a scene into a file, and shows the progress, time and memory.
 
+mod lock;
 mod stages;
 mod taken;
 
@@ -17,9 +18,9 @@ use output::Options;
 
 use crate::checkpoint::Origin;
 use crate::engine::{self, LayoutName, ScatterName, name_of};
-use crate::picture::Picture;
 use crate::picture::any::{Any, Kind};
 use crate::picture::floats::{Floats, GAMMA};
+use crate::picture::{Picture, parse_crop, with_room, within};
 use crate::show::{self, Quantity};
 use crate::{Failure, interrupt, sources, terminal};
 use stages::Stages;
@@ -129,7 +130,8 @@ impl Arguments {
                 bar.set_position(row as u64);
                 interrupt::flow()
             })?;
-            let floats = floats.ok_or(Failure::Interrupted)?;
+            let mut floats = floats.ok_or(Failure::Interrupted)?;
+            floats.is_depth = quantity == Quantity::Depth;
             (if kind.is_of_floats() { Any::Floats(floats) } else { Any::Bytes(quantity.draw(&floats)?) }, rows)
         } else {
             self.colors(inputs, how, &prepared, &bar)?
@@ -176,7 +178,10 @@ impl Arguments {
             return Ok((Any::Floats(floats), height));
         }
         let part = self.crop.unwrap_or([0, 0, width, height]);
-        let rows = rows_of(part, width, height)?;
+        within(part, width, height)?;
+        let rows = part[1] + part[3];
+        // What the file needs is there before the long work.
+        let pixels = with_room(part[2] * part[3])?;
         interrupt::listen();
         let origin = || Origin::new(config, scene, &name_of(&self.scatter));
         let (from, mut run) = self.stages.begin(origin, prepared.size, rows, options)?;
@@ -189,8 +194,7 @@ impl Arguments {
             run.after_row(row, image, streams)
         })?;
         run.end(done)?;
-        let picture = Picture::of(&image)?;
-        Ok((Any::Bytes(if self.crop.is_some() { picture.crop(part)? } else { picture }), done - first))
+        Ok((Any::Bytes(Picture::part(part, width, pixels, Picture::pixels_of(&image))), done - first))
     }
 }
 
@@ -208,26 +212,5 @@ impl TypedValueParser for Setting {
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         let keys = format::CONFIG.iter().map(|line| line.tag.replace(':', "="));
         Some(Box::new(keys.map(PossibleValue::new)))
-    }
-}
-
-/// Returns the part of a picture in a text: its column, row, width and height.
-fn parse_crop(text: &str) -> Result<[usize; 4], String> {
-    let numbers: Option<Vec<usize>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-    let part = numbers.and_then(|numbers| <[usize; 4]>::try_from(numbers).ok());
-    part.filter(|[.., width, height]| *width > 0 && *height > 0)
-        .ok_or_else(|| "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT, the last two positive".to_owned())
-}
-
-/// Returns how many rows must be rendered for a part of the picture (x, y, width, height): those down to the last row
-/// of the part.
-///
-/// # Errors
-/// A message if the part goes beyond the picture.
-fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: usize) -> Result<usize, String> {
-    let within = |start: usize, length: usize, all| start.checked_add(length).filter(|&end| end <= all);
-    match (within(x, part_width, width), within(y, part_height, height)) {
-        (Some(_), Some(rows)) => Ok(rows),
-        _ => Err(format!("--crop goes beyond the picture of {width} x {height} pixels")),
     }
 }

@@ -27,7 +27,8 @@ impl Arguments {
     /// # Errors
     /// A message with the command that installs it, if it is not there.
     pub fn run(&self) -> Result<(), Failure> {
-        let error = Command::new(PROGRAM).args(&self.arguments).exec();
+        // Its messages and its help name the command that the user knows.
+        let error = Command::new(PROGRAM).arg0("render-lab shader").args(&self.arguments).exec();
         Err(match error.kind() {
             ErrorKind::NotFound => format!(
                 "{PROGRAM} is not installed. In a checkout of this project: cargo install --locked --path gpu-check \

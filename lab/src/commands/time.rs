@@ -20,12 +20,55 @@ pub struct Arguments {
     commands: Vec<String>,
     #[command(flatten)]
     rounds: Rounds,
+    /// Run this command before each run, without measuring it
+    #[arg(long, value_name = "COMMAND")]
+    prepare: Option<String>,
+    /// Measure each command with every value: {NAME} in a command stands for it. Given twice, with every pair of values
+    #[arg(long, value_name = "NAME=VALUE,VALUE", value_parser = parameter)]
+    parameter: Vec<Parameter>,
     /// Print the figures as JSON
     #[arg(long)]
     json: bool,
 }
 
+/// A name in commands, and the values that stand for it.
+#[derive(Clone, Debug)]
+struct Parameter {
+    name: String,
+    values: Vec<String>,
+}
+
+/// Reads a parameter such as `samples=1,2,4`.
+fn parameter(text: &str) -> Result<Parameter, String> {
+    let (name, values) =
+        text.split_once('=').filter(|(name, _)| !name.is_empty()).ok_or("NAME=VALUE,VALUE is needed")?;
+    let values: Vec<_> = values.split(',').map(str::to_owned).collect();
+    if values.iter().any(String::is_empty) {
+        return Err("a value is empty; NAME=VALUE,VALUE is needed".to_owned());
+    }
+    Ok(Parameter { name: name.to_owned(), values })
+}
+
 impl Arguments {
+    /// Returns each command with all values of the parameters, and what prepares it.
+    fn commands(&self) -> Result<Vec<[Option<String>; 2]>, String> {
+        let mut all: Vec<_> =
+            self.commands.iter().map(|command| [Some(command.clone()), self.prepare.clone()]).collect();
+        for Parameter { name, values } in &self.parameter {
+            let place = format!("{{{name}}}");
+            if !self.commands.iter().chain(&self.prepare).any(|command| command.contains(&place)) {
+                return Err(format!("--parameter {name}: no command has {place}"));
+            }
+            let with = |texts: &[Option<String>; 2], value: &str| {
+                texts.clone().map(|text| text.map(|text| text.replace(&place, value)))
+            };
+            all = all.iter().flat_map(|texts| values.iter().map(|value| with(texts, value))).collect();
+            // A command without the name is measured once.
+            all.dedup();
+        }
+        Ok(all)
+    }
+
     /// Measures the commands, and prints what they took.
     ///
     /// # Errors
@@ -40,8 +83,11 @@ impl Arguments {
             words: ["sh", "-c", command].map(Into::into).to_vec(),
             place: PathBuf::from("."),
         };
-        let jobs: Vec<_> = self.commands.iter().map(job).collect();
-        let timed = self.rounds.measure(&jobs, &supervise::NONE, true)?;
+        let commands = self.commands()?;
+        let [jobs, prepare] =
+            [0, 1].map(|at| commands.iter().filter_map(|texts| texts[at].as_ref().map(job)).collect());
+        let (jobs, prepare): (Vec<_>, Vec<_>) = (jobs, prepare);
+        let timed = self.rounds.measure_prepared(&jobs, &prepare, &supervise::NONE, true)?;
         let record = Record { machine, commands: timed.into_iter().collect::<Result<_, _>>()? };
         super::print_as(self.json, &[], &record, || table(&record.commands))
     }
@@ -52,17 +98,16 @@ fn table(commands: &[Timed]) -> String {
         format!("{} ({} to {})", text(median), text(low), text(high))
     };
     let row = |timed: &Timed| {
-        // The system's clock of user time may count nothing for a short command.
-        let ratio = Some(ratio(&timed.seconds, &commands[0].seconds)).filter(|ratio| ratio.high.is_finite());
+        let ratio = Some(ratio(&timed.elapsed, &commands[0].elapsed)).filter(|ratio| ratio.high.is_finite());
         vec![
-            bounded(timed.median, seconds),
+            bounded(timed.wall, seconds),
             ratio.map_or_else(String::new, |ratio| bounded(ratio, short)),
-            seconds(timed.wall.median),
+            seconds(timed.median.median),
             format!("{:.1} MB", timed.memory),
             timed.joules.map_or_else(|| "no meter".to_owned(), |joules| format!("{} J", short(joules.median))),
             terminal::escape_lines(&timed.command),
         ]
     };
-    let head = ["user time", "times the first", "elapsed", "memory", "energy", "command"].map(str::to_owned).to_vec();
+    let head = ["elapsed", "times the first", "user time", "memory", "energy", "command"].map(str::to_owned).to_vec();
     terminal::table(&std::iter::once(head).chain(commands.iter().map(row)).collect::<Vec<_>>())
 }

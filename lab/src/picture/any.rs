@@ -1,12 +1,13 @@
 //! The formats of pictures, which the ending of a file's name or its first bytes tell, and pictures of any format.
 
-use std::io::{self, Read, Write};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, Write};
 use std::path::Path;
 
 use cpu::internals::input::reader::Input;
 
-use super::floats::{self, Floats};
-use super::{MAX_FILE_BYTES, Picture, exr, ppm};
+use super::floats::Floats;
+use super::{MAX_FILE_BYTES, Picture, exr, npy, pfm, png, ppm, spare};
 use crate::format::unseen;
 use crate::{Failure, terminal};
 
@@ -40,9 +41,22 @@ impl Kind {
         let known = ENDINGS.iter().find(|(name, _)| ending.eq_ignore_ascii_case(name));
         known.map(|&(_, kind)| kind).ok_or_else(|| {
             let (path, ending) = (terminal::name(path), cpu::internals::input::text::escape(ending.as_encoded_bytes()));
-            let [start @ .., last] = ENDINGS.map(|(name, _)| format!(".{name}"));
-            let names = start.join(", ");
-            format!("{path}: a picture cannot be written as .{ending}; its name must end in {names} or {last}")
+            let names = listed(&ENDINGS.map(|(name, _)| name));
+            format!("{path}: a picture cannot be written as .{ending}; its name must end in {names}")
+        })
+    }
+
+    /// Returns the format of a drawing with a scale, as [`Kind::of`] does: PNG or PPM.
+    ///
+    /// # Errors
+    /// An error for a format of numbers, which a drawing does not have, or for another ending.
+    pub fn of_drawing(path: &Path) -> Result<Self, String> {
+        let known = Self::of(path, Self::Png);
+        known.ok().filter(|kind| !kind.is_of_floats()).ok_or_else(|| {
+            format!(
+                "{}: this is a drawing with colours and a scale; its name must end in .png or .ppm",
+                terminal::name(path)
+            )
         })
     }
 
@@ -74,14 +88,36 @@ pub enum Any {
 }
 
 impl Any {
-    /// Reads a picture from a file. The first bytes of the file tell its format.
+    /// Reads a picture from a file. The first bytes of the file tell its format. Prints what the picture leaves out.
     ///
     /// # Errors
     /// An error if the file cannot be read, is larger than [`MAX_FILE_BYTES`], or is no picture of a known format.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let open = || Input::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
-        let read = || Self::parse(&picture_bytes(open()?)?);
-        read().map_err(|reason| format!("{}: {reason}", terminal::name(path)).into())
+        Self::read_layer(path, None)
+    }
+
+    /// Reads a picture as [`Any::read`] does. Of an EXR it takes the layer of this name.
+    ///
+    /// # Errors
+    /// The errors of [`Any::read`], and that there is no such layer.
+    pub fn read_layer(path: &Path, layer: Option<&str>) -> Result<Self, Failure> {
+        let mut notes = Vec::new();
+        let read = |notes: &mut Vec<String>| {
+            let file = File::open(path).map_err(|error| error.to_string())?;
+            let about = file.metadata().map_err(|error| error.to_string())?;
+            if about.is_file() {
+                return Self::decode(BufReader::with_capacity(1 << 16, file), about.len(), layer, notes);
+            }
+            // A pipe gives its content only once, so all of it is kept.
+            drop(file);
+            let bytes = Input::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
+            let bytes = picture_bytes(bytes?)?;
+            Self::decode(Cursor::new(&bytes[..]), bytes.len() as u64, layer, notes)
+        };
+        let name = terminal::name(path);
+        let found = read(&mut notes).map_err(|reason| format!("{name}: {reason}"))?;
+        notes.iter().for_each(|note| terminal::note(&format!("{name}: {note}")));
+        Ok(found)
     }
 
     /// Returns the picture in the bytes of a file.
@@ -89,13 +125,32 @@ impl Any {
     /// # Errors
     /// The error of the bytes, as text.
     pub fn parse(bytes: &[u8]) -> Result<Self, String> {
-        match Kind::of_bytes(bytes) {
-            Some(Kind::Png) => super::from_png(bytes).map(Self::Bytes),
-            Some(Kind::Ppm) => ppm::parse(bytes).map(Self::Bytes),
-            Some(Kind::Pfm) => floats::from_pfm(bytes).map(Self::Floats),
-            Some(Kind::Npy) => floats::from_npy(bytes).map(Self::Floats),
-            Some(Kind::Exr) => exr::parse(bytes).map(Self::Floats),
-            None => Err(neither(bytes)),
+        Self::decode(Cursor::new(bytes), bytes.len() as u64, None, &mut Vec::new())
+    }
+
+    /// Reads the picture in `source`, a file of `length` bytes.
+    fn decode(
+        mut source: impl BufRead + Seek,
+        length: u64,
+        layer: Option<&str>,
+        notes: &mut Vec<String>,
+    ) -> Result<Self, String> {
+        spare(0)?;
+        let head = source.fill_buf().map_err(|error| error.to_string())?;
+        let head = &head[..head.len().min(4)];
+        let kind = Kind::of_bytes(head).ok_or_else(|| neither(head))?;
+        if length > MAX_FILE_BYTES {
+            return Err(format!("it is larger than {MAX_FILE_BYTES} bytes"));
+        }
+        if layer.is_some() && kind != Kind::Exr {
+            return Err("--layer is for EXR files, and this file has no layers".to_owned());
+        }
+        match kind {
+            Kind::Png => png::decode(source, length, notes).map(Self::Bytes),
+            Kind::Ppm => ppm::decode(source, length).map(Self::Bytes),
+            Kind::Pfm => pfm::decode(source, length).map(Self::Floats),
+            Kind::Npy => npy::decode(source, length, notes),
+            Kind::Exr => exr::decode(source, length, layer, notes).map(Self::Floats),
         }
     }
 
@@ -107,8 +162,8 @@ impl Any {
         match (self, kind) {
             (Self::Bytes(picture), Kind::Ppm) => picture.write_ppm(out),
             (Self::Bytes(picture), Kind::Png) => picture.write_png(out),
-            (Self::Floats(floats), Kind::Pfm) => floats.write_pfm(out),
-            (Self::Floats(floats), Kind::Npy) => floats.write_npy(out),
+            (Self::Floats(floats), Kind::Pfm) => pfm::write(floats, out),
+            (Self::Floats(floats), Kind::Npy) => npy::write(floats, out),
             (Self::Floats(floats), Kind::Exr) => exr::write(floats, out),
             (Self::Bytes(picture), _) => {
                 Self::Floats(Floats::of(picture, gamma).map_err(io::Error::other)?).write(kind, gamma, out)
@@ -117,6 +172,17 @@ impl Any {
                 Self::Bytes(floats.to_picture(gamma).map_err(io::Error::other)?).write(kind, gamma, out)
             }
         }
+    }
+
+    /// Returns a copy of a part: column, row, width and height.
+    ///
+    /// # Errors
+    /// A message if memory is short, or if the part does not lie within the picture.
+    pub fn crop(&self, part: [usize; 4]) -> Result<Self, String> {
+        Ok(match self {
+            Self::Bytes(picture) => Self::Bytes(picture.crop(part)?),
+            Self::Floats(floats) => Self::Floats(floats.crop(part)?),
+        })
     }
 
     /// Returns the picture in bytes. Numbers are linear light, and become bytes by the exponent 1 / `gamma`.
@@ -131,12 +197,25 @@ impl Any {
     }
 }
 
+/// Returns the endings as a list in words.
+fn listed(endings: &[&str]) -> String {
+    let names: Vec<_> = endings.iter().map(|name| format!(".{name}")).collect();
+    names.split_last().map_or_else(String::new, |(last, start)| format!("{} or {last}", start.join(", ")))
+}
+
 /// Returns the message for a file that begins with `bytes` and not as a picture does.
 fn neither(bytes: &[u8]) -> String {
     // Binary files of other kinds have zero bytes too.
     let mark = unseen::mark(bytes).filter(|mark| mark.character != '\0' || bytes.contains(&b'P'));
     let cause = mark.map(|mark| format!(": it begins with {}; {}", mark.what[0], mark.remedy[0]));
-    format!("neither PPM (P3 or P6), PNG, PFM, NPY nor EXR{}", cause.unwrap_or_default())
+    let known = match bytes {
+        [b'P', b'K', ..] => Some("an archive, such as .npz of NumPy; save one array by numpy.save".to_owned()),
+        [b'P', b'1' | b'2' | b'4' | b'5' | b'7', ..] => {
+            Some("a PBM, PGM or PAM; convert it to PPM, for instance by pnmtopng or ppmtoppm".to_owned())
+        }
+        _ => None,
+    };
+    known.unwrap_or_else(|| format!("neither PPM (P3 or P6), PNG, PFM, NPY nor EXR{}", cause.unwrap_or_default()))
 }
 
 /// Reads all bytes of a file that begins like a picture. Any other file, such as `/dev/zero`, is refused after four

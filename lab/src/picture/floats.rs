@@ -1,10 +1,10 @@
-//! Pictures of floating-point numbers: linear light, depths, normals. Reads and writes PFM and NPY.
+//! Pictures of floating-point numbers: linear light, depths, normals.
 
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 
 use cpu::internals::image::quantize::Quantizer;
 
-use super::{Picture, check_pixels, with_room};
+use super::{Picture, with_room};
 
 /// The gamma that converts between bytes and linear light if no other is given: the default of the configuration.
 pub const GAMMA: f64 = 2.2;
@@ -18,8 +18,11 @@ pub struct Floats {
     pub height: usize,
     /// Number of channels: 1, or 3.
     pub channels: usize,
-    /// The channels of each pixel, row by row from the top left.
+    /// The channels of each pixel, row by row from the top left. NaN is no number, such as the depth where nothing is
+    /// hit.
     pub values: Vec<f32>,
+    /// Whether the numbers are depths, which EXR keeps in the channel Z.
+    pub is_depth: bool,
 }
 
 impl Floats {
@@ -31,7 +34,7 @@ impl Floats {
         let count = width * height * channels;
         let mut values = with_room(count)?;
         values.resize(count, 0.0);
-        Ok(Self { width, height, channels, values })
+        Ok(Self { width, height, channels, values, is_depth: false })
     }
 
     /// Returns the linear light of a picture that was made with `gamma`.
@@ -49,126 +52,110 @@ impl Floats {
         Ok(floats)
     }
 
+    /// Returns what is lost when these numbers become bytes: how many are below 0, above 1, or not a number.
+    pub fn clipped(&self) -> Option<String> {
+        let count = |is_lost: fn(f32) -> bool| self.values.iter().filter(|&&value| is_lost(value)).count();
+        let counts = [
+            (count(|value| value < 0.0), "below 0 become black"),
+            (count(|value| value > 1.0), "above 1 become white"),
+            (count(f32::is_nan), "that are NaN become black"),
+        ];
+        let lost: Vec<_> =
+            counts.iter().filter(|(count, _)| *count > 0).map(|(n, what)| format!("{n} {what}")).collect();
+        let all = self.values.len();
+        let (least, most) = self.range();
+        (!lost.is_empty()).then(|| {
+            format!("of its {all} numbers, {}; --range LOW,HIGH scales them ({least} to {most})", lost.join(", "))
+        })
+    }
+
+    /// Whether these numbers are probably no linear light: they have one channel, NaN, clearly negative numbers, or whole
+    /// numbers above 1.
+    pub fn is_no_light(&self) -> bool {
+        let has = |is: fn(f32) -> bool| self.values.iter().any(|&value| is(value));
+        let is_whole = || self.values.iter().all(|&value| value.fract() == 0.0) && has(|value| value > 1.0);
+        self.channels == 1 || has(f32::is_nan) || has(|value| value < -0.1) || is_whole()
+    }
+
+    /// Returns the smallest and the largest finite number, or 0 and 0 without one.
+    pub fn range(&self) -> (f32, f32) {
+        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
+        let least = finite().fold(f32::INFINITY, f32::min);
+        if least.is_finite() { (least, finite().fold(least, f32::max)) } else { (0.0, 0.0) }
+    }
+
+    /// Returns bytes that are proportional to the numbers: `low` becomes 0, and `high` becomes 255. NaN becomes 0.
+    ///
+    /// # Errors
+    /// An error if memory is short.
+    pub fn scaled(&self, (low, high): (f64, f64)) -> Result<Picture, String> {
+        let byte = |value: f32| (255.0 * (f64::from(value) - low) / (high - low)) as u8;
+        self.bytes(byte)
+    }
+
+    /// Returns a copy of a part: column, row, width and height.
+    ///
+    /// # Errors
+    /// A message if memory is short, or if the part does not lie within the picture.
+    pub fn crop(&self, part: [usize; 4]) -> Result<Self, String> {
+        super::within(part, self.width, self.height)?;
+        let ([x, y, width, height], channels) = (part, self.channels);
+        let mut values = with_room(width * height * channels)?;
+        for row in y..y + height {
+            values.extend_from_slice(&self.values[(row * self.width + x) * channels..][..width * channels]);
+        }
+        Ok(Self { width, height, values, channels, is_depth: self.is_depth })
+    }
+
     /// Returns the bytes of this linear light by the renderer's rule, for `gamma`.
     ///
     /// # Errors
     /// An error if memory is short.
     pub fn to_picture(&self, gamma: f64) -> Result<Picture, String> {
         let quantizer = Quantizer::new(gamma);
+        self.bytes(|value| quantizer.quantize(f64::from(value)))
+    }
+
+    /// Returns the picture of a byte for each number.
+    fn bytes(&self, byte: impl Fn(f32) -> u8) -> Result<Picture, String> {
         let mut pixels = with_room(self.width * self.height)?;
-        pixels.extend(self.values.chunks_exact(self.channels).map(|pixel| {
-            let byte = |channel: usize| quantizer.quantize(f64::from(pixel[channel.min(self.channels - 1)]));
-            [byte(0), byte(1), byte(2)]
-        }));
+        let channel = |pixel: &[f32], channel: usize| byte(pixel[channel.min(self.channels - 1)]);
+        let color = |pixel: &[f32]| [0, 1, 2].map(|at| channel(pixel, at));
+        pixels.extend(self.values.chunks_exact(self.channels).map(color));
         Ok(Picture { width: self.width, height: self.height, pixels })
     }
-
-    pub(super) fn write_pfm(&self, mut out: impl Write) -> io::Result<()> {
-        let letter = if self.channels == 3 { 'F' } else { 'f' };
-        // The negative number stands for little-endian numbers. The last row comes first.
-        write!(out, "P{letter}\n{} {}\n-1.0\n", self.width, self.height)?;
-        self.values.chunks_exact(self.width * self.channels).rev().try_for_each(|row| write_row(row, &mut out))
-    }
-
-    pub(super) fn write_npy(&self, mut out: impl Write) -> io::Result<()> {
-        let channels = if self.channels == 3 { ", 3" } else { "" };
-        let shape = format!("({}, {}{channels})", self.height, self.width);
-        let header = format!("{{'descr': '<f4', 'fortran_order': False, 'shape': {shape}, }}");
-        // The header ends in LF, and the numbers start at a multiple of 64.
-        let length = (NPY_START + header.len() + 1).next_multiple_of(64) - NPY_START;
-        out.write_all(b"\x93NUMPY\x01\0")?;
-        out.write_all(&(length as u16).to_le_bytes())?;
-        writeln!(out, "{header:<0$}", length - 1)?;
-        self.values.chunks_exact(self.width * self.channels).try_for_each(|row| write_row(row, &mut out))
-    }
 }
 
-/// Length of an NPY file before its header: the magic bytes, the version and the length of the header.
-const NPY_START: usize = 10;
-
-fn write_row(row: &[f32], out: &mut impl Write) -> io::Result<()> {
-    out.write_all(&row.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<_>>())
+/// Writes the numbers of a row, little-endian, in pieces.
+pub(super) fn write_row(row: &[f32], out: &mut impl Write) -> io::Result<()> {
+    let mut piece = [[0; 4]; PIECE];
+    row.chunks(PIECE).try_for_each(|values| {
+        piece.iter_mut().zip(values).for_each(|(bytes, value)| *bytes = value.to_le_bytes());
+        out.write_all(piece[..values.len()].as_flattened())
+    })
 }
 
-/// Returns the picture in the bytes of a PFM file.
-pub(super) fn from_pfm(bytes: &[u8]) -> Result<Floats, String> {
-    const WRONG: &str = "a PFM whose header is damaged";
-
-    let mut rest = &bytes[2..];
-    let mut word = || {
-        let start = rest.trim_ascii_start();
-        let length = start.iter().position(u8::is_ascii_whitespace)?;
-        // One white-space byte ends each word, and the numbers follow that of the last one.
-        rest = &start[length + 1..];
-        str::from_utf8(&start[..length]).ok()
-    };
-    let (width, height, scale) = (word().ok_or(WRONG)?, word().ok_or(WRONG)?, word().ok_or(WRONG)?);
-    let (width, height): (usize, usize) = (width.parse().map_err(|_| WRONG)?, height.parse().map_err(|_| WRONG)?);
-    // The sign of the scale tells the order of the bytes, so 0 and NaN have no meaning.
-    let scale = scale.parse().ok().filter(|&scale: &f32| scale.abs() > 0.0).ok_or(WRONG)?;
-    let channels = if bytes[1] == b'F' { 3 } else { 1 };
-    let floats = from_numbers(rest, [width, height, channels], (4, scale < 0.0))?;
-    let rows = floats.values.chunks_exact(width * channels).rev();
-    Ok(Floats { values: rows.flatten().copied().collect(), ..floats })
+/// Reads a number of `size` bytes, at most eight, for each of `values`.
+///
+/// # Errors
+/// The error of `source`, as text.
+pub(super) fn fill(
+    source: &mut impl Read,
+    values: &mut [f32],
+    size: usize,
+    number: impl Fn(&[u8]) -> f32,
+) -> Result<(), String> {
+    let mut piece = [0; 8 * PIECE];
+    values.chunks_mut(PIECE).try_for_each(|values| {
+        let bytes = &mut piece[..values.len() * size];
+        source.read_exact(bytes).map_err(|error| error.to_string())?;
+        values.iter_mut().zip(bytes.chunks_exact(size)).for_each(|(value, bytes)| *value = number(bytes));
+        Ok(())
+    })
 }
 
-/// Returns the picture in the bytes of an NPY file: an array of `f4` or `f8` with the shape (height, width) or (height,
-/// width, 3).
-pub(super) fn from_npy(bytes: &[u8]) -> Result<Floats, String> {
-    const WRONG: &str = "an NPY that is no array of f4 or f8 with the shape (height, width) or (height, width, 3)";
-
-    let (start, length) = match *bytes {
-        [_, _, _, _, _, _, 1, _, a, b, ..] => (NPY_START, u32::from(u16::from_le_bytes([a, b]))),
-        [_, _, _, _, _, _, 2 | 3, _, a, b, c, d, ..] => (NPY_START + 2, u32::from_le_bytes([a, b, c, d])),
-        _ => return Err(WRONG.to_owned()),
-    };
-    let (header, numbers) = bytes[start..].split_at_checked(length as usize).ok_or(WRONG)?;
-    let header = str::from_utf8(header).map_err(|_| WRONG)?;
-    let field = |name: &str| header.split_once(name).and_then(|(_, rest)| rest.trim_start().strip_prefix(':'));
-    let type_of = field("'descr'").and_then(|rest| rest.trim_start().get(1..4)).ok_or(WRONG)?;
-    let shape = field("'shape'").and_then(|rest| rest.trim_start().strip_prefix('(')?.split_once(')')).ok_or(WRONG)?.0;
-    let shape = shape.split(',').map(str::trim).filter(|side| !side.is_empty()).map(str::parse);
-    let shape: Vec<usize> = shape.collect::<Result<_, _>>().map_err(|_| WRONG)?;
-    let is_in_rows = field("'fortran_order'").is_some_and(|rest| rest.trim_start().starts_with("False"));
-    let size = match type_of {
-        "<f4" | ">f4" => 4,
-        "<f8" | ">f8" => 8,
-        _ => return Err(WRONG.to_owned()),
-    };
-    let (width, height, channels) = match shape[..] {
-        [height, width] => (width, height, 1),
-        [height, width, channels @ (1 | 3)] => (width, height, channels),
-        _ => return Err(WRONG.to_owned()),
-    };
-    if !is_in_rows {
-        return Err("an NPY in Fortran's order; save numpy.ascontiguousarray(...) instead".to_owned());
-    }
-    from_numbers(numbers, [width, height, channels], (size, type_of.starts_with('<')))
-}
-
-/// Returns the picture of the numbers in `bytes`, each of `size` bytes. Checks that there are as many as the header
-/// announces, before memory is taken for them.
-fn from_numbers(
-    bytes: &[u8],
-    [width, height, channels]: [usize; 3],
-    (size, is_little): (usize, bool),
-) -> Result<Floats, String> {
-    let pixels = check_pixels(width.checked_mul(height))?;
-    let announced = pixels.checked_mul(channels * size).filter(|&announced| announced > 0 && announced == bytes.len());
-    if announced.is_none() {
-        return Err(format!("{} bytes of numbers where {width} x {height} pixels are announced", bytes.len()));
-    }
-    let mut values = with_room(pixels * channels)?;
-    values.extend(bytes.chunks_exact(size).map(|number| {
-        let mut number: [u8; 8] = std::array::from_fn(|at| number.get(at).copied().unwrap_or(0));
-        if !is_little {
-            number[..size].reverse();
-        }
-        let [a, b, c, d, ..] = number;
-        if size == 4 { f32::from_le_bytes([a, b, c, d]) } else { f64::from_le_bytes(number) as f32 }
-    }));
-    Ok(Floats { width, height, channels, values })
-}
+/// How many numbers are read or written at once.
+const PIECE: usize = 1 << 10;
 
 #[cfg(test)]
 mod tests {

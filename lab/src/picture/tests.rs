@@ -66,8 +66,8 @@ fn damaged_pictures_are_refused() {
 fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
     let mut bytes = Vec::new();
     // This is a header, and pixels that end before they begin.
-    let mut writer = png::Encoder::new(&mut bytes, 8192, 8192).write_header().expect("memory takes all bytes");
-    writer.write_chunk(png::chunk::IDAT, b"").expect("memory takes all bytes");
+    let mut writer = ::png::Encoder::new(&mut bytes, 8192, 8192).write_header().expect("memory takes all bytes");
+    writer.write_chunk(::png::chunk::IDAT, b"").expect("memory takes all bytes");
     drop(writer);
     let message = Picture::parse(&bytes).expect_err("it cannot hold them");
     assert!(message.starts_with("a PNG that announces 67"), "{message}");
@@ -77,7 +77,7 @@ fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
 fn a_palette_that_ends_within_a_colour_is_refused() {
     let png = |palette: &[u8]| {
         let set = |encoder: &mut Encoder| {
-            encoder.set_color(png::ColorType::Indexed);
+            encoder.set_color(::png::ColorType::Indexed);
             encoder.set_palette(palette.to_vec());
         };
         Picture::parse(&encoded([1, 1], set, &[0]))
@@ -88,12 +88,12 @@ fn a_palette_that_ends_within_a_colour_is_refused() {
     }
 }
 
-type Encoder<'a> = png::Encoder<'static, &'a mut Vec<u8>>;
+type Encoder<'a> = ::png::Encoder<'static, &'a mut Vec<u8>>;
 
 /// Returns a PNG of these bytes. `set` may change its kind, which is grey with 8 bits.
 fn encoded([width, height]: [u32; 2], set: impl FnOnce(&mut Encoder<'_>), data: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    let mut encoder = ::png::Encoder::new(&mut bytes, width, height);
     set(&mut encoder);
     let mut writer = encoder.write_header().expect("memory takes all bytes");
     writer.write_image_data(data).expect("memory takes all bytes");
@@ -104,7 +104,7 @@ fn encoded([width, height]: [u32; 2], set: impl FnOnce(&mut Encoder<'_>), data: 
 /// Returns a black greyscale PNG with one bit a pixel. The file is far smaller than its pixels.
 fn black_png(width: u32, height: u32) -> Vec<u8> {
     let data = vec![0; (width as usize).div_ceil(8) * height as usize];
-    encoded([width, height], |encoder| encoder.set_depth(png::BitDepth::One), &data)
+    encoded([width, height], |encoder| encoder.set_depth(::png::BitDepth::One), &data)
 }
 
 #[test]
@@ -122,9 +122,31 @@ fn a_picture_of_exactly_the_limit_is_read_and_one_row_more_refused() {
 }
 
 #[test]
-fn a_png_of_16_bits_is_refused_before_its_pixels_are_read() {
-    let bytes = encoded([1, 1], |encoder| encoder.set_depth(png::BitDepth::Sixteen), &[0; 2]);
-    assert_eq!(Picture::parse(&bytes), Err("a PNG of more than 8 bits a channel".to_owned()));
+fn sixteen_bits_are_rounded_and_alpha_is_left_out_with_a_note() {
+    let read = |bytes: &[u8]| {
+        let mut notes = Vec::new();
+        let read = png::decode(io::Cursor::new(bytes), bytes.len() as u64, &mut notes);
+        (read.expect("it is a picture").pixels, notes.join("; "))
+    };
+    let deep = |encoder: &mut Encoder<'_>| encoder.set_depth(::png::BitDepth::Sixteen);
+    // 255 / 65535 is 1 / 257, so 128 of 257 are rounded down, and 129 up.
+    let bytes = encoded([4, 1], deep, &[0, 128, 0, 129, 255, 255, 3, 3]);
+    assert_eq!(read(&bytes), (vec![[0; 3], [1; 3], [255; 3], [3; 3]], "its 16 bits a channel are rounded to 8".into()));
+    assert_eq!(read(&encoded([1, 1], deep, &[7, 7])), (vec![[7; 3]], String::new()));
+    let alpha = |encoder: &mut Encoder<'_>| encoder.set_color(::png::ColorType::Rgba);
+    let note = "1 of its 2 pixels are not opaque; alpha is left out, their colours count";
+    let bytes = encoded([2, 1], alpha, &[1, 2, 3, 255, 4, 5, 6, 254]);
+    assert_eq!(read(&bytes), (vec![[1, 2, 3], [4, 5, 6]], note.to_owned()));
+    assert_eq!(read(&encoded([1, 1], alpha, &[1, 2, 3, 255])).1, "");
+    // A colour of a palette may be transparent, and so may a shade of grey.
+    let palette = |encoder: &mut Encoder<'_>| {
+        encoder.set_color(::png::ColorType::Indexed);
+        encoder.set_palette(vec![9, 8, 7, 1, 2, 3]);
+        encoder.set_trns(vec![0]);
+    };
+    assert_eq!(read(&encoded([2, 1], palette, &[0, 1])), (vec![[9, 8, 7], [1, 2, 3]], note.to_owned()));
+    let grey = |encoder: &mut Encoder<'_>| encoder.set_trns(vec![0, 5]);
+    assert_eq!(read(&encoded([2, 1], grey, &[5, 6])), (vec![[5; 3], [6; 3]], note.to_owned()));
 }
 
 #[test]
@@ -132,4 +154,7 @@ fn a_part_is_cut_out_row_by_row() {
     let right = Picture { width: 1, height: 2, pixels: vec![[1, 2, 3], [10, 20, 30]] };
     assert_eq!(sample().crop([1, 0, 1, 2]).expect("it is small"), right);
     assert_eq!(sample().crop([0, 0, 2, 2]).expect("it is small"), sample());
+    for part in [[1, 0, 2, 1], [0, 2, 1, 1], [0, 0, 1, usize::MAX]] {
+        assert_eq!(sample().crop(part), Err("--crop goes beyond the picture of 2 x 2 pixels".to_owned()));
+    }
 }

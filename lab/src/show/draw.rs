@@ -4,13 +4,10 @@ use annotate::Canvas;
 use colorous::{TABLEAU10, VIRIDIS};
 
 use super::Quantity;
-use crate::heatmap::{color_at, framed};
+use crate::heatmap::{NOTHING, color_at, framed};
 use crate::picture::floats::Floats;
 use crate::picture::{Picture, with_room};
 use crate::report::style::short;
-
-/// The colour of pixels without a hit.
-const NOTHING: [u8; 3] = [70; 3];
 
 /// A scale is logarithmic if its largest number is so many times the smallest positive one.
 const WIDE: f64 = 8.0;

@@ -65,10 +65,9 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
 #[test]
 fn commands_are_timed_in_turn_and_a_slower_one_is_found() {
     let folder = Folder::new();
-    let busy = |steps: u32| format!("i=0; while [ $i -lt {steps} ]; do i=$((i+1)); done");
-    for (name, steps) in [("old", 10), ("new", 200_000)] {
-        folder.write("case.sh", busy(steps));
-        let output = crate::bash(&folder, &format!("$lab time --rounds 3 --json 'sh case.sh' true >{name}.json"));
+    for (name, seconds) in [("old", ".02"), ("new", ".9")] {
+        folder.write("case.sh", format!("sleep {seconds}"));
+        let output = crate::bash(&folder, &format!("$lab time --rounds 3 --json 'sh case.sh' 'sleep .3' >{name}.json"));
         assert!(output.status.success(), "{output:?}");
     }
     let diff = |old, new| {
@@ -79,6 +78,22 @@ fn commands_are_timed_in_turn_and_a_slower_one_is_found() {
     assert!(status == Some(1) && text.contains("\nslower") && text.contains("1 slower, 0 faster, "), "{text}");
     let (status, text) = diff("new.json", "old.json");
     assert!(status == Some(0) && text.contains("\nfaster") && text.contains("sh case.sh"), "{text}");
+    // A command that waits takes long, though it takes no user time. All values of a parameter are measured.
+    let command =
+        ["time", "--rounds", "3", "--json", "--parameter", "s=.1,.4", "sleep {s}", "--prepare", "test {s} != 1"];
+    let record: serde_json::Value = printed(&command).parse().expect("it is JSON");
+    let elapsed = [0, 1].map(|at| record["commands"][at]["wall"]["median"].as_f64().unwrap_or_default());
+    assert_eq!(
+        (&record["commands"][1]["command"], record["commands"].as_array().map(Vec::len)),
+        (&"sleep .4".into(), Some(2))
+    );
+    assert!(elapsed[1] > 1.5 * elapsed[0] && elapsed[0] > 0.09, "{record}");
+    let table = printed(&["time", "--rounds", "3", "sleep .1", "sleep .4"]);
+    assert!(table.trim_start().starts_with("elapsed "), "{table}");
+    let said = complaint(&["time", "--parameter", "x=1", "true"]);
+    assert!(said.ends_with("Error: --parameter x: no command has {x}\n"), "{said}");
+    let said = complaint(&["time", "--prepare", "exit 4", "true"]);
+    assert!(said.ends_with("Error: exit 4: exit status 4\n"), "{said}");
     assert!(complaint(&["time", "true", "exit 3"]).ends_with("Error: exit 3: exit status 3\n"));
     assert!(complaint(&["time", "kill -SEGV $$"]).ends_with("ended by signal SIGSEGV\n"));
 }
@@ -106,7 +121,7 @@ fn an_interrupted_measurement_writes_nothing() {
 fn the_name_of_an_instruction_set_that_the_machine_lacks_is_an_error() {
     let folder = Folder::new();
     let render = "render $root/scenes/spheres/config.txt $root/scenes/spheres/scene.txt o.ppm";
-    for line in ["bench error --quick --out o.json", render] {
+    for line in ["bench error --quick --out o.json", "compare a.ppm a.ppm", "time true", "grade .", render] {
         let message = crate::bash_complaint(&folder, &format!("RENDER_INSTRUCTION_SET=avx3 $lab {line}"));
         let start = "Error: RENDER_INSTRUCTION_SET is \"avx3\", and this machine has portable";
         assert!(message.starts_with(start) && folder.names().is_empty(), "{message}");

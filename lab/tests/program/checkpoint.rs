@@ -78,7 +78,7 @@ fn a_run_stops_where_it_is_told_and_says_how_to_go_on() {
         ),
         (&["--resume", keep, "--set", "gamma=1"], "it is of another configuration"),
         (&["--resume", "README.md"], "is damaged, or no checkpoint"),
-        (&["--resume", "/nowhere"], "/nowhere"),
+        (&["--resume", "/nowhere/keep"], "/nowhere/keep"),
         (&["--stop-after", "9s"], "need --checkpoint FILE"),
     ];
     for (options, reason) in refusals {
@@ -107,4 +107,36 @@ fn an_interruption_writes_the_checkpoint() {
     let said = String::from_utf8(output.stderr).expect("it is text");
     assert!(sent.success() && output.status.code() == Some(130), "{said}");
     assert!(said.starts_with("Not finished: ") && folder.names() == ["keep"], "{said}");
+}
+
+#[test]
+fn a_run_without_a_checkpoint_begins_writes_one_on_request_and_keeps_others_away() {
+    let folder = Folder::new();
+    let names = ["whole.ppm", "out.ppm", "keep"].map(|name| folder.name(name));
+    let [whole, out, keep] = names.each_ref().map(String::as_str);
+    let resume = ["--resume", keep, "--set", "samples_per_pixel=300"];
+    printed(&arguments(whole, "image_width=120", &resume[2..]));
+    let mut child = lab(&arguments(out, "image_width=120", &resume)).spawn().expect("the program runs");
+    let wait_for = |name: &str| {
+        while !folder.file(name).exists() {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    };
+    wait_for("keep.lock");
+    let second = complaint(&arguments(&folder.name("second.ppm"), "image_width=120", &resume));
+    assert!(second.contains("keep: another run keeps this checkpoint; wait for its end"), "{second}");
+    // A checkpoint every minute is not yet due.
+    assert!(child.try_wait().expect("it is ours").is_none(), "the picture takes too little time for this test");
+    let id = child.id().to_string();
+    for _ in 0..1000 {
+        let sent = std::process::Command::new("kill").args(["-USR1", &id]).status().expect("there is kill");
+        std::thread::sleep(Duration::from_millis(20));
+        if !sent.success() || folder.file("keep").exists() {
+            break;
+        }
+    }
+    assert!(folder.file("keep").exists() && child.try_wait().expect("it is ours").is_none(), "it goes on");
+    assert!(child.wait().expect("it is ours").success());
+    assert!(fs::read(out).expect("it is finished") == fs::read(whole).expect("it is there"));
+    assert_eq!(folder.names(), ["keep", "out.ppm", "whole.ppm"], "no lock is left");
 }

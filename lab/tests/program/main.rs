@@ -8,6 +8,8 @@ mod completion;
 mod files;
 mod hostile;
 mod limits;
+mod memory;
+mod pictures;
 mod render;
 mod results;
 mod scenes;

@@ -163,6 +163,18 @@ fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
     folder.write("frames/0002.png", &third[..100]);
     assert_eq!(animate(&out, &[]), Some(2));
     assert!(folder.read("frames/0002.png") == third);
+    // A pipe or a link in the place of a frame is refused, and not waited for or written through.
+    for make in ["mkfifo frames/0001.png", "ln -s ../victim frames/0001.png", "mkdir frames/0001.png"] {
+        crate::bash(&folder, &format!("rm -r frames/0001.png; {make}"));
+        let said = complaint(&["animate", CONFIG, SCENE, &out, "--frames", "4"]);
+        assert!(said.contains("0001.png: it is not a regular file; delete it"), "{make}: {said}");
+        assert!(!folder.file("victim").exists());
+    }
+    crate::bash(&folder, "rm -r frames/0001.png");
+    for name in ["turn.gif", "turn.MP4", "turn.webp"] {
+        let said = complaint(&["animate", CONFIG, SCENE, &folder.name(name)]);
+        assert!(said.contains("is not written. Name an animated PNG (.png)") && !folder.file(name).exists(), "{said}");
+    }
     let other = complaint(&["animate", CONFIG, SCENE, &out, "--frames", "5"]);
     assert!(other.contains("it has frames of another animation"), "{other}");
     fs::remove_file(folder.file("frames/animation.json")).expect("it was written");
@@ -175,5 +187,8 @@ fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
     let through = complaint(&["animate", &from, SCENE, &new, "--to", &to, "--frames", "5"]);
     assert!(through.contains("frame 2: ") && !fs::exists(&new).expect("the folder is ours"), "{through}");
     assert_eq!(animate(&film, &["--to", "scenes/materials/config.txt"]), Some(4));
+    let said = run(&["compare", &film, &film]).stderr;
+    let note = "film.png: of 4 frames only the first is taken";
+    assert!(String::from_utf8_lossy(&said).contains(note), "{}", String::from_utf8_lossy(&said));
     assert!(fs::read(film).expect("it was written").windows(4).any(|bytes| bytes == b"acTL"), "it is animated");
 }

@@ -107,7 +107,7 @@ fn a_sky_of_two_colours_is_a_picture_with_both_at_its_ends() {
         [("a.pbrt", [512, 512], [256 * 512 + 256, 0]), ("a.xml", [4, 513], [0, 4 * 512])]
     {
         printed(&["convert", &config, &scene, &folder.name(name)]);
-        let Ok(Any::Floats(sky)) = Any::read(&folder.file(&format!("{name}.exr"))) else { panic!("{name}") };
+        let Ok(Any::Floats(sky)) = Any::read(&folder.file(format!("{name}.exr"))) else { panic!("{name}") };
         assert_eq!((sky.width, sky.height), (width, height));
         assert_eq!(sky.values[3 * top..][..3], [0.25, 0.5, 1.0], "{name}: above is the dark colour");
         assert_eq!(sky.values[3 * bottom..][..3], [1.0, 0.75, 0.0], "{name}: below is the light colour");

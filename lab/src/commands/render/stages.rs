@@ -1,5 +1,6 @@
 //! The options of `render` that make a picture in several runs, and when a run writes its checkpoint and stops.
 
+use std::fs;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -9,6 +10,7 @@ use cpu::internals::Streams;
 use cpu::{Image, Size};
 use output::{Options, Output};
 
+use super::lock::Lock;
 use crate::checkpoint::{Checkpoint, Origin};
 use crate::{Failure, interrupt, terminal};
 
@@ -18,7 +20,8 @@ pub struct Stages {
     /// Keep in this file what is needed to go on later: after a row every minute, when interrupted, and at the end
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
-    /// Go on from this checkpoint, and keep it up to date if --checkpoint names no other file; changes no byte
+    /// Go on from this checkpoint, and keep it up to date if --checkpoint names no other file; changes no byte. Without
+    /// such a file, start and keep the checkpoint there. The signal USR1 writes the checkpoint at once
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     /// Time between two checkpoints, such as 30s or 5m; 0s writes one after each row
@@ -65,15 +68,23 @@ impl Stages {
         }
         // An error of the file is found now, and not after the first minute.
         drop(Output::open(path, options)?);
+        let lock = Lock::of(path)?;
+        interrupt::listen_for_wish();
         let origin = origin();
-        let start = self.resume.as_ref().map(|path| Checkpoint::read(path, &origin, size)).transpose()?;
+        let is_there = |path: &&PathBuf| fs::symlink_metadata(path).is_ok();
+        let start =
+            self.resume.as_ref().filter(is_there).map(|path| Checkpoint::read(path, &origin, size)).transpose()?;
+        if let (Some(path), None) = (&self.resume, &start) {
+            terminal::note(&format!("{}: there is no checkpoint yet, so the picture begins", terminal::name(path)));
+        }
         let next = start.as_ref().map_or(0, |start| start.rows);
         let (first, end) = self.rows.unwrap_or_default();
         if first.is_some_and(|first| first != next) || end.is_some_and(|end| end <= next) {
             return Err(format!("--rows: row {next} comes next, because the random numbers follow the rows").into());
         }
         let every = self.checkpoint_every;
-        let keep = Some(Keep { path: path.clone(), options, origin, every, written: Instant::now(), failed: None });
+        let (path, written) = (path.clone(), Instant::now());
+        let keep = Some(Keep { path, options, origin, every, written, failed: None, _lock: Some(lock) });
         let until = self.stop_after.and_then(|time| Instant::now().checked_add(time));
         Ok((start, Run { keep, last_row: end.unwrap_or(rows).min(rows), rows, until }))
     }
@@ -104,6 +115,8 @@ struct Keep {
     written: Instant,
     /// The failure to write the last checkpoint.
     failed: Option<Failure>,
+    /// Keeps other runs away from the file.
+    _lock: Option<Lock>,
 }
 
 impl Run {
@@ -111,8 +124,9 @@ impl Run {
     pub fn after_row(&mut self, row: usize, image: &impl Image, streams: &mut Streams<'_>) -> ControlFlow<()> {
         let is_late = self.until.is_some_and(|until| Instant::now() >= until);
         let ends = row >= self.last_row || is_late || interrupt::flow().is_break();
+        let is_wished = interrupt::take_wish();
         if let Some(keep) = &mut self.keep
-            && (ends || keep.written.elapsed() >= keep.every)
+            && (ends || is_wished || keep.written.elapsed() >= keep.every)
         {
             let result = Checkpoint::write((&keep.path, keep.options), &keep.origin, (row, image), streams);
             keep.failed = result.err();
@@ -157,7 +171,7 @@ mod tests {
             let origin = Origin::new(&cpu::Config::default(), &scene, "statement");
             let (path, options, every) = (PathBuf::from("c"), Options::default(), Duration::ZERO);
             let failed = Some("full".into());
-            let keep = Some(Keep { path, options, origin, every, written: Instant::now(), failed });
+            let keep = Some(Keep { path, options, origin, every, written: Instant::now(), failed, _lock: None });
             Run { keep, last_row: 9, rows: 9, until: None }.end(row)
         };
         assert!(end(9).is_ok() && end(8).is_err_and(|failure| failure.status() == 2));
