@@ -20,6 +20,13 @@ impl Streams<'_> {
         self.1.visit(&mut visit);
     }
 
+    /// Returns the number of scatter samples that surfaces have taken since row 0. A picture that began later counts
+    /// from an unknown number.
+    #[must_use]
+    pub const fn scatter_samples(&self) -> u64 {
+        self.1.taken()
+    }
+
     /// Returns the number of words that [`Streams::visit`] visits. It is the same for all pictures.
     #[must_use]
     pub fn count() -> usize {

@@ -90,6 +90,12 @@ impl ScatterSamples {
         self.before.wrapping_add(self.next as u64)
     }
 
+    /// Returns the number of samples that were taken. It is right only for a stream that has not been
+    /// [visited](ScatterSamples::visit) to replace its state.
+    pub(crate) const fn taken(&self) -> u64 {
+        self.position().wrapping_sub(ROOM as u64)
+    }
+
     /// Returns the next samples, one in each lane. None of them is taken.
     #[inline(always)]
     pub(crate) fn peek<V: SimdF64>(&self) -> Vec3<V> {
