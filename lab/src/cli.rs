@@ -6,8 +6,8 @@ use output::Options;
 
 use crate::Failure;
 use crate::commands::{
-    animate, bench, check, compare, completions, convert, generate, grade, help, inspect, render, report, shader,
-    supervise, time, view,
+    animate, bench, check, compare, completions, convert, diagnose, explain, generate, grade, help, inspect, render,
+    report, shader, supervise, time, view,
 };
 
 /// Returns the version, the commit, and the instruction set that the renderer chooses on this machine.
@@ -55,6 +55,10 @@ pub enum Command {
     Compare(compare::Arguments),
     /// Hold any program with the statement's command line to the specification
     Check(check::Arguments),
+    /// Name why a program's pictures are not those of the statement
+    Diagnose(diagnose::Arguments),
+    /// Tell the life of a pixel: draws, rays, hits, colours, bytes
+    Explain(explain::Arguments),
     /// Check, measure and grade the programs of a folder
     Grade(grade::Arguments),
     /// Write a picture in another format: PPM, PNG, PFM, NPY, EXR
@@ -97,6 +101,8 @@ impl Command {
             Self::Animate(arguments) => arguments.run(options),
             Self::Compare(arguments) => arguments.run(options),
             Self::Check(arguments) => arguments.run(options),
+            Self::Diagnose(arguments) => arguments.run(),
+            Self::Explain(arguments) => arguments.run(),
             Self::Grade(arguments) => arguments.run(options),
             Self::Convert(arguments) => arguments.run(options),
             Self::Inspect(arguments) => arguments.run(),

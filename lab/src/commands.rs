@@ -6,6 +6,8 @@ pub mod check;
 pub mod compare;
 pub mod completions;
 pub mod convert;
+pub mod diagnose;
+pub mod explain;
 pub mod generate;
 pub mod grade;
 pub mod help;

@@ -5,6 +5,7 @@ mod check;
 mod checkpoint;
 mod compare;
 mod completion;
+mod diagnose;
 mod files;
 mod hostile;
 mod limits;
