@@ -149,7 +149,10 @@ impl Any {
             Kind::Png => png::decode(source, length, notes).map(Self::Bytes),
             Kind::Ppm => ppm::decode(source, length).map(Self::Bytes),
             Kind::Pfm => pfm::decode(source, length).map(Self::Floats),
-            Kind::Npy => npy::decode(source, length, notes),
+            Kind::Npy => Ok(match npy::decode(source, length, notes)? {
+                npy::Array::Bytes(picture) => Self::Bytes(picture),
+                npy::Array::Numbers(floats) => Self::Floats(floats),
+            }),
             Kind::Exr => exr::decode(source, length, layer, notes).map(Self::Floats),
         }
     }

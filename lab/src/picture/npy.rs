@@ -4,7 +4,6 @@ use std::io::{self, BufRead, Write};
 
 use exr::prelude::f16;
 
-use super::any::Any;
 use super::floats::{Floats, fill, write_row};
 use super::{Picture, check_pixels, with_room};
 
@@ -27,6 +26,12 @@ pub(super) fn write(floats: &Floats, mut out: impl Write) -> io::Result<()> {
     floats.values.chunks_exact(floats.width * floats.channels).try_for_each(|row| write_row(row, &mut out))
 }
 
+/// A picture in an array.
+pub(super) enum Array {
+    Bytes(Picture),
+    Numbers(Floats),
+}
+
 /// What the header of an array says.
 struct Header {
     /// Size of a number in bytes, and whether it is a byte from 0 to 255 and not a floating-point number.
@@ -41,7 +46,7 @@ struct Header {
 
 /// Reads the picture in an NPY file of `length` bytes: an array of u1, f2, f4 or f8 with the shape (height, width), or
 /// with a third side of 1, 3 or 4. Adds what the picture leaves out to `notes`.
-pub(super) fn decode(mut source: impl BufRead, length: u64, notes: &mut Vec<String>) -> Result<Any, String> {
+pub(super) fn decode(mut source: impl BufRead, length: u64, notes: &mut Vec<String>) -> Result<Array, String> {
     const CUT: &str = "an NPY that ends in its header";
     let mut start = [0; START + 2];
     source.read_exact(&mut start[..START]).map_err(|_| CUT)?;
@@ -101,9 +106,9 @@ pub(super) fn decode(mut source: impl BufRead, length: u64, notes: &mut Vec<Stri
         ));
     }
     if is_byte {
-        return Ok(Any::Bytes(Picture { width, height, pixels: bytes }));
+        return Ok(Array::Bytes(Picture { width, height, pixels: bytes }));
     }
-    Ok(Any::Floats(Floats { width, height, channels: colors, values, is_depth: false }))
+    Ok(Array::Numbers(Floats { width, height, channels: colors, values, is_depth: false }))
 }
 
 impl Header {

@@ -57,7 +57,7 @@ fn the_memory_of_the_table_is_enough_and_with_less_there_is_a_message() {
         let output = run(enough);
         assert_eq!(output.status.code(), Some(0), "{command} in {enough} KiB: {output:?}");
         let mut refused = 0;
-        for step in 1..6 {
+        for step in [1, 3, 5] {
             let kib = enough - step * (enough - BASE / 2) / 6;
             let output = run(kib);
             let said = String::from_utf8_lossy(&output.stderr).into_owned();
