@@ -227,8 +227,12 @@ export class PixelView {
                     const said = () => (step ? meaning(number, name, kindOf(step), known) : '');
                     const place = name === 'object' ? known.objects[number] : name === 'material' ? known.materials[number] : null;
                     if (said()) {
-                        const link = document.createElement(place ? 'button' : 'span');
-                        link.addEventListener('click', () => place && this.goTo(place.line));
+                        const link = document.createElement(place ? 'a' : 'span');
+                        place && link.setAttribute('href', '#scene-editor');
+                        link.addEventListener('click', (event) => {
+                            event.preventDefault();
+                            place && this.goTo(place.line);
+                        });
                         write(link, () => `${number} (${said()})`);
                         row.cells[cell]?.replaceChildren(link);
                     }

@@ -233,12 +233,15 @@ export const tests = {
         await page.uncheck('#live-fixed');
         const after = async (count) => {
             await page.waitForFunction((least) => Number(document.getElementById('live-canvas').dataset.samples) >= least, count);
-            return rmse((await pixels(page, 'live-canvas')).bytes, exact.bytes);
+            const samples = Number(await page.getAttribute('#live-canvas', 'data-samples'));
+            return [samples, rmse((await pixels(page, 'live-canvas')).bytes, exact.bytes)];
         };
-        const [few, many] = [await after(2), await after(128)];
+        const [[less, few], [more, many]] = [await after(2), await after(128)];
         console.log(`difference from the exact picture with 400 samples: deterministic ${first.toFixed(1)}, `
-            + `2 samples ${few.toFixed(1)}, 128 samples ${many.toFixed(1)} of 255`);
-        check(many < 6 && many < few / 3, `${few} and then ${many}`);
+            + `${less} samples ${few.toFixed(1)}, ${more} samples ${many.toFixed(1)} of 255`);
+        // Noise falls with the root of the samples, and rounding to bytes stays. A busy machine shows the first one late.
+        const expected = Math.sqrt((1 / more + 1 / 400) / (1 / less + 1 / 400));
+        check(many < 6 && many / few < 1.8 * expected, `${less}: ${few} and then ${more}: ${many}`);
         await shoot(page, 'live-samples');
     },
 
