@@ -11,7 +11,7 @@ use test_support::running::Running;
 #[test]
 fn a_browser_that_cannot_be_opened_is_a_message_with_the_reason() {
     for (script, reason) in
-        [(None, "No such file or directory"), (Some("exit 3"), "xdg-open ended with exit status: 3")]
+        [(None, "No such file or directory (os error 2)"), (Some("exit 3"), "xdg-open ended with exit status: 3")]
     {
         let folder = Folder::with_scene("", "");
         folder.write("index.html", "<!doctype html><meta name=\"served-by\" content=\"\">");
