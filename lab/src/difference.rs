@@ -1,7 +1,7 @@
 //! Measures the difference between two pictures: by the course's measure (specification, section 12), and by other
 //! common measures.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::picture::Picture;
 use crate::picture::floats::Floats;
@@ -14,7 +14,7 @@ pub const RMSE_BOUND: f64 = 10.0;
 
 /// The differences between two pictures of equal size. The difference of a pixel is the mean of the absolute
 /// differences of its channels, in levels from 0 to 255.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Difference {
     /// Root of the mean square of the pixels' differences, in levels.
     pub rmse: f64,

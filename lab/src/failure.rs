@@ -7,6 +7,8 @@ pub enum Failure {
     Rejected,
     /// An error, with its message.
     Other(String),
+    /// Another program cannot be started, or has failed. One program may not end the grading of all.
+    Program(String),
     /// A signal stopped the command, and no results were kept.
     Interrupted,
     /// The picture or the animation is not finished, and a checkpoint or a folder has what is needed to go on.
@@ -27,7 +29,7 @@ impl Failure {
         match self {
             Self::Rejected => 1,
             Self::Printed(status) => *status,
-            Self::Other(_) => 2,
+            Self::Other(_) | Self::Program(_) => 2,
             Self::Kept { interrupted: false, .. } => 3,
             Self::Interrupted | Self::Kept { .. } => 130,
         }
@@ -37,7 +39,20 @@ impl Failure {
     pub fn about(self, name: &str) -> Self {
         match self {
             Self::Other(text) => Self::Other(format!("{name}: {text}")),
+            Self::Program(text) => Self::Program(format!("{name}: {text}")),
             other => other,
+        }
+    }
+
+    /// Returns the value, or the message if another program has failed.
+    ///
+    /// # Errors
+    /// Every other failure.
+    pub fn of_program<T>(result: Result<T, Self>) -> Result<Result<T, String>, Self> {
+        match result {
+            Ok(value) => Ok(Ok(value)),
+            Err(Self::Program(message)) => Ok(Err(message)),
+            Err(other) => Err(other),
         }
     }
 
@@ -45,7 +60,7 @@ impl Failure {
     pub fn message(&self) -> Option<String> {
         match self {
             Self::Rejected | Self::Printed(_) => None,
-            Self::Other(message) | Self::Kept { message, .. } => Some(message.clone()),
+            Self::Other(message) | Self::Program(message) | Self::Kept { message, .. } => Some(message.clone()),
             Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }
     }

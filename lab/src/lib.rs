@@ -48,6 +48,10 @@ const STACK_BYTES: usize = 8 << 20;
 pub fn main() -> ExitCode {
     // From here on, a signal that ends the process first removes the temporary files.
     output::stop::remove_temporary_when_stopped();
+    // The system gives namespaces only to a process with one thread.
+    if std::env::args_os().nth(1).is_some_and(|command| command == "supervise") {
+        return run();
+    }
     interrupt::block_wish();
     // A debug build needs about 300 kB of stack. The main thread's stack may be smaller, so another thread does all
     // work.

@@ -1,23 +1,28 @@
 //! Runs another program once, under limits of time, memory and output, and returns how it ended and what it took.
 //!
-//! [`run`] starts the program through a second process of `render-lab`, its hidden command `supervise`, which calls
-//! [`Limits::watch`]. This second process starts no other program, so the time that the system reports about its
-//! children is that of the program alone.
+//! [`run`] starts the program through a second process of `render-lab`, its hidden command `supervise`. This process
+//! starts no other program, so the time that the system reports about its children is that of the program alone.
+//! [`confine`] keeps the program away from all other processes where the system allows it, and [`watch`] watches it.
+//!
+//! The program cannot forge the result. The watching process writes the answer when all processes of the program have
+//! ended, and it first removes what they may have written to the same descriptor. The answer counts only if the
+//! watching process has ended with status 0.
+
+pub mod confine;
+pub mod watch;
 
 use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io::{self, Read};
-use std::os::unix::process::{CommandExt, ExitStatusExt, parent_id};
-use std::path::Path;
-use std::process::{Command, Stdio};
-use std::sync::mpsc;
+use std::fs::File;
+use std::io::{Read, Seek};
+use std::os::unix::fs::OpenOptionsExt;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use measure::clock::{peak_memory, peak_memory_of_children, seconds_of_children};
-use measure::energy::Meter;
-use nix::sys::resource::{Resource, getrlimit, setrlimit};
-use nix::sys::signal::{Signal, kill, killpg};
-use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
+use nix::fcntl::OFlag;
+use nix::sys::signal::{Signal, kill};
+use nix::sys::wait::waitpid;
 use nix::unistd::Pid;
 use serde::{Deserialize, Serialize};
 
@@ -35,7 +40,7 @@ pub struct Limits {
     pub memory: f64,
 }
 
-/// Limits that no run reaches.
+/// Limits that no run reaches. A program under them is not confined either.
 pub const NONE: Limits = Limits { seconds: 1e9, memory: 1e9 };
 
 /// How a run ended.
@@ -50,6 +55,8 @@ pub enum End {
     TimeOut,
     /// It needed more than [`Limits::memory`] and was ended.
     OverMemory,
+    /// It ended or stopped the process that watches it.
+    Unwatched,
 }
 
 impl std::fmt::Display for End {
@@ -59,6 +66,7 @@ impl std::fmt::Display for End {
             Self::Signal(signal) => write!(out, "ended by signal {}", signal_name(*signal)),
             Self::TimeOut => out.write_str("over the limit of time"),
             Self::OverMemory => out.write_str("over the limit of memory"),
+            Self::Unwatched => out.write_str("it ended or stopped the process that watches it"),
         }
     }
 }
@@ -82,161 +90,143 @@ pub struct Run {
     pub memory: f64,
     /// The energy that the machine used meanwhile, in joules, or `None` if there is no meter.
     pub joules: Option<f64>,
+    /// The largest number of threads that one process of the program had in a sample.
+    pub threads: u32,
 }
+
+/// How a run ended and what it took, or why the program could not be started.
+type Outcome = Result<Run, String>;
 
 /// Names of the files in the folder of a run that get what the program prints on standard output and standard error.
 pub const PRINTED: [&str; 2] = ["stdout.txt", "stderr.txt"];
 
-/// Most bytes that a program with a limit of memory may write into one file. A P3 file of the course's largest picture
-/// has 25 MB.
-const FILE_BYTES: u64 = 1 << 28;
+/// The program of this process. The system keeps it when another file gets its name, as `cargo build` does.
+const OWN_PROGRAM: &str = "/proc/self/exe";
 
-/// Most bytes that are kept of what the program prints.
-const KEPT_BYTES: u64 = 1 << 16;
+/// Time between two looks at the watching process.
+const TICK: Duration = Duration::from_millis(2);
 
-/// Time between two looks at the memory of the program.
-const TICK: Duration = Duration::from_millis(5);
+/// Time in which the watching process must end after a request to stop.
+const PATIENCE: Duration = Duration::from_millis(60);
+
+/// The watching processes that run. A process that is none of them, and a child of this one, belongs to a program.
+static WATCHING: Mutex<Vec<Pid>> = Mutex::new(Vec::new());
 
 /// Runs the command `words` once in the folder `place`, and waits until it has ended. What it prints is in the files
-/// [`PRINTED`] of the folder `printed`.
+/// [`PRINTED`] of the folder `printed`. The program sees
+/// `place` and `printed`, and nothing else in the folders `hidden`, where the system allows that.
 ///
 /// # Errors
-/// The command cannot be started, or [`Failure::Interrupted`].
-pub fn run(words: &[OsString], place: &Path, printed: &Path, limits: &Limits) -> Result<Run, Failure> {
+/// [`Failure::Program`] if the program cannot be started, [`Failure::Interrupted`], or another one if this program
+/// cannot start itself.
+pub fn run(
+    words: &[OsString],
+    place: &Path,
+    printed: &Path,
+    limits: &Limits,
+    hidden: &[PathBuf],
+) -> Result<Run, Failure> {
     // Without this, a request to stop would end this process at once, and leave its temporary folder.
     interrupt::listen();
-    let mut command = Command::new(std::env::current_exe()?);
+    #[cfg(target_os = "linux")]
+    nix::sys::prctl::set_child_subreaper(true).map_err(std::io::Error::from)?;
+    let mut answer = tempfile::tempfile()?;
+    let own = Path::new(OWN_PROGRAM);
+    let mut command = Command::new(if own.exists() { own.to_owned() } else { std::env::current_exe()? });
     command.args(["supervise", "--seconds", &limits.seconds.to_string(), "--memory", &limits.memory.to_string()]);
-    command.arg("--printed").arg(std::path::absolute(printed)?).arg("--").args(words).current_dir(place);
-    let output = command.stdin(Stdio::null()).output();
-    let output = output.map_err(|error| format!("{}: {error}", crate::terminal::name(place)))?;
+    if limits.memory < NONE.memory {
+        command.arg("--confined");
+    }
+    for folder in hidden {
+        command.arg("--hidden").arg(folder);
+    }
+    command.arg("--place").arg(place).arg("--printed").arg(std::path::absolute(printed)?).arg("--").args(words);
+    command.stdin(Stdio::null()).stdout(answer.try_clone()?).stderr(Stdio::null());
+    // Under the lock, because another thread would end a child that it does not know.
+    let spawned = with_watching(|all| {
+        let watcher = command.spawn()?;
+        all.push(Pid::from_raw(watcher.id().cast_signed()));
+        Ok::<_, std::io::Error>(watcher)
+    });
+    let mut watcher = spawned.map_err(|error| format!("render-lab cannot start itself: {error}"))?;
+    let id = Pid::from_raw(watcher.id().cast_signed());
+    let ended = wait(&mut watcher, limits);
+    with_watching(|all| all.retain(|other| *other != id));
+    let status = ended?;
+    if status.is_none_or(|status| !status.success()) {
+        end_orphans();
+    }
     interrupt::check()?;
-    if output.status.code() == Some(i32::from(Failure::Interrupted.status())) {
-        return Err(Failure::Interrupted);
+    if status.is_some_and(|status| status.success()) {
+        answer.rewind()?;
+        let answer: Result<Outcome, String> = serde_json::from_reader(answer).map_err(|error| error.to_string())?;
+        return answer?.map_err(Failure::Program);
     }
-    serde_json::from_slice(&output.stdout).map_err(|_| {
-        let said = String::from_utf8_lossy(&output.stderr);
-        let message = said.trim_start_matches("Error: ").trim_end();
-        let killed = "the process that watched the program was ended".to_owned();
-        Failure::from(if message.is_empty() { killed } else { message.to_owned() })
-    })
+    Ok(Run { end: End::Unwatched, user: 0.0, wall: 0.0, memory: 0.0, joules: None, threads: 0 })
 }
 
-/// Returns the first bytes of a file, or nothing if it cannot be read. A program may print without end.
-pub fn start_of(path: &Path) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    // Opening a pipe might never return.
-    if !path.symlink_metadata().is_ok_and(|metadata| metadata.is_file()) {
-        return bytes;
-    }
-    let _ = File::open(path).and_then(|file| file.take(1 << 12).read_to_end(&mut bytes));
-    bytes
-}
-
-impl Limits {
-    /// Runs the command `words` as [`run`] does. This process must not have started another one before.
-    ///
-    /// # Errors
-    /// The errors of [`run`].
-    pub fn watch(&self, words: &[OsString], printed: &Path) -> Result<Run, Failure> {
-        interrupt::listen();
-        // The program inherits the limits of this process. Without core files, a crash takes no time and no disk.
-        let file_bytes = (self.memory < NONE.memory).then_some((Resource::RLIMIT_FSIZE, FILE_BYTES));
-        for (resource, limit) in file_bytes.into_iter().chain([(Resource::RLIMIT_CORE, 0)]) {
-            let most = getrlimit(resource).map_err(io::Error::from)?.1;
-            setrlimit(resource, limit.min(most), limit.min(most)).map_err(io::Error::from)?;
+/// Waits until the watching process has ended, and returns its status, or `None` if it was stopped for longer than the
+/// limit and has been ended.
+fn wait(watcher: &mut Child, limits: &Limits) -> Result<Option<std::process::ExitStatus>, Failure> {
+    let start = Instant::now();
+    // The watching process keeps the limit of the program. A stopped one does not.
+    let latest = 1.5 * limits.seconds + 5.0;
+    let mut asked: Option<Instant> = None;
+    loop {
+        if let Some(status) = watcher.try_wait()? {
+            return Ok(Some(status));
         }
-        // A process that the program leaves behind becomes a child of this one, so it is ended, and its time counts.
-        #[cfg(target_os = "linux")]
-        nix::sys::prctl::set_child_subreaper(true).map_err(io::Error::from)?;
-        let create = |name| {
-            // An earlier run may have replaced the file, such as by a pipe.
-            let _ = fs::remove_file(printed.join(name));
-            File::create_new(printed.join(name))
-        };
-        let (stdout, stderr) = (create(PRINTED[0])?, create(PRINTED[1])?);
-        let (first, rest) = words.split_first().ok_or("a command is needed")?;
-        let mut command = Command::new(first);
-        command
-            .args(rest)
-            .stdin(Stdio::null())
-            .stdout(stdout.try_clone()?)
-            .stderr(stderr.try_clone()?)
-            .process_group(0);
-        let meter = Meter::open();
-        let energy = meter.as_ref().and_then(|meter| Some((meter, meter.read()?)));
-        let start = Instant::now();
-        let unknown = |error| {
-            let here = Path::new(".").join(first);
-            let [name, path] = [first.as_os_str(), here.as_os_str()].map(|word| crate::terminal::quoted([word]));
-            let is_here = Path::new(first).components().count() == 1 && here.is_file();
-            format!("{name}: {error}{}", if is_here { format!("; name the program {path}") } else { String::new() })
-        };
-        let own_memory = peak_memory();
-        let mut child = command.spawn().map_err(unknown)?;
-        let group = Pid::from_raw(child.id().cast_signed());
-        let (send, ended) = mpsc::channel();
-        std::thread::spawn(move || send.send((child.wait(), start.elapsed().as_secs_f64())));
-        let (parent, mut broken, mut seen) = (parent_id(), None, 0.0);
-        let (status, wall) = loop {
-            if let Ok(ended) = ended.recv_timeout(TICK) {
-                break ended;
-            }
-            seen = memory_below(Pid::this()).max(seen);
-            let limits =
-                [(start.elapsed().as_secs_f64() > self.seconds, End::TimeOut), (seen > self.memory, End::OverMemory)];
-            broken = broken.or(limits.into_iter().find(|(is_broken, _)| *is_broken).map(|(_, end)| end));
-            if broken.is_some() || interrupt::flow().is_break() || parent_id() != parent {
-                // The program may have left its group.
-                let _ = kill(group, Signal::SIGKILL);
-                let _ = killpg(group, Signal::SIGKILL);
-            }
-        };
-        let _ = killpg(group, Signal::SIGKILL);
-        end_all();
-        let joules = energy.and_then(|(meter, before)| meter.joules_since(&before));
-        interrupt::check()?;
-        let status = status?;
-        for file in [stdout, stderr] {
-            // A program that printed without end would fill the disk, one case after the other.
-            file.set_len(file.metadata()?.len().min(KEPT_BYTES))?;
+        if asked.is_none() && interrupt::flow().is_break() {
+            let _ = kill(Pid::from_raw(watcher.id().cast_signed()), Signal::SIGTERM);
+            asked = Some(Instant::now());
         }
-        // The system counts the memory of this process as the program's until the program has replaced it.
-        let counted = peak_memory_of_children();
-        let memory = if counted > own_memory + (1 << 18) || seen == 0.0 { counted as f64 * 1e-6 } else { seen };
-        let by_itself = || status.code().map_or_else(|| End::Signal(status.signal().unwrap_or(0)), End::Status);
-        let end = broken.or((memory > self.memory).then_some(End::OverMemory)).unwrap_or_else(by_itself);
-        Ok(Run { end, user: seconds_of_children(), wall, memory, joules })
+        if asked.is_some_and(|asked| asked.elapsed() > PATIENCE) || start.elapsed().as_secs_f64() > latest {
+            watcher.kill()?;
+            watcher.wait()?;
+            return Ok(None);
+        }
+        std::thread::sleep(TICK);
     }
 }
 
-/// Returns the processes that the process `id` has started or adopted, where the system tells them.
-fn children(id: Pid) -> Vec<Pid> {
-    let threads = fs::read_dir(format!("/proc/{id}/task")).into_iter().flatten().flatten();
-    let lists = threads.filter_map(|thread| fs::read_to_string(thread.path().join("children")).ok());
-    lists
-        .flat_map(|list| list.split(' ').filter_map(|id| id.parse().ok().map(Pid::from_raw)).collect::<Vec<_>>())
-        .collect()
+fn with_watching<T>(change: impl FnOnce(&mut Vec<Pid>) -> T) -> T {
+    change(&mut WATCHING.lock().unwrap_or_else(std::sync::PoisonError::into_inner))
 }
 
-/// Returns the resident memory of all processes below the process `id`, in MB.
-fn memory_below(id: Pid) -> f64 {
-    let memory = |id: Pid| {
-        let text = fs::read_to_string(format!("/proc/{id}/status")).unwrap_or_default();
-        let own = text.lines().find_map(|line| line.strip_prefix("VmRSS:")?.strip_suffix("kB")?.trim().parse().ok());
-        own.map_or(0.0, |kilobytes: f64| kilobytes * 1024e-6) + memory_below(id)
-    };
-    children(id).into_iter().map(memory).sum()
-}
-
-/// Ends all processes below this one, and waits for them.
-fn end_all() {
-    while let Ok(status) = waitpid(None, Some(WaitPidFlag::WNOHANG)) {
-        if status == WaitStatus::StillAlive {
-            for id in children(Pid::this()) {
+/// Ends the processes of a program whose watching process has ended before them: they became children of this process.
+/// When such a process ends, its own children do so too.
+fn end_orphans() {
+    with_watching(|watching| {
+        loop {
+            let orphans = watch::children(Pid::this()).into_iter().filter(|id| !watching.contains(id));
+            let orphans: Vec<_> = orphans.collect();
+            if orphans.is_empty() {
+                break;
+            }
+            for id in orphans {
                 let _ = kill(id, Signal::SIGKILL);
+                let _ = waitpid(id, None);
             }
-            std::thread::sleep(Duration::from_millis(1));
         }
-    }
+    });
+}
+
+/// Returns the content of a regular file of at most `limit` bytes that a program may have written. A link, a pipe, a
+/// folder and a longer file give `None`: a pipe might never end, and a link lead to any file.
+pub fn content(path: &Path, limit: u64) -> Option<Vec<u8>> {
+    let flags = (OFlag::O_NOFOLLOW | OFlag::O_NONBLOCK).bits();
+    let file = File::options().read(true).custom_flags(flags).open(path).ok()?;
+    let metadata = file.metadata().ok()?;
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(usize::try_from(metadata.len().min(limit)).ok()?).ok()?;
+    (metadata.is_file() && metadata.len() <= limit).then_some(())?;
+    file.take(limit).read_to_end(&mut bytes).ok()?;
+    Some(bytes)
+}
+
+/// Returns the first bytes of a file that a program printed, or nothing if it cannot be read.
+pub fn start_of(path: &Path) -> Vec<u8> {
+    let mut bytes = content(path, watch::KEPT_BYTES).unwrap_or_default();
+    bytes.truncate(1 << 12);
+    bytes
 }

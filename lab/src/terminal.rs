@@ -36,6 +36,9 @@ pub fn note(text: &str) {
 
 /// Returns the rows as lines whose columns are aligned. Columns of numbers are aligned to the right.
 pub fn table(rows: &[Vec<String>]) -> String {
+    // A line end in a cell would forge a row.
+    let escape = |cell: &String| cpu::internals::input::text::escape(cell.as_bytes());
+    let rows: Vec<Vec<_>> = rows.iter().map(|row| row.iter().map(escape).collect()).collect();
     let width = |place: usize| rows.iter().filter_map(|row| Some(row.get(place)?.chars().count())).max().unwrap_or(0);
     let starts_a_number = |cell: &String| cell.is_empty() || cell.starts_with(|c: char| c.is_ascii_digit());
     let is_number = |place: usize| rows.iter().skip(1).filter_map(|row| row.get(place)).all(starts_a_number);
@@ -68,6 +71,24 @@ pub fn quoted<'a>(words: impl IntoIterator<Item = &'a OsStr>) -> String {
 /// Returns the name of a file for messages, with all control characters escaped, including line ends.
 pub fn name(path: &Path) -> String {
     cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())
+}
+
+/// Returns what another program or a stranger's file says, for a message of one or more lines: control characters and
+/// bytes that are no text are escaped, and line ends at the end are left out.
+pub fn foreign(text: &[u8]) -> String {
+    escape_lines(String::from_utf8_lossy(text).trim_end_matches(['\n', '\r']))
+}
+
+/// Whether a terminal obeys this character instead of showing it: a control character, or one that changes the direction
+/// of writing.
+pub fn is_obeyed(letter: char) -> bool {
+    cpu::internals::input::text::escape(letter.encode_utf8(&mut [0; 4]).as_bytes()).len() > letter.len_utf8()
+}
+
+/// Returns a text as the cell of a table for a spreadsheet: on one line, and never a formula.
+pub fn cell(text: &str) -> String {
+    let text = cpu::internals::input::text::escape(text.as_bytes());
+    if text.starts_with(['=', '+', '-', '@', '\t']) { format!("'{text}") } else { text }
 }
 
 /// Returns a message of one or more lines with all control characters escaped, except its line ends.

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use measure::statistics::Median;
 use measure::turns::order;
 use serde::{Deserialize, Serialize};
-use tempfile::TempDir;
 
 use super::machine::Machine;
 use crate::supervise::{self, End, Limits, PRINTED, Run};
@@ -21,20 +20,23 @@ pub struct Job {
     pub words: Vec<OsString>,
     /// The folder in which it runs.
     pub place: PathBuf,
+    /// Folders of which it sees nothing but its own folders, where the system allows that.
+    pub hidden: Vec<PathBuf>,
 }
 
 impl Job {
     /// Runs the command once. What it prints is in the files [`PRINTED`] of the folder `printed`.
     ///
     /// # Errors
-    /// The errors of [`supervise::run`], or how the command ended and what it said, unless its exit status is 0.
+    /// The errors of [`supervise::run`], and [`Failure::Program`] if its exit status is not 0: how it ended and what it
+    /// said.
     pub fn run(&self, printed: &Path, limits: &Limits) -> Result<Run, Failure> {
-        let run = supervise::run(&self.words, &self.place, printed, limits)?;
+        let run = supervise::run(&self.words, &self.place, printed, limits, &self.hidden)?;
         if run.end == End::Status(0) {
             return Ok(run);
         }
-        let said = supervise::start_of(&printed.join(PRINTED[1]));
-        Err(format!("{}\n{}", run.end, String::from_utf8_lossy(&said)).trim_end().into())
+        let said = terminal::foreign(&supervise::start_of(&printed.join(PRINTED[1])));
+        Err(Failure::Program(format!("{}\n{said}", run.end).trim_end().to_owned()))
     }
 }
 
@@ -78,58 +80,46 @@ pub struct Rounds {
 }
 
 impl Rounds {
-    /// Measures `jobs` in turn. The result of a job is a message if one of its runs fails.
-    ///
-    /// # Errors
-    /// [`Failure::Interrupted`], or the first run that fails, if `all` must succeed.
-    pub fn measure(&self, jobs: &[Job], limits: &Limits, all: bool) -> Result<Vec<Result<Timed, String>>, Failure> {
-        self.measure_prepared(jobs, &[], limits, all)
+    /// Returns the number of all runs of a command.
+    pub fn all(&self) -> usize {
+        usize::from(self.warm_up) + usize::from(self.rounds)
     }
 
-    /// Measures `jobs` as [`Rounds::measure`] does. Before each run of a job, runs the job of `prepare` at the same place
-    /// without measuring it, if `prepare` is not empty.
+    /// Measures the commands `names` in turn: `run` runs the command with the index that comes second in the round that
+    /// comes first. The result of a command is a message if one of its runs fails.
     ///
     /// # Errors
-    /// Those of [`Rounds::measure`], and the first preparation that fails.
-    pub fn measure_prepared(
+    /// An error of `run`, such as [`Failure::Interrupted`].
+    pub fn measure(
         &self,
-        jobs: &[Job],
-        prepare: &[Job],
-        limits: &Limits,
-        all: bool,
+        names: &[String],
+        mut run: impl FnMut(usize, usize) -> Result<Run, Failure>,
     ) -> Result<Vec<Result<Timed, String>>, Failure> {
-        let printed = TempDir::new()?;
-        let warm_up = usize::from(self.warm_up) * jobs.len();
-        let rounds = usize::from(self.warm_up) + usize::from(self.rounds);
-        let bar = terminal::progress(rounds * jobs.len(), "runs");
-        let mut runs: Vec<Result<Vec<Run>, String>> = vec![Ok(Vec::new()); jobs.len()];
-        for (number, index) in order(rounds, jobs.len()).enumerate() {
+        let bar = terminal::progress(self.all() * names.len(), "runs");
+        let mut runs: Vec<Result<Vec<Run>, String>> = vec![Ok(Vec::new()); names.len()];
+        for (number, index) in order(self.all(), names.len()).enumerate() {
             bar.inc(1);
-            let (job, Ok(done)) = (&jobs[index], &mut runs[index]) else { continue };
-            if let Some(prepare) = prepare.get(index) {
-                prepare.run(printed.path(), limits).map_err(|failure| failure.about(&prepare.name))?;
-            }
-            match job.run(printed.path(), limits) {
-                Ok(run) if number >= warm_up => done.push(run),
+            let Ok(done) = &mut runs[index] else { continue };
+            let round = number / names.len();
+            match Failure::of_program(run(round, index))? {
+                Ok(run) if round >= usize::from(self.warm_up) => done.push(run),
                 Ok(_) => {}
-                Err(Failure::Interrupted) => return Err(Failure::Interrupted),
-                Err(failure) if all => return Err(failure.about(&job.name)),
-                // The message stands for the job, whose other runs are left out.
-                Err(failure) => runs[index] = Err(failure.about(&job.name).message().unwrap_or_default()),
+                // The message stands for the command, whose other runs are left out.
+                Err(message) => runs[index] = Err(message),
             }
         }
         bar.finish_and_clear();
-        Ok(jobs.iter().zip(runs).map(|(job, runs)| Ok(Timed::of(job, &runs?))).collect())
+        Ok(names.iter().zip(runs).map(|(name, runs)| Ok(Timed::of(name, &runs?))).collect())
     }
 }
 
 impl Timed {
-    fn of(job: &Job, runs: &[Run]) -> Self {
+    fn of(name: &str, runs: &[Run]) -> Self {
         let all = |figure: fn(&Run) -> f64| runs.iter().map(figure).collect::<Vec<_>>();
         let seconds = all(|run| run.user);
         let joules: Option<Vec<f64>> = runs.iter().map(|run| run.joules).collect();
         Self {
-            command: job.name.clone(),
+            command: name.to_owned(),
             median: Median::of(&seconds),
             seconds,
             wall: Median::of(&all(|run| run.wall)),

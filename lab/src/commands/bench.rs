@@ -97,7 +97,11 @@ struct How {
     repeats: u16,
 }
 
-fn parse_part(text: &str) -> Result<(usize, usize), String> {
+/// Returns the two numbers of a part, such as 3/10.
+///
+/// # Errors
+/// What is needed instead.
+pub fn parse_part(text: &str) -> Result<(usize, usize), String> {
     let numbers = text.split_once('/').and_then(|(part, parts)| Some((part.parse().ok()?, parts.parse().ok()?)));
     numbers.filter(|&(part, parts)| part >= 1 && part <= parts).ok_or_else(|| "I/N is needed, as in 3/10".to_owned())
 }

@@ -1,6 +1,7 @@
 //! `render-lab check`: holds a program to the specification.
 
 use std::ffi::OsString;
+use std::os::unix::fs::MetadataExt;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -9,6 +10,7 @@ use output::Options;
 use tempfile::TempDir;
 
 use crate::bench::commands::Job;
+use crate::check::judge::remove;
 use crate::check::{Report, cases};
 use crate::format::hint::Language;
 use crate::supervise::Limits;
@@ -51,17 +53,46 @@ pub fn language() -> impl TypedValueParser<Value = Language> {
 }
 
 impl Shown {
-    /// Makes the folder for the files of the cases. Returns its path, and the folder of a temporary one.
+    /// Makes the folder for the files of the cases.
     ///
     /// # Errors
-    /// The folder cannot be made.
-    pub fn folder(&self) -> Result<(PathBuf, Option<TempDir>), Failure> {
-        if let Some(folder) = &self.keep {
-            sources::make_folder(folder)?;
-            return Ok((std::path::absolute(folder)?, None));
-        }
+    /// The folder cannot be made, or belongs to another user, who could replace what is written there.
+    pub fn folder(&self) -> Result<Work, Failure> {
         let temporary = TempDir::with_prefix("render-check-")?;
-        Ok((temporary.path().to_owned(), Some(temporary)))
+        let Some(folder) = &self.keep else {
+            return Ok(Work { path: temporary.path().canonicalize()?, temporary: Some(temporary) });
+        };
+        sources::make_folder(folder)?;
+        if folder.metadata()?.uid() != temporary.path().metadata()?.uid() {
+            return Err(
+                format!("{}: it belongs to another user; choose a folder of your own", terminal::name(folder)).into()
+            );
+        }
+        Ok(Work { path: folder.canonicalize()?, temporary: None })
+    }
+}
+
+/// The folder for the files of the cases. A temporary one is removed when this value is dropped.
+#[derive(Debug)]
+pub struct Work {
+    /// Its path.
+    pub path: PathBuf,
+    temporary: Option<TempDir>,
+}
+
+impl Work {
+    /// Keeps a temporary folder.
+    pub fn keep(mut self) {
+        self.temporary.take().map(TempDir::keep);
+    }
+}
+
+impl Drop for Work {
+    fn drop(&mut self) {
+        // A program may have left what a temporary folder does not remove by itself.
+        if self.temporary.is_some() {
+            remove(&self.path);
+        }
     }
 }
 
@@ -76,19 +107,21 @@ impl Arguments {
         sources::check_outputs(&outs, &[], self.json)?;
         let html = self.shown.html.as_ref().map(|path| sources::open(path, options)).transpose()?;
         let cases = cases::all()?;
-        let (folder, temporary) = self.shown.folder()?;
+        let work = self.shown.folder()?;
         let name = terminal::quoted(self.program.iter().map(AsRef::as_ref));
-        let program = Job { name, words: self.program.clone(), place: PathBuf::from(".") };
-        let report = Report::of(&program, &cases, &self.limits, &folder)?;
+        let program = Job { name, words: self.program.clone(), place: PathBuf::from("."), hidden: Vec::new() };
+        let bar = terminal::progress(cases.len(), "cases");
+        let report = Report::of(&program, &cases, &self.limits, &work.path, &bar)?;
+        bar.finish_and_clear();
         if let Some(output) = html {
-            let page = report.page(language, &folder)?;
+            let page = report.page(language)?;
             output.fill(|file| file.write_all(page.as_bytes()))?;
         }
         super::print_as(self.json, &outs, &report, || report.text(language))?;
         if report.is_passed() {
             return Ok(());
         }
-        temporary.map(TempDir::keep);
+        work.keep();
         Err(Failure::Rejected)
     }
 }

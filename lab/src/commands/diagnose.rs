@@ -43,7 +43,7 @@ impl Arguments {
     /// [`Failure::Rejected`] if the program has a fault or is not explained, or an error of a file or the program.
     pub fn run(&self) -> Result<(), Failure> {
         let name = terminal::quoted(self.program.iter().map(AsRef::as_ref));
-        let program = Job { name, words: self.program.clone(), place: PathBuf::from(".") };
+        let program = Job { name, words: self.program.clone(), place: PathBuf::from("."), hidden: Vec::new() };
         let diagnosis = Diagnosis::of(&program, &self.limits)?;
         let text = filled(include_str!("../../templates/diagnose.txt"), Serde(&diagnosis).into())?;
         super::print_as(self.json, &[], &diagnosis, || text)?;

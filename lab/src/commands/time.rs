@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use measure::statistics::Median;
 use measure::turns::ratio;
+use tempfile::TempDir;
 
 use crate::bench::commands::{Job, Record, Rounds, Timed};
 use crate::bench::machine::Machine;
@@ -82,12 +83,22 @@ impl Arguments {
             name: command.clone(),
             words: ["sh", "-c", command].map(Into::into).to_vec(),
             place: PathBuf::from("."),
+            hidden: Vec::new(),
         };
         let commands = self.commands()?;
-        let [jobs, prepare] =
-            [0, 1].map(|at| commands.iter().filter_map(|texts| texts[at].as_ref().map(job)).collect());
-        let (jobs, prepare): (Vec<_>, Vec<_>) = (jobs, prepare);
-        let timed = self.rounds.measure_prepared(&jobs, &prepare, &supervise::NONE, true)?;
+        let names: Vec<_> = commands.iter().map(|[command, _]| command.clone().unwrap_or_default()).collect();
+        let printed = TempDir::new()?;
+        let run = |text: &String| {
+            // A command that fails ends the measurement.
+            job(text).run(printed.path(), &supervise::NONE).map_err(|failure| match failure {
+                Failure::Program(message) => Failure::from(message).about(&terminal::escape_lines(text)),
+                other => other,
+            })
+        };
+        let timed = self.rounds.measure(&names, |_, index| {
+            commands[index][1].as_ref().map_or(Ok(()), |prepare| run(prepare).map(drop))?;
+            run(&names[index])
+        })?;
         let record = Record { machine, commands: timed.into_iter().collect::<Result<_, _>>()? };
         super::print_as(self.json, &[], &record, || table(&record.commands))
     }

@@ -1,19 +1,20 @@
-//! The file `grade.toml`, and the programs of a folder.
+//! The file `grade.toml`: programs, scenes, cases and weights.
 
 use std::collections::HashSet;
-use std::ffi::OsString;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use cpu::internals::input::reader::read_text;
 use serde::{Deserialize, Serialize};
 
-use crate::bench::commands::Job;
+use super::teams::{self, Team};
 use crate::sources::regular;
 use crate::{Failure, terminal};
 
 /// Largest size of `grade.toml`, in bytes.
 const MAX_BYTES: u64 = 1 << 20;
+
+/// The shortest reference of a scene, in seconds. Below it, the clock of user time decides.
+pub const LEAST_REFERENCE: f64 = 0.02;
 
 /// The contents of `grade.toml`. Everything in it may be left out.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -21,17 +22,25 @@ const MAX_BYTES: u64 = 1 << 20;
 pub struct File {
     /// The weights of the points.
     pub points: Weights,
+    /// The points of 10 for messages and pictures below which time and energy have none.
+    pub gates: Gates,
     /// The scenes whose time is measured.
     pub scene: Vec<Timed>,
-    /// The programs. Without them, each folder with an executable of a known name is one.
+    /// Cases beside those of `check`.
+    pub case: Vec<Own>,
+    /// Names of cases that are left out.
+    pub skip: Vec<String>,
+    /// Points that are taken from a team.
+    pub penalty: Vec<Penalty>,
+    /// The programs. Without them, each folder is a team.
     pub program: Vec<Program>,
 }
 
-/// How much each part counts in the points of a program.
+/// How much each part counts in the points of a team.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Weights {
-    /// Arguments and messages.
+    /// Arguments, messages and input files.
     pub messages: f64,
     /// Pictures.
     pub pictures: f64,
@@ -41,12 +50,22 @@ pub struct Weights {
     pub energy: f64,
 }
 
-/// The statement's percentages of performance and energy; its 10 for unit and functional tests are divided among
-/// pictures and messages.
+/// The statement's percentages of performance and energy. Its 10 for unit and functional tests, which are marks for a
+/// team's own tests, are the weight of messages and pictures here, because nothing else of it can be measured.
 impl Default for Weights {
     fn default() -> Self {
         Self { messages: 3.0, pictures: 7.0, time: 20.0, energy: 20.0 }
     }
+}
+
+/// The least points of 10.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Gates {
+    /// For messages.
+    pub messages: f64,
+    /// For pictures.
+    pub pictures: f64,
 }
 
 /// A scene whose time is measured.
@@ -63,6 +82,45 @@ pub struct Timed {
     pub reference: Option<f64>,
     /// The time in seconds from which there are no points. Without it, four times the reference.
     pub zero: Option<f64>,
+    /// The energy in joules with 5 points of 10. Without it, the median of all programs.
+    pub joules: Option<f64>,
+    /// The energy in joules from which there are no points. Without it, four times the reference.
+    pub joules_zero: Option<f64>,
+}
+
+/// A case of a teacher: a picture.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Own {
+    /// Its name.
+    pub name: String,
+    /// The configuration, from the folder of `grade.toml`.
+    pub config: PathBuf,
+    /// The scene file.
+    pub scene: PathBuf,
+    /// How much it counts, where a case of `check` counts 1.
+    #[serde(default = "one")]
+    pub weight: f64,
+    /// The bound of the largest pixel difference.
+    pub maximum: Option<f64>,
+    /// The bound of the RMSE.
+    pub rmse: Option<f64>,
+}
+
+const fn one() -> f64 {
+    1.0
+}
+
+/// Points that are taken from a team.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Penalty {
+    /// The team.
+    pub team: String,
+    /// The points of 10.
+    pub points: f64,
+    /// Why.
+    pub reason: String,
 }
 
 /// A program.
@@ -71,6 +129,8 @@ pub struct Timed {
 pub struct Program {
     /// Its name.
     pub name: String,
+    /// The team that it belongs to. Without it, the program's name.
+    pub team: Option<String>,
     /// The folder in which its commands run. Without it, the folder of its name.
     pub folder: Option<PathBuf>,
     /// The line of shell that builds the program.
@@ -80,27 +140,36 @@ pub struct Program {
 }
 
 impl File {
-    /// Reads `grade.toml` in `folder`, and looks for programs if it names none.
+    /// Reads `grade.toml` in `folder`, and looks for programs if it names none. Returns the file and the teams.
     ///
     /// # Errors
-    /// The file is wrong, or there are no programs.
-    pub fn read(folder: &Path) -> Result<Self, Failure> {
+    /// The file is wrong, or there are no teams.
+    pub fn read(folder: &Path) -> Result<(Self, Vec<Team>), Failure> {
         let path = folder.join("grade.toml");
         let explain = |error: String| format!("{}: {error}", terminal::name(&path));
         let text =
             if path.exists() { regular(&path).and_then(|path| read_text(path, MAX_BYTES)) } else { Ok(String::new()) };
         let text = text.map_err(|error| explain(error.to_string()))?;
-        let mut file: Self = toml::from_str(&text).map_err(|error| explain(error.to_string()))?;
-        let name = terminal::name(folder);
-        if file.program.is_empty() {
-            file.program = found(folder).map_err(|error| format!("{name}: {error}"))?;
-        }
+        let file: Self = toml::from_str(&text).map_err(|error| explain(error.to_string()))?;
         file.check().map_err(explain)?;
-        if file.program.is_empty() {
-            let names = NAMES.join(", ");
-            return Err(format!("{name}: no folder in it has a program {names}, and no grade.toml names one").into());
+        let name = terminal::name(folder);
+        let teams = if file.program.is_empty() {
+            teams::found(folder).map_err(|error| format!("{name}: {error}"))?
+        } else {
+            teams::named(folder, &file.program)
+        };
+        if teams.is_empty() {
+            let message = "there is no folder of a team in it, and no grade.toml that names a program";
+            return Err(format!("{name}: {message}").into());
         }
-        Ok(file)
+        if let Some(penalty) = file.penalty.iter().find(|penalty| !teams.iter().any(|team| team.name == penalty.team)) {
+            return Err(explain(format!(
+                "[[penalty]]: there is no team [{}]",
+                terminal::name(Path::new(&penalty.team))
+            ))
+            .into());
+        }
+        Ok((file, teams))
     }
 
     fn check(&self) -> Result<(), String> {
@@ -109,57 +178,42 @@ impl File {
         if !weights.iter().all(|&weight| (0.0..1e9).contains(&weight)) || messages + pictures + time <= 0.0 {
             return Err("[points]: the weights must not be negative, and one besides energy above 0".to_owned());
         }
-        for Timed { name, reference, zero, .. } in &self.scene {
-            let ordered = [Some(0.0), *reference, *zero, Some(1e9)].into_iter().flatten().is_sorted_by(|a, b| a < b);
-            if !ordered || (zero.is_some() && reference.is_none()) {
-                let advice = "reference must be above 0, and zero above reference, which it needs";
-                return Err(format!("scene [{}]: {advice}", terminal::name(Path::new(name))));
+        let shown = |name: &str| terminal::name(Path::new(name));
+        for Timed { name, reference, zero, joules, joules_zero, .. } in &self.scene {
+            for (least, reference, zero) in [(LEAST_REFERENCE, reference, zero), (0.0, joules, joules_zero)] {
+                let ordered =
+                    [Some(0.0), *reference, *zero, Some(1e9)].into_iter().flatten().is_sorted_by(|a, b| a < b);
+                if !ordered || (zero.is_some() && reference.is_none()) {
+                    let advice = "reference must be above 0, and zero above reference, which it needs";
+                    return Err(format!("scene [{}]: {advice}", shown(name)));
+                }
+                if reference.is_some_and(|reference| reference < least) {
+                    let advice = format!("the scene is too small to be timed: a reference has at least {least} s");
+                    return Err(format!("scene [{}]: {advice}", shown(name)));
+                }
             }
         }
-        // The names are names of folders too.
+        let own = self.case.iter().flat_map(|case| [Some(case.weight), case.maximum, case.rmse]).flatten();
+        if !own.chain(self.penalty.iter().map(|penalty| penalty.points)).all(|value| (0.0..1e9).contains(&value)) {
+            return Err("a weight, a bound or a penalty is negative, too large or no number".to_owned());
+        }
         let programs = self.program.iter().map(|program| ("program", &program.name));
+        let scenes = self.scene.iter().map(|scene| ("scene", &scene.name));
         let mut known = HashSet::new();
-        for (what, name) in programs.chain(self.scene.iter().map(|scene| ("scene", &scene.name))) {
-            if name.is_empty() || name.contains('/') || name.starts_with('.') || !known.insert((what, name)) {
+        for (what, name) in programs.chain(scenes).chain(self.case.iter().map(|case| ("case", &case.name))) {
+            let is_team =
+                what == "program" && self.program.iter().any(|program| program.name == *name && program.team.is_some());
+            if name.is_empty()
+                || name.contains('/')
+                || name.starts_with('.')
+                || (!known.insert((what, name)) && !is_team)
+            {
                 let advice = "a name must be unique, not empty, without / and without a point at its start";
-                return Err(format!("{what} [{}]: {advice}", terminal::name(Path::new(name))));
+                return Err(format!("{what} [{}]: {advice}", shown(name)));
             }
         }
         let empty = self.program.iter().find(|program| program.command.is_empty());
-        empty.map_or(Ok(()), |program| Err(format!("program [{}]: its command is empty", program.name)))
-    }
-}
-
-/// Names of programs that are looked for.
-const NAMES: [&str; 3] = ["render-aos", "render-soa", "render"];
-/// Folders, within the folder of each student, in which they are looked for.
-const PLACES: [&str; 4] = ["", "build", "bin", "target/release"];
-
-fn found(folder: &Path) -> std::io::Result<Vec<Program>> {
-    let is_shown = |name: &OsString| !name.as_encoded_bytes().starts_with(b".");
-    let mut folders: Vec<_> = fs::read_dir(folder)?.flatten().map(|entry| entry.file_name()).filter(is_shown).collect();
-    folders.sort();
-    let program = |(student, name): (&OsString, &str)| {
-        let command = PLACES.iter().map(|place| Path::new(place).join(name));
-        let command = command.into_iter().find(|path| folder.join(student).join(path).is_file())?;
-        let command = vec![Path::new(".").join(command).to_string_lossy().into_owned()];
-        let name = format!("{} {name}", terminal::name(Path::new(student)));
-        Some(Program { name, folder: Some(student.into()), build: None, command })
-    };
-    Ok(folders.iter().flat_map(|student| NAMES.map(|name| (student, name))).filter_map(program).collect())
-}
-
-impl Program {
-    /// Returns the job that runs the program. `all` is the folder of `grade.toml`.
-    pub fn job(&self, all: &Path) -> Job {
-        let place = all.join(self.folder.as_deref().unwrap_or(Path::new(&self.name)));
-        Job { name: self.name.clone(), words: self.command.iter().map(Into::into).collect(), place }
-    }
-
-    /// Returns the job that builds the program, if there is one.
-    pub fn build_job(&self, all: &Path) -> Option<Job> {
-        let build = self.build.as_ref()?;
-        Some(Job { words: ["sh", "-c", build].map(Into::into).to_vec(), ..self.job(all) })
+        empty.map_or(Ok(()), |program| Err(format!("program [{}]: its command is empty", shown(&program.name))))
     }
 }
 
@@ -182,8 +236,12 @@ mod tests {
             (format!("{program}{scene}zero = 1"), "scene [a]: reference must be above 0"),
             (format!("{program}{scene}reference = nan"), "scene [a]: reference must be above 0"),
             (format!("{program}{scene}reference = 2\nzero = 1"), "zero above reference"),
+            (format!("{program}{scene}reference = 0.001"), "too small to be timed"),
+            (format!("{program}{scene}joules = 2\njoules_zero = 1"), "zero above reference"),
+            (format!("{program}[[penalty]]\nteam = 'b'\npoints = 1\nreason = ''"), "there is no team [b]"),
+            (format!("{program}[[penalty]]\nteam = 'a'\npoints = -1\nreason = ''"), "is negative"),
             ("[points]\ntime = -1".to_owned(), "must not be negative"),
-            (String::new(), "no folder in it has a program"),
+            (String::new(), "there is no folder of a team in it"),
         ] {
             folder.write("grade.toml", &text);
             let message = File::read(folder.path()).expect_err(&text).message();
@@ -191,5 +249,10 @@ mod tests {
         }
         folder.write("grade.toml", format!("{program}{scene}reference = 1\nzero = 2"));
         assert!(File::read(folder.path()).is_ok(), "a program and a scene may have one name");
+        let both = program.replace("command", "team = 't'\ncommand")
+            + &program.replace("'a'", "'b'").replace("command", "team = 't'\ncommand");
+        folder.write("grade.toml", both);
+        let (_, teams) = File::read(folder.path()).expect("two programs of one team");
+        assert_eq!((teams.len(), teams[0].programs.len()), (1, 2));
     }
 }

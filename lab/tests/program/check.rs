@@ -7,46 +7,69 @@ use test_support::folder::Folder;
 
 use crate::{bash, lab};
 
-/// Checks the program with this text, and returns the exit status and the kinds of all faults.
-fn faults(script: &str) -> (Option<i32>, BTreeSet<String>) {
+/// Checks the program with this text, and returns the exit status, the kinds of all faults, and those of all remarks.
+fn checked(script: &str) -> (Option<i32>, [BTreeSet<String>; 2]) {
     let folder = Folder::new();
     let program = folder.write("program", format!("#!/bin/sh\n{script}\n"));
     std::fs::set_permissions(&program, PermissionsExt::from_mode(0o755)).expect("it is ours");
     let [keep, program] = ["keep", "program"].map(|name| folder.name(name));
-    let arguments = ["check", "--json", "--seconds", "0.2", "--memory", "100", "--keep", &keep, &program];
-    let output = lab(&arguments).env_remove("RENDER_REFERENCE_DIR").output().expect("the program runs");
+    let arguments = ["check", "--json", "--seconds", "0.5", "--memory", "100", "--keep", &keep, &program];
+    let mut command = lab(&arguments);
+    let output = command.env_remove("RENDER_REFERENCE_DIR").output().expect("the program runs");
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{output:?}"));
     let cases = report["cases"].as_array().expect("a list");
-    assert_eq!(cases.len(), 62, "5 numbers of arguments, 37 messages, 20 pictures");
-    let faults = cases.iter().flat_map(|case| case["faults"].as_array().expect("a list"));
-    let kinds = faults.map(|fault| fault["kind"].as_str().expect("a name").to_owned()).collect();
+    assert_eq!(cases.len(), 77, "5 numbers of arguments, 36 messages, 22 pairs of files, 14 pictures");
+    let kinds = |list: &str| {
+        let all = cases.iter().flat_map(|case| case[list].as_array().expect("a list"));
+        all.map(|fault| fault["kind"].as_str().expect("a name").to_owned()).collect()
+    };
     // The command that is printed repeats a case.
-    let repeated = bash(&folder, cases[61]["command"].as_str().expect("a command"));
+    let repeated = bash(&folder, cases[0]["command"].as_str().expect("a command"));
     assert_ne!(repeated.status.code(), Some(127), "{repeated:?}");
-    (output.status.code(), kinds)
+    (output.status.code(), ["faults", "remarks"].map(kinds))
 }
 
 #[test]
 fn faults_are_told_apart() {
-    let refuse = "[ $# = 3 ] || { echo Error >&2; exit 1; }; [ -s \"$1\" ] || exit 1; case $1 in *message*|*no-*) ";
-    for (script, expected) in [
-        ("kill -SEGV $$", &["crash"][..]),
-        ("exit 0", &["no_picture", "wrong_message", "wrong_status"]),
-        ("echo Error: no >&2; exit 1", &["wrong_message", "wrong_status"]),
+    // OUT has a text before a run that must be refused.
+    let refuse = "[ $# = 3 ] && [ -s \"$1\" ] && [ -e \"$2\" ] || { echo Error >&2; exit 3; }; [ \"$(cat \"$3\" 2>/dev/null)\" = old ] && ";
+    for (script, expected, remarks) in [
+        ("kill -SEGV $$", &["crash"][..], &[][..]),
+        ("exit 0", &["no_picture", "wrong_message", "wrong_status"], &["silent"]),
+        ("echo Error: no; exit 1", &["wrong_message", "wrong_status"], &[]),
         (
-            &format!("{refuse} echo >\"$3\"; exit 1;; *) echo P7 >\"$3\"; esac"),
+            &format!("{refuse} {{ echo x >\"$3\"; exit 1; }}; echo P7 >\"$3\""),
             &["output_changed", "unreadable_picture", "wrong_message"],
+            &[],
         ),
-        ("rm -rf \"$3\"; mkfifo \"$3\"; exit 0", &["no_picture", "output_changed", "wrong_message", "wrong_status"]),
-        (&format!("{refuse} exit 1;; *) printf 'P3 1 1 255 0 0 0' >\"$3\"; esac"), &["wrong_message", "wrong_size"]),
+        (
+            "rm -rf \"$3\"; mkfifo \"$3\"; exit 0",
+            &["no_picture", "wrong_message", "wrong_status"],
+            &["out_lost", "silent"],
+        ),
+        (
+            "rm -f \"$3\"; ln -s /dev/zero \"$3\"; exit 0",
+            &["no_picture", "wrong_message", "wrong_status"],
+            &["out_lost", "silent"],
+        ),
+        (
+            &format!("{refuse} {{ rm \"$3\"; exit 9; }}; printf 'P3 1 1 255 0 0 0' >\"$3\""),
+            &["ignored", "wrong_form", "wrong_message", "wrong_picture", "wrong_size"],
+            &["out_lost"],
+        ),
     ] {
-        let (status, kinds) = faults(script);
-        assert_eq!(
-            (status, kinds.iter().map(String::as_str).collect::<Vec<_>>()),
-            (Some(1), expected.to_vec()),
-            "{script}"
-        );
+        let (status, [faults, remarked]) = checked(script);
+        assert_eq!(faults.iter().map(String::as_str).collect::<Vec<_>>(), expected, "{script}");
+        assert!(remarks.iter().all(|remark| remarked.contains(*remark)), "{script}: {remarked:?}");
+        assert_eq!(status, Some(1), "{script}");
     }
+}
+
+#[test]
+fn a_program_that_hangs_is_given_up_after_three_runs() {
+    let (status, [faults, _]) = checked("while :; do :; done");
+    assert_eq!(status, Some(1));
+    assert_eq!(faults.into_iter().collect::<Vec<_>>(), ["left_out", "time_out"]);
 }
 
 #[test]
@@ -62,10 +85,10 @@ fn limits_end_a_program_and_what_it_has_started() {
     {
         let line = format!("$lab supervise --seconds {seconds} --memory 100 --printed . -- sh -c \"$script\"");
         let output = bash(&folder, &format!("script='{}'; {line}", script.replace('\'', "'\\''")));
-        let run = String::from_utf8_lossy(&output.stdout);
-        assert!(run.contains(end), "{script}: {output:?}");
-        let user = run.split_once("\"user\": ").and_then(|(_, rest)| rest.split(',').next()?.parse::<f64>().ok());
-        assert!(script != left || user > Some(0.05), "the time of all processes counts: {run}");
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{output:?}"));
+        let run = &answer["Ok"]["Ok"];
+        assert!(run["end"].to_string().contains(end), "{script}: {output:?}");
+        assert!(script != left || run["user"].as_f64() > Some(0.05), "the time of all processes counts: {run}");
         let alive = bash(&folder, "kill -0 $(cat pid) && ! grep -q '^State:.Z' /proc/$(cat pid)/status");
         assert!(!alive.status.success(), "no process is left: {alive:?}");
     }

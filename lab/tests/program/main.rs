@@ -1,5 +1,6 @@
 //! Runs the built program `render-lab` as a user would.
 
+mod attacks;
 mod bench;
 mod check;
 mod checkpoint;

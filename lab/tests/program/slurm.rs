@@ -52,3 +52,29 @@ fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
     let joined = Results::read(&folder.file("out/bench.json")).expect("the second job wrote it");
     assert!(joined.timings.iter().any(|timing| timing.setting.parameter == "width"), "{joined:?}");
 }
+
+#[test]
+fn an_array_of_jobs_checks_teams_and_another_job_measures_them() {
+    let folder = Folder::new();
+    for team in ["ana", "bea", "carla"] {
+        fs::create_dir_all(folder.file("st").join(team)).expect("the folder is writable");
+        let program = folder.write(&format!("st/{team}/render"), "#!/bin/sh\nexit 1\n");
+        fs::set_permissions(program, fs::Permissions::from_mode(0o755)).expect("it is ours");
+    }
+    let mut commands = Vec::new();
+    for task in ["1", "2", ""] {
+        let mut command = Command::new("bash");
+        command.arg(test_support::project_root().join("lab/slurm/grade.sbatch")).current_dir(folder.path());
+        command.args(["st", "results", "--rounds", "1"]).env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"));
+        if !task.is_empty() {
+            command.env("SLURM_ARRAY_TASK_ID", task).env("SLURM_ARRAY_TASK_COUNT", "2");
+        }
+        let output = command.output().expect("bash is there");
+        assert!(output.status.success(), "{output:?}");
+        commands.push(String::from_utf8(output.stdout).expect("it is text").lines().count());
+    }
+    // Each part has the head of the table and its teams.
+    assert_eq!(commands, [3, 2, 4]);
+    let names = folder.names_in("results");
+    assert_eq!(names, ["001-ana", "002-bea", "003-carla", "grades.csv", "index.html"]);
+}
