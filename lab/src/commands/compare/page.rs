@@ -53,7 +53,7 @@ pub(super) fn page(pair: &Pair, [first, second]: [String; 2], figures: &str) -> 
     let values = context! {
         first, second, addresses, channels, figures,
         numbers => format!("{numbers:?}"),
-        low => range.0, high => range.1,
+        low => range.0.to_string(), high => range.1.to_string(),
         // A scale of values is shown for numbers of one channel.
         has_scale => channels == 1,
         colors => format!("{:?}", steps(INFERNO)),
