@@ -15,8 +15,8 @@ mod tests {
 
     use super::{CylinderPart, CylinderRecord, SphereRecord};
     use crate::exact::cylinder::SideLanes;
-    use crate::exact::cylinder_parts::is_long;
-    use crate::exact::cylinder_parts::{PlainCaps, PlainSide};
+    use crate::exact::cylinder_filter::is_long;
+    use crate::exact::cylinder_filter::{PlainCaps, PlainSide};
     use crate::exact::error_bound::{Decision, in_scale};
     use crate::exact::{cylinder, sphere};
     use crate::{geometry::ray::Ray, math::vec3::Vec3};

@@ -8,12 +8,12 @@ use crate::{geometry::cylinder::CylinderRecord, layout::Objects, math::real::Rea
 #[inline(always)]
 pub fn extent_of_disc<T: Real>(along: T) -> T {
     let across = T::of(1.0) - along * along;
-    T::select(T::of(0.0).less(across), across, T::of(0.0)).sqrt() + T::of(MARGIN)
+    T::select(T::of(0.0).less(across), across, T::of(0.0)).sqrt() + T::of(DISC_MARGIN)
 }
 
 /// If a component of the axis is close to 1, the difference in [`extent_of_disc`] cancels. The error of its root is at
 /// most the root of its error, which this covers.
-pub const MARGIN: f64 = 1e-7;
+pub const DISC_MARGIN: f64 = 1e-7;
 
 /// Returns how far a cylinder reaches from its centre along a direction. `along` is the dot product of the direction
 /// and the cylinder's axis, both of length one.

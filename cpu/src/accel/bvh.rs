@@ -16,7 +16,7 @@ use crate::accel::{
     accelerator::Accelerator, accelerator::Start, bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree,
     bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::find_isolated::FindIsolated, bvh::node::Kind,
     bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_reach,
-    bvh::slab_ray::is_in_scale, bvh::sphere_ray::SphereRay, closest_hit::ClosestHit, dominant_sphere::DominantSphere,
+    bvh::slab_ray::suits_slabs, bvh::sphere_ray::SphereRay, closest_hit::ClosestHit, dominant_sphere::DominantSphere,
     every_object::intersect_every_object, every_object::intersect_objects, extent::Extent, extent::is_tiny,
     extent::reach, giants::giants_beyond, isolated::Isolated, may_hit::conservative::ConservativeRay,
     object::NO_OBJECT, object::ObjectId, object::ObjectRef, object::count, object::cylinder_index, stack::Stack,
@@ -201,7 +201,7 @@ impl<B: Boxes> Accelerator for Bvh<B> {
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, start: Start, stack: &mut Stack) -> ClosestHit {
         let (mut closest, mut start_object) = (ClosestHit::NOTHING, start.object);
         let conservative = ConservativeRay::new(*ray);
-        if !is_in_scale(conservative.length_squared) {
+        if !suits_slabs(conservative.length_squared) {
             return intersect_every_object(objects, *ray);
         }
         if let Some(apart) = &self.apart {
@@ -235,7 +235,7 @@ impl<B: Boxes> Accelerator for Bvh<B> {
             SphereRay::UNUSED
         };
         // This keeps the sphere ray in memory. Otherwise the compiler copies its numbers to lanes for every ray, even
-        // in a tree without sphere leaves, which takes another 2 % of the instructions.
+        // in a tree without sphere leaves, which takes more instructions.
         let sphere_ray = std::hint::black_box(&sphere_ray);
         let query = Query { objects, ray, start_object, slab_ray, sphere_ray };
         // The traversal begins at the root if there is no collapsed root. The root's address needs no test of boxes, so

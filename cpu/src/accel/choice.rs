@@ -58,12 +58,12 @@ impl Accel {
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
         let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
-        let is_small = count(objects) <= may_hit::object_lanes::CAPACITY;
+        let is_small = count(objects) <= may_hit::object_lanes::PLACES;
         Ok(if !extent.moderate || is_small && (extent.has_tiny || extent.max_coordinate > Extent::LARGEST) {
             Self::EveryObject(EveryObject)
         } else if is_small {
             Self::SmallScene(SmallScene::new(objects, extent))
-        } else if most_of_a_kind <= flat_filter::CAPACITY
+        } else if most_of_a_kind <= flat_filter::MOST_OF_A_KIND
             && !extent.has_tiny
             && extent.max_coordinate <= flat_filter::MAX_COORDINATE
         {

@@ -25,7 +25,7 @@ pub struct ClosestHit {
 /// is false in both orders. The parameters are values and no references, so that most rays keep them in registers.
 #[cold]
 #[inline(never)]
-pub(crate) fn is_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, closest: ClosestHit) -> bool {
+pub(crate) fn is_exactly_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestHit, closest: ClosestHit) -> bool {
     if !closest.is_hit() {
         return true;
     }
@@ -63,7 +63,7 @@ impl ClosestHit {
     pub(crate) fn update<O: Objects>(&mut self, objects: &O, ray: &Ray, other: Self) {
         debug_assert!(other.is_hit());
         if is_certainly_closer(other.lambda, self.lambda)
-            || !is_certainly_closer(self.lambda, other.lambda) && is_closer(objects, *ray, other, *self)
+            || !is_certainly_closer(self.lambda, other.lambda) && is_exactly_closer(objects, *ray, other, *self)
         {
             *self = other;
         }

@@ -17,7 +17,7 @@ use crate::{
 
 /// Maximum number of spheres, and maximum number of cylinders, in a [`FlatFilter`]. Each object of a kind has one bit
 /// in a `u64`.
-pub const CAPACITY: usize = u64::BITS as usize;
+pub const MOST_OF_A_KIND: usize = u64::BITS as usize;
 
 /// A cylinder is slender if its bounding sphere's radius is more than this multiple of its own radius.
 const SLENDER: f64 = 2.0;

@@ -9,7 +9,7 @@
 //! If the surface is far away, `h^2 - a c` is the small difference of two large numbers. Each shape has another formula
 //! for it. The bounds are derived in `docs/accuracy.md`.
 
-use crate::exact::{error_bound::OVERFLOW, error_bound::UNDERFLOW, sphere_filter::LIMITS};
+use crate::exact::{error_bound::OVERFLOW, error_bound::UNDERFLOW, sphere_filter::SPHERE_BOUND};
 use crate::geometry::ray::LAMBDA_MIN;
 use crate::math::error_free::{two_product, two_sum};
 use crate::math::{rounding::Rounding, vec3::Vec3};
@@ -119,7 +119,7 @@ impl<T: Rounding> Quadratic<T> {
     pub fn roots(&self, Discriminant { value, size }: Discriminant<T>) -> Roots<T> {
         let root = value.sqrt();
         let w = self.h.abs() + root;
-        let error = size * T::of(LIMITS.error_constant * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
+        let error = size * T::of(SPHERE_BOUND.error_constant * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW);
         let h_is_accurate = self.terms_of_h.less(w * T::of(CONDITION_LIMIT));
         let root_is_accurate = error.less(value) & size.less(root * w * T::of(CONDITION_LIMIT));
         let accurate = h_is_accurate & root_is_accurate & size.less(T::of(OVERFLOW));
@@ -162,11 +162,11 @@ pub(crate) fn difference_of_squares<T: Rounding>((q, q_error): (Vec3<T>, Vec3<T>
 /// one is below [`LAMBDA_MIN`].
 #[inline(always)]
 fn least_lambda<T: Rounding>() -> T {
-    T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * LIMITS.lambda_error())
+    T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * SPHERE_BOUND.lambda_error())
 }
 
 /// Whether an accurate lambda certainly is in range, and has not overflowed.
 #[inline(always)]
 pub(crate) fn is_in_range<T: Rounding>(lambda: T) -> T::Mask {
-    LIMITS.in_range(lambda) & lambda.less(T::of(OVERFLOW))
+    SPHERE_BOUND.in_range(lambda) & lambda.less(T::of(OVERFLOW))
 }

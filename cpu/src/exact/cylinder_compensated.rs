@@ -12,7 +12,7 @@
 //! `V.V (a r^2 - ((O - C).p)^2)`, whose terms do not grow with the distance along the axis.
 
 use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
-use crate::exact::cylinder_parts::{CapFormulas, Crossing, Plane, SideFacts, SideFormulas, is_inside, magnitude};
+use crate::exact::cylinder_filter::{CapFormulas, Crossing, Plane, SideFacts, SideFormulas, is_inside, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::error_free::{cross, cross_with_error, difference, dot_with_error, two_product};
@@ -28,7 +28,7 @@ pub const SHARE_IN_H: f64 = f64::from_bits((1023 - 90) << 52);
 pub const SHARE_IN_C: f64 = 4.0;
 /// The share of `a |O - C|^2` in the terms of the discriminant by Lagrange's identity, 2^-52. It covers the square of
 /// the error of `(O - C).p`.
-pub const SHARE_OF_DISTANCE: f64 = f64::EPSILON;
+pub const SHARE_OF_REACH: f64 = f64::EPSILON;
 
 /// The quadratic of a ray and the side of a cylinder.
 pub struct Terms<T: Rounding> {
@@ -57,7 +57,7 @@ impl<T: Rounding> Terms<T> {
         let terms_of_h = (a * (squares + far * T::of(SHARE_IN_H))).sqrt();
         let aside = from_center.dot(p) + error.dot(p);
         let (of_radius, reach) = (a * record.radius_squared, a * distance_squared);
-        let size = of_radius + (aside.abs() * reach.sqrt() + reach * T::of(SHARE_OF_DISTANCE));
+        let size = of_radius + (aside.abs() * reach.sqrt() + reach * T::of(SHARE_OF_REACH));
         Self {
             quadratic: Quadratic { a, h: -q.dot(p), c, terms_of_c: squares + far * T::of(SHARE_IN_C), terms_of_h },
             far: Discriminant { value: axis_squared * (of_radius - aside * aside), size: axis_squared * size },

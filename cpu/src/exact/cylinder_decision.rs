@@ -5,7 +5,7 @@
 //! nearer. The other cap counts only if nothing else is hit. For rays that start inside, or go inward from the surface,
 //! the exit through the side mostly decides alone.
 
-use crate::exact::cylinder_parts::{CapFormulas, Crossing, SideFacts, SideFormulas, filtered_cap};
+use crate::exact::cylinder_filter::{CapFormulas, Crossing, SideFacts, SideFormulas, filtered_cap};
 use crate::exact::{error_bound::Decision, error_bound::in_scale};
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::rounding::Rounding;

@@ -10,8 +10,8 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::exact_lambda::{ExactLambda, Quadratic};
-use crate::exact::sphere_exact::{Exact3, Exactly, NotFinite, exact, least_lambda};
+use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
+use crate::exact::exact_vector::{Exact3, Exactly, NotFinite, least_lambda, to_dyadic};
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::{dyadic::Dyadic, vec3::Vec3};
 
@@ -59,7 +59,7 @@ impl Inputs {
         let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
         let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
         let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
-        let (radius_squared, least) = (exact(radius)?.squared(), least_lambda()?);
+        let (radius_squared, least) = (to_dyadic(radius)?.squared(), least_lambda()?);
         Ok(Self { direction, r_c, axis, radius_squared, half, slope, height, least })
     }
 
@@ -70,7 +70,7 @@ impl Inputs {
         let a = flat(self.direction.dot(&self.direction), self.slope.squared());
         let h = flat(self.r_c.dot(&self.direction), &self.height * &self.slope);
         let c = flat(&self.r_c.dot(&self.r_c) - &self.radius_squared, self.height.squared());
-        Quadratic::with_roots(a, -&h, c)?.smallest_root(|root| self.side_counts(root))
+        ExactQuadratic::with_roots(a, -&h, c)?.smallest_root(|root| self.side_counts(root))
     }
 
     /// Whether a root is in range, and its point is between the caps' planes.
@@ -95,7 +95,7 @@ impl Inputs {
     /// Returns a cap's lambda, or `None` if the ray misses the cap. The rule is that of [`crate::geometry::cap`].
     fn cap(&self, is_bottom: bool) -> Exactly<ExactLambda> {
         let Self { direction, r_c, axis, radius_squared, half, slope, least, .. } = self;
-        let parallel = &exact(PARALLEL)?.squared() * &half.scaled(1);
+        let parallel = &to_dyadic(PARALLEL)?.squared() * &half.scaled(1);
         if (&slope.squared() - &parallel).sign() == Ordering::Less {
             return Ok(None);
         }
@@ -104,7 +104,7 @@ impl Inputs {
             return Ok(None);
         }
         // `point` is the vector from the cap's centre to the ray's point, times the denominator.
-        let to_cap = axis.times(&exact(if is_bottom { -0.5 } else { 0.5 })?);
+        let to_cap = axis.times(&to_dyadic(if is_bottom { -0.5 } else { 0.5 })?);
         let point = r_c.minus(&to_cap).times(&denominator).plus(&direction.times(&numerator));
         let outside = &point.dot(&point) - &(radius_squared * &denominator.squared());
         Ok((outside.sign() != Ordering::Greater).then(|| ExactLambda::fraction(numerator, denominator)))

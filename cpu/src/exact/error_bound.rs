@@ -30,7 +30,7 @@ pub enum Decision<A> {
 
 /// The constants of the error bound, for one kind of surface.
 #[derive(Clone, Copy, Debug)]
-pub struct Limits {
+pub struct BoundConstants {
     /// The bound of the rounding errors in the discriminant, in units of `u M`. The documentation of [this
     /// module](self) defines `u` and `M`.
     pub error_constant: f64,
@@ -40,7 +40,7 @@ pub struct Limits {
     pub condition_limit: f64,
 }
 
-impl Limits {
+impl BoundConstants {
     /// Returns a bound of the relative error of an accepted lambda. The error is at most a third of the bound.
     #[inline(always)]
     pub const fn lambda_error(&self) -> f64 {
@@ -60,7 +60,8 @@ impl Limits {
     }
 }
 
-/// The weight of the square of the numerator in the condition number of a root; see [`Limits::condition_limit`].
+/// The weight of the square of the numerator in the condition number of a root; see
+/// [`BoundConstants::condition_limit`].
 pub const NUMERATOR_WEIGHT: f64 = 4.0;
 
 /// The constant that covers underflow, 2^-600. It is added to terms whose products may underflow.
@@ -96,7 +97,7 @@ pub struct Outcome<T: Real> {
 /// The error bound for one ray and one object.
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorBound<T> {
-    limits: Limits,
+    constants: BoundConstants,
     /// `M`, the size of the terms that cancel in the discriminant, times [`HEADROOM`].
     size: T,
     /// `E`, the bound of the error in the discriminant.
@@ -107,14 +108,14 @@ impl<T: Rounding> ErrorBound<T> {
     /// Returns the error bound. `length_squared` is the square of the direction's length, and `squares` is
     /// `|O - C|^2 + r^2`.
     #[inline(always)]
-    pub(crate) fn new(limits: Limits, length_squared: T, squares: T) -> Self {
-        Self::of_size(limits, length_squared * (squares * T::of(HEADROOM)))
+    pub(crate) fn new(constants: BoundConstants, length_squared: T, squares: T) -> Self {
+        Self::of_size(constants, length_squared * (squares * T::of(HEADROOM)))
     }
 
     /// Returns the error bound of a discriminant, for the size of its terms times [`HEADROOM`].
     #[inline(always)]
-    pub(crate) fn of_size(limits: Limits, size: T) -> Self {
-        Self { limits, size, error: size * T::of(limits.error_of_size()) + T::of(UNDERFLOW) }
+    pub(crate) fn of_size(constants: BoundConstants, size: T) -> Self {
+        Self { constants, size, error: size * T::of(constants.error_of_size()) + T::of(UNDERFLOW) }
     }
 
     /// Whether the ray's line certainly misses the surface, for this computed discriminant.
@@ -128,13 +129,13 @@ impl<T: Rounding> ErrorBound<T> {
     #[inline(always)]
     pub(crate) fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
         let lambda = numerator / a;
-        let share = 1.0 / self.limits.condition_limit;
+        let share = 1.0 / self.constants.condition_limit;
         // The compiler computes the first sum once for both roots. If both sides are infinite, the root is not
         // accurate.
         let least = (self.size * T::of(share / HEADROOM) + T::of(UNDERFLOW))
             + numerator * numerator * T::of(NUMERATOR_WEIGHT * share);
         let accurate = least.less(root * numerator);
-        let hits = accurate & self.limits.in_range(lambda);
+        let hits = accurate & self.constants.in_range(lambda);
         Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
     }
 
@@ -152,7 +153,7 @@ impl<T: Rounding> ErrorBound<T> {
     #[inline(always)]
     pub(crate) fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
         // The limit is lowered by more than the relative error of `a` and the rounding of the limit.
-        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error());
+        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.constants.lambda_error());
         self.error.less((a * least - numerator) * root)
     }
 }

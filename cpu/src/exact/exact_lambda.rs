@@ -10,14 +10,14 @@ use crate::math::{double_double::DoubleDouble, real::Real};
 /// The equation `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0`, and the discriminant `D = h^2 - a c` is at
 /// least 0.
 #[derive(Debug)]
-pub struct Quadratic {
+pub struct ExactQuadratic {
     a: Dyadic,
     h: Dyadic,
     c: Dyadic,
     discriminant: Dyadic,
 }
 
-impl Quadratic {
+impl ExactQuadratic {
     /// Returns the equation with these coefficients. The result is `None` if it has no real root, so that the ray's
     /// line misses the surface. It is also `None` if `a` is 0: the direction is null, or parallel to the axis.
     pub(crate) fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
@@ -39,7 +39,7 @@ impl Quadratic {
 /// The exact lambda of a hit: one of the roots of a quadratic.
 #[derive(Debug)]
 pub struct ExactLambda {
-    quadratic: Quadratic,
+    quadratic: ExactQuadratic,
     /// Whether it is the larger root.
     is_larger: bool,
 }
@@ -50,7 +50,7 @@ impl ExactLambda {
     pub(crate) fn fraction(numerator: Dyadic, denominator: Dyadic) -> Self {
         debug_assert!(numerator.sign() == Ordering::Greater && denominator.sign() == Ordering::Greater);
         // Nothing reads `c`, because the numerator of the larger root does not cancel.
-        let quadratic = Quadratic { a: denominator, h: numerator, c: exact(0.0), discriminant: exact(0.0) };
+        let quadratic = ExactQuadratic { a: denominator, h: numerator, c: exact(0.0), discriminant: exact(0.0) };
         Self { quadratic, is_larger: true }
     }
 
@@ -61,7 +61,7 @@ impl ExactLambda {
 
     /// Whether `x + y lambda >= 0`.
     pub(crate) fn is_linear_form_nonnegative(&self, x: &Dyadic, y: &Dyadic) -> bool {
-        let Quadratic { a, h, discriminant, .. } = &self.quadratic;
+        let ExactQuadratic { a, h, discriminant, .. } = &self.quadratic;
         // The form is multiplied by `a`, which is positive. The result is `a x + y h + s y sqrt(D)`, where
         // `s` is -1 for the smaller root and 1 for the larger one.
         sign_with_root(&(&(a * x) + &(y * h)), &self.of_root(y), discriminant) != Ordering::Less
@@ -84,7 +84,7 @@ impl ExactLambda {
 
     /// Returns the `f64` nearest to the lambda, or a neighbour of it, but at least [`LAMBDA_MIN`].
     pub(crate) fn rounded(&self) -> f64 {
-        let Quadratic { a, h, c, discriminant } = &self.quadratic;
+        let ExactQuadratic { a, h, c, discriminant } = &self.quadratic;
         // f64 must not overflow. So h and sqrt(D) are scaled by a common power of two, and a and c by powers of their
         // own. A zero has no order, so it does not change the common power. If h and D are both zero, the root is zero
         // with any power.

@@ -16,8 +16,8 @@ use std::cmp::Ordering;
 
 use crate::counters::{Counter, add};
 use crate::exact::{
-    cylinder_compensated, cylinder_exact, cylinder_parts::LIMITS, error_bound::UNDERFLOW, exact_lambda::ExactLambda,
-    sphere_compensated, sphere_exact, sphere_exact::Exactly,
+    cylinder_compensated, cylinder_exact, cylinder_filter::CYLINDER_BOUND, error_bound::UNDERFLOW,
+    exact_lambda::ExactLambda, exact_vector::Exactly, sphere_compensated, sphere_exact,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
@@ -34,12 +34,12 @@ pub enum Surface {
 
 /// Whether the exact lambda of one hit certainly is smaller than that of another. Both are lambdas that the steps of
 /// [`crate::exact`] accept in the arithmetic `T`, or infinite, which stands for no hit. Their relative errors are at
-/// most a third of the [`lambda_error`](crate::exact::error_bound::Limits::lambda_error) of cylinders, which exceeds
-/// that of spheres. The result is false if a number is NaN.
+/// most a third of the [`lambda_error`](crate::exact::error_bound::BoundConstants::lambda_error) of cylinders, which
+/// exceeds that of spheres. The result is false if a number is NaN.
 #[inline(always)]
 pub fn is_certainly_closer<T: Rounding>(lambda: T, other: T) -> T::Mask {
     // The factor is 1 + 2^-29 or 1 + 2^-54, which `T` holds without an error.
-    (lambda * (T::of(1.0) + T::of(LIMITS.lambda_error()))).less(other)
+    (lambda * (T::of(1.0) + T::of(CYLINDER_BOUND.lambda_error()))).less(other)
 }
 
 /// Compares the exact lambdas of a ray's hits on two surfaces, which it must hit. The result is `None` if the exact
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn computed_lambdas_decide_only_beyond_their_errors() {
-        let error = LIMITS.lambda_error();
+        let error = CYLINDER_BOUND.lambda_error();
         assert!(is_certainly_closer(1.0, 1.0 + 2.0 * error) && !is_certainly_closer(1.0, 1.0 + error / 2.0));
         assert!(is_certainly_closer(5.0, f64::INFINITY) && !is_certainly_closer(f64::INFINITY, f64::INFINITY));
         assert!(!is_certainly_closer(f64::NAN, 1.0) && !is_certainly_closer(1.0, f64::NAN));

@@ -3,9 +3,9 @@
 //!
 //! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. There are two
 //! forms, which give the same bits. [`filtered_from`] has no branches, and serves lanes. [`filtered`] has branches, and
-//! serves one ray, for which the form without branches takes 61 % more instructions.
+//! serves one ray, for which the form without branches computes roots that the branches skip.
 
-use crate::exact::error_bound::{Decision, ErrorBound, Limits, in_scale};
+use crate::exact::error_bound::{BoundConstants, Decision, ErrorBound, in_scale};
 use crate::geometry::{ray::Ray, sphere::SphereRecord, sphere::SphereView};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
@@ -13,7 +13,7 @@ use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 /// 25.5 suffices. With this condition limit the relative error of lambda is proven to be at most 5.9e-12, and the
 /// largest error that `stress` finds is 2.1e-12 (docs/accuracy). In ordinary pictures 99.6 % of the hits have a lambda
 /// with the bits of the plain formula, and the others have a more accurate one.
-pub const LIMITS: Limits = Limits { error_constant: 32.0, condition_limit: 12288.0 };
+pub const SPHERE_BOUND: BoundConstants = BoundConstants { error_constant: 32.0, condition_limit: 12288.0 };
 
 /// Computes the plain formula in the arithmetic `T`. Returns `Certain(Some(lambda))` for a hit, `Certain(None)` for a
 /// miss, and `Uncertain` if rounding may have changed a decision or if lambda may be inaccurate.
@@ -31,7 +31,7 @@ pub fn filtered_or_least<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray
     let a = ray.direction.dot(ray.direction);
     let view = record.seen_from(ray.origin);
     let (h, discriminant) = view.quadratic(ray.direction, a);
-    let bound = ErrorBound::new(LIMITS, a, view.squares);
+    let bound = ErrorBound::new(SPHERE_BOUND, a, view.squares);
     if !in_scale(a) {
         return Err(T::of(f64::NEG_INFINITY));
     }
@@ -72,7 +72,7 @@ pub struct SphereHits<T: Real> {
 #[inline(always)]
 pub fn filtered_from<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T) -> SphereHits<T> {
     let (h, discriminant) = view.quadratic(direction, a);
-    let bound = ErrorBound::new(LIMITS, a, view.squares);
+    let bound = ErrorBound::new(SPHERE_BOUND, a, view.squares);
     let root = discriminant.sqrt();
     let (near, far) = (bound.root(a, h - root, root), bound.root(a, h + root, root));
     let misses = bound.misses(discriminant) | far.fails;

@@ -48,7 +48,8 @@ impl Image for AosImage {
 pub struct AosObjects {
     spheres: Vec<Placed<SphereRecord>>,
     cylinders: Vec<Placed<CylinderRecord>>,
-    /// The cylinders' axes as in the scene file. They are stored separately, because only the fallback needs them.
+    /// The cylinders' axes as in the scene file. They are stored separately, because only the compensated and
+    /// exact formulas need them.
     axes: Vec<Vec3>,
 }
 

@@ -98,7 +98,7 @@ pub struct SoaObjects {
     /// The numbers are centre and radius.
     spheres: Kind<4>,
     /// The numbers are centre, radius, axis of length one and half height. Then follows the axis as in the scene file,
-    /// which only the fallback needs.
+    /// which only the compensated and exact formulas need.
     cylinders: Kind<11>,
 }
 

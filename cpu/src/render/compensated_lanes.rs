@@ -6,7 +6,7 @@ use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
 use crate::math::{real::Real as _, vec3::Vec3};
-use crate::render::fallback::{for_each_lane, precise_lane_by_lane};
+use crate::render::lane_by_lane::{for_each_lane, precise_lane_by_lane};
 use crate::simd::{Kernel, MOST_LANES, Simd, SimdF64, columns::Columns, instruction_set::InstructionSet};
 
 /// A cylinder and its axis in the scene file.

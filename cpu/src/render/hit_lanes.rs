@@ -1,11 +1,11 @@
 //! The closest hits of several rays, which are found at once.
 
 use crate::exact::cylinder::SideLanes;
-use crate::exact::cylinder_parts::{PlainCaps, PlainSide, is_long};
+use crate::exact::cylinder_filter::{PlainCaps, PlainSide, is_long};
 use crate::render::compensated_lanes::{Cylinder, uncertain_cylinder};
-use crate::render::{fallback::closer_of_near, fallback::precise, lane_numbers::ObjectNumber};
+use crate::render::{lane_by_lane::closer_of_near, lane_by_lane::precise, lane_numbers::ObjectNumber};
 use crate::{
-    accel::closest_hit::is_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
+    accel::closest_hit::is_exactly_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
     exact::error_bound::in_scale, exact::order::is_certainly_closer, exact::sphere_compensated::Terms,
     geometry::cylinder::CylinderPart, geometry::cylinder::CylinderView, geometry::ray::Ray,
     geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects, simd::SimdF64,
@@ -107,7 +107,7 @@ impl<V: SimdF64> HitLanes<V> {
         if near != 0 {
             let (hit, closest) = ([lambda, object, part], [self.lambda, self.object.0, self.part]);
             let (closest, closer) = closer_of_near(rays.ray, (hit, closest), near, &|ray, pair| {
-                is_closer(rays.objects, *ray, pair[0], pair[1])
+                is_exactly_closer(rays.objects, *ray, pair[0], pair[1])
             });
             [self.lambda, self.object.0, self.part] = closest;
             self.bits |= closer;

@@ -2,7 +2,7 @@
 //! up to the first matte or metal surface.
 
 use crate::render::{
-    fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, lane_numbers::ObjectNumber,
+    hit_lanes::HitLanes, hit_lanes::Rays, lane_by_lane::for_each_lane, lane_numbers::ObjectNumber,
     lane_numbers::SampleIndex, limits::Limits, max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prepared,
     samples::Batch, shade::shade, span_state::SpanState, surface_hit::SurfaceHit,
 };

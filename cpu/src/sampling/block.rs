@@ -1,4 +1,4 @@
-//! Draws the stream of [`crate::sampling::uniform::Uniform`], in blocks of 312 numbers.
+//! Draws the stream of [`crate::sampling::uniform::Uniform`], in blocks of 312 numbers. Pictures draw from this one.
 //!
 //! `mt19937_64` (Nishimura and Matsumoto, 2000) renews its whole state of 312 words at once. To renew, temper and
 //! convert the words, there are loops without branches, which the compiler turns into lanes. A test compares 10^8 draws

@@ -17,8 +17,8 @@ use crate::{
 /// Maximum number of boxes in the collapsed root. The test of the boxes returns a `u64` with one bit for each of them.
 pub const MOST: usize = 64;
 
-/// The least number of `f32` lanes with which the collapsed root saves time. With four lanes a picture of 1,000 objects
-/// takes 8 % longer. With eight it takes 1.5 % less time, and one of 10,000 objects 4.6 % less.
+/// The least number of `f32` lanes with which the collapsed root saves time: with four lanes its test of all boxes
+/// takes longer than the visits that it saves (docs/experiments.md, row "collapsed root").
 pub const LEAST_LANES: usize = 8;
 
 /// Returns the number of boxes that the collapsed root over `objects` objects should have, so that all nodes below it

@@ -17,7 +17,7 @@
 //! distances. So no box is lost that the ray hits before the closest hit so far. Nor is an object left out that can be
 //! hit before it, for being entered behind it.
 //!
-//! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
+//! The direction must be [in scale](suits_slabs). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
 //! product with a coordinate exceeds 10^38, unless the ray starts on a giant ([`is_in_reach`]). If a distance is NaN
 //! all the same, the maximum and the minimum return their other operand, which keeps the box. Products may be
 //! subnormal, which changes a distance by less than [`LEAST_MARGIN`] times `r`.
@@ -27,9 +27,9 @@ use crate::accel::{bounds::Bounds, extent::is_within, may_hit::conservative::is_
 use crate::{geometry::ray::Ray, math::real::Real, math::vec3::Vec3, simd::SimdF32};
 
 /// A slab test moves each plane of a box outward to cover rounding. Along the x axis it moves a plane by at least
-/// `MARGIN (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all boxes. The
-/// same holds for y and z. `MARGIN` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
-pub const MARGIN: f32 = 8.0 * f32::EPSILON;
+/// `PLANE_MARGIN (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all
+/// boxes. The same holds for y and z. `PLANE_MARGIN` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
+pub const PLANE_MARGIN: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a
 /// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
@@ -48,14 +48,14 @@ pub const LONGEST_SQUARED: f64 = 1e60;
 /// Whether a direction is in scale for slab tests: the square of its length is at least 10^-14 and at most 10^60. The
 /// result is false for NaN.
 #[inline(always)]
-pub(crate) fn is_in_scale(length_squared: f64) -> bool {
+pub(crate) fn suits_slabs(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST_SQUARED
 }
 
 /// The largest coordinate of an origin for a direction of length 1.
 pub const FARTHEST: f64 = 1e17;
 
-/// Whether a ray that is [in scale](is_in_scale) starts near enough for slab tests, and for those of sphere leaves:
+/// Whether a ray that is [in scale](suits_slabs) starts near enough for slab tests, and for those of sphere leaves:
 /// `|o| <= 10^17 min(|d|, 1)`. A ray that starts on a [giant](crate::accel::giants) may start farther away.
 ///
 /// Such a ray is at all planes across its direction's largest component before lambda 10^18; see [`LEAST_MARGIN`]. If
@@ -66,8 +66,8 @@ pub(crate) fn is_in_reach(origin: Vec3, length_squared: f64) -> bool {
     is_within(origin, FARTHEST * length_squared.sqrt().min(1.0))
 }
 
-/// Returns, for each axis, the part of a plane's move that does not depend on the ray: `MARGIN |p| + LEAST_MARGIN`,
-/// where `p` is the plane of `bounds` with the larger magnitude. It serves all boxes within `bounds`.
+/// Returns, for each axis, the part of a plane's move that does not depend on the ray: `PLANE_MARGIN |p| +
+/// LEAST_MARGIN`, where `p` is the plane of `bounds` with the larger magnitude. It serves all boxes within `bounds`.
 pub(crate) fn margins(bounds: &Bounds) -> [f32; 3] {
     let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
     [0, 1, 2].map(|axis| margin(farthest(axis), LEAST_MARGIN))
@@ -76,7 +76,7 @@ pub(crate) fn margins(bounds: &Bounds) -> [f32; 3] {
 /// Returns the move of a plane, which has the part `least`, for the ray's origin or the farthest plane at `coordinate`.
 #[inline(always)]
 pub fn margin<T: Real>(coordinate: T, least: T) -> T {
-    coordinate.abs() * T::of(f64::from(MARGIN)) + least
+    coordinate.abs() * T::of(f64::from(PLANE_MARGIN)) + least
 }
 
 /// Returns the distance of the plane at the coordinate 0, moved down and moved up. `magnitude` is that of `reciprocal`.
@@ -105,13 +105,13 @@ impl<F: SimdF32> SlabRay<F> {
     /// signs, because it would be mispredicted half of the time.
     #[inline(always)]
     pub fn new(ray: &Ray, margins: &[f32; 3]) -> Self {
-        debug_assert!(is_in_scale(ray.direction.dot(ray.direction)));
+        debug_assert!(suits_slabs(ray.direction.dot(ray.direction)));
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
         let zero = [F::splat(0.0); 3];
         let mut slab_ray = Self { reciprocal: zero, near_origin: zero, far_origin: zero, near: [0; 3], far: [0; 3] };
         for axis in 0..3 {
             let (minus_origin, narrow) = (-origin[axis] as f32, direction[axis] as f32);
-            // With a comparison here, the compiler would make a branch, which costs 2 % of the time with 1,000 objects.
+            // With a comparison here, the compiler would make a branch, which is often mispredicted.
             let magnitude = (1.0 / narrow).abs().min(LARGEST_RECIPROCAL);
             let reciprocal = magnitude.copysign(narrow);
             let [near, far] = moved(minus_origin, reciprocal, magnitude, margins[axis]);
@@ -189,7 +189,7 @@ mod tests {
             assert_eq!(set.run(Intersect(&ray, &[flat], flat, f32::INFINITY)), [1; 2], "{}", set.name());
         }
         let [x, ..] = margins(&Bounds { low: [-1e3; 3], high: [1.0; 3] });
-        assert!(x >= 1e3 * MARGIN, "the farther plane counts");
+        assert!(x >= 1e3 * PLANE_MARGIN, "the farther plane counts");
     }
 
     #[test]

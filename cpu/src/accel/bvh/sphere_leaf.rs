@@ -16,15 +16,14 @@ use crate::accel::bounds::Bounds;
 use crate::accel::bvh::{planes::Plane, planes::WIDTH};
 use crate::simd::SimdF32;
 
-/// The least number of objects with which a tree has sphere leaves. In dense scenes, sphere leaves save 7 to 14 % of a
-/// ray's time with 100,000 or a million spheres, 2 to 10 % with 300,000, and 4 % on average with 30,000
-/// (bench/src/bin/nearest.rs). In smaller trees they save nothing.
+/// The least number of objects with which a tree has sphere leaves. In dense scenes they save time from this number on.
+/// In smaller trees they save nothing (docs/experiments.md, "Which limits were measured?").
 pub const LEAST_OBJECTS: usize = 20_000;
 
 /// Whether sphere leaves save time in a tree over `objects` objects. `half_areas` is the sum of the half surface areas
 /// of their boxes, and `half_area` that of the box around all of them. The quotient of the two is the average number of
 /// objects' boxes that a line through the scene crosses. If it is below 1, rays test few objects, and sphere leaves
-/// would cost up to 8 % of the time of a picture.
+/// would cost time.
 pub(crate) fn save_time(objects: usize, half_areas: f64, half_area: f32) -> bool {
     objects >= LEAST_OBJECTS && half_areas >= f64::from(half_area)
 }

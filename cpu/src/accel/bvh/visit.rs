@@ -8,7 +8,7 @@ impl<B: Boxes> Bvh<B> {
     /// Calls `visit` with the dominant sphere, the objects apart, and every object for which `may_reach` accepts the
     /// object's box and the boxes of all nodes above it.
     pub(crate) fn visit(&self, mut may_reach: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
-        let mut pending = Vec::with_capacity(stack::CAPACITY);
+        let mut pending = Vec::with_capacity(stack::MOST_PENDING);
         pending.push(0);
         if let Some(id) = self.dominant.0 {
             visit(id);

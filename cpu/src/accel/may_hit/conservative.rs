@@ -16,17 +16,17 @@ use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 /// magnitudes of the terms of `c` ([`Quadratic::size`]). It is `1024 u`: room for about 1,000 roundings, each with a
 /// relative error of at most `u = EPSILON / 2`. The tests and the exact formulas together need a quarter of this, so
 /// rounding never discards an object that the ray hits (docs/margins.md).
-pub const MARGIN: f64 = 512.0 * f64::EPSILON;
+pub const QUADRATIC_MARGIN: f64 = 512.0 * f64::EPSILON;
 
 /// The smallest squared length of a direction for which the tests are valid. With it underflow is negligible, in single
 /// precision too (`cpu/stability/src/proof/filters.rs`).
-pub const SHORTEST: f64 = 1e-14;
+pub const LEAST_LENGTH_SQUARED: f64 = 1e-14;
 
 /// Whether a direction with this squared length is too short for the tests: shorter than 10^-7. The caller must then
 /// intersect every object.
 #[inline(always)]
 pub(crate) fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
-    length_squared.less(T::of(SHORTEST))
+    length_squared.less(T::of(LEAST_LENGTH_SQUARED))
 }
 
 /// A ray for conservative tests, or one ray in each lane. The ray must start inside the scene's extent.
@@ -87,7 +87,7 @@ impl<T: Rounding> ConservativeRay<T> {
     pub fn sphere(&self, target: &Target<T>) -> T::Mask {
         let quadratic = self.sphere_quadratic(target);
         let Quadratic { a, c, size, .. } = quadratic;
-        !quadratic.has_no_root(a * size.mul_add_loosely(T::of(-MARGIN), c))
+        !quadratic.has_no_root(a * size.mul_add_loosely(T::of(-QUADRATIC_MARGIN), c))
     }
 
     /// Returns the quadratic of ray and sphere.
@@ -106,7 +106,7 @@ impl<T: Rounding> ConservativeRay<T> {
         let Quadratic { a, c, size, .. } = across;
         // The margin is proportional to the squared length of the whole direction. The part of the direction across the
         // axis may be nothing but rounding error.
-        let least_product = size.mul_add_loosely(self.length_squared * T::of(-MARGIN), a * c);
+        let least_product = size.mul_add_loosely(self.length_squared * T::of(-QUADRATIC_MARGIN), a * c);
         // The distance, along the axis and in the ray's direction, of the point at the smallest lambda from the middle.
         let past_middle = slope.abs().mul_add_loosely(T::of(LAMBDA_MIN), -along.flipped_by(slope));
         !(across.has_no_root(least_product) | target.half_height.less(past_middle))
@@ -138,7 +138,7 @@ impl<T: Rounding> Quadratic<T> {
     fn has_no_root(&self, least_product: T) -> T::Mask {
         let Self { a, h, c, size } = *self;
         let most_discriminant = h.mul_add_loosely(h, -least_product);
-        let least_c = size.mul_add_loosely(T::of(-MARGIN), c);
+        let least_c = size.mul_add_loosely(T::of(-QUADRATIC_MARGIN), c);
         // This is a lower bound of f at the smallest lambda in range. If h is negative, f only rises after it.
         let least_at_first = a.mul_add_loosely(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
         let least_at_first = h.mul_add_loosely(T::of(-2.0 * LAMBDA_MIN), least_at_first);

@@ -8,23 +8,23 @@ use crate::accel::{
 use crate::{geometry::ray::Ray, layout::Objects, simd::SimdF64, simd::columns::Columns};
 
 /// Maximum number of objects in [`ObjectLanes`]. It is a multiple of every instruction set's number of lanes of `f64`.
-pub const CAPACITY: usize = 8;
+pub const PLACES: usize = 8;
 
-/// Up to [`CAPACITY`] objects, in the order of their [numbers](ObjectId), one at each place. If a scene has fewer
+/// Up to [`PLACES`] objects, in the order of their [numbers](ObjectId), one at each place. If a scene has fewer
 /// objects, the remaining places repeat them.
 #[derive(Clone, Debug)]
 pub struct ObjectLanes {
     sphere_count: usize,
     count: usize,
-    targets: Columns<{ Target::NUMBERS }, CAPACITY>,
+    targets: Columns<{ Target::NUMBERS }, PLACES>,
 }
 
 impl ObjectLanes {
-    /// Returns the first [`CAPACITY`] objects of a scene with this largest coordinate.
+    /// Returns the first [`PLACES`] objects of a scene with this largest coordinate.
     pub(crate) fn new(objects: &impl Objects, max_coordinate: f64) -> Self {
-        let (sphere_count, count) = (objects.sphere_count().min(CAPACITY), count(objects).min(CAPACITY));
+        let (sphere_count, count) = (objects.sphere_count().min(PLACES), count(objects).min(PLACES));
         let mut targets = Columns::ZERO;
-        for (place, id) in (0..count as ObjectId).cycle().take(CAPACITY).enumerate() {
+        for (place, id) in (0..count as ObjectId).cycle().take(PLACES).enumerate() {
             targets.set(place, Target::of(objects, id, max_coordinate).numbers());
         }
         Self { sphere_count, count, targets }
@@ -69,7 +69,7 @@ impl ObjectLanes {
         let conservative = ConservativeRay::new(*ray);
         debug_assert!(V::bits(is_too_short(conservative.length_squared)) & !too_short == 0);
         let mut may_hit = MayHitLanes::NOTHING;
-        for at in 0..self.count.min(CAPACITY) {
+        for at in 0..self.count.min(PLACES) {
             may_hit.add(at, V::bits(self.may_hit(at, &conservative)) | too_short);
         }
         may_hit
@@ -114,12 +114,12 @@ mod tests {
     fn a_ray_may_hit_the_objects_whose_bits_hold_its_lane() {
         let mut draws = crate::sampling::uniform::Uniform::new(8);
         for _ in 0..2000 {
-            let rays: [u32; CAPACITY] =
+            let rays: [u32; PLACES] =
                 std::array::from_fn(|_| draws.draw(0.0, 256.0) as u32 & draws.draw(0.0, 256.0) as u32);
             let mut may_hit = MayHitLanes::NOTHING;
-            (0..CAPACITY).for_each(|id| may_hit.add(id, rays[id]));
+            (0..PLACES).for_each(|id| may_hit.add(id, rays[id]));
             for lane in 0..8 {
-                let expected = (0..CAPACITY).map(|id| (rays[id] >> lane & 1) << id).sum::<u32>();
+                let expected = (0..PLACES).map(|id| (rays[id] >> lane & 1) << id).sum::<u32>();
                 assert_eq!(may_hit.of_lane(lane), expected, "lane {lane} of {rays:?}");
                 assert_eq!(may_hit.any >> lane & 1 == 1, expected != 0);
             }

@@ -84,5 +84,5 @@ fn scales_beyond_the_squares_of_f64_are_met_all_the_same() {
 #[test]
 fn the_error_of_a_discriminant_is_32_roundings_of_a_size_that_is_given_2_to_the_24_times_as_large() {
     let expected = 32.0 * f64::EPSILON / 2.0 / f64::from(1 << 24);
-    assert_eq!(crate::exact::sphere_filter::LIMITS.error_of_size(), expected);
+    assert_eq!(crate::exact::sphere_filter::SPHERE_BOUND.error_of_size(), expected);
 }

@@ -3,19 +3,18 @@
 //! Steps are powers of two, so a product with a step is exact short of underflow. Here every step is 1, and a number of
 //! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
 
-use cpu::internals::accel::bounds::{
-    Bounds, ENLARGEMENT, MARGIN as DISC_MARGIN, above, extent_of_cylinder, extent_of_disc,
-};
+use cpu::internals::accel::bounds::{Bounds, DISC_MARGIN, ENLARGEMENT, above, extent_of_cylinder, extent_of_disc};
 use cpu::internals::accel::bvh::farthest_for;
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
 use cpu::internals::accel::bvh::slab_ray::{
-    FARTHEST as FARTHEST_ORIGIN, LARGEST_RECIPROCAL, LEAST_MARGIN, LONGEST_SQUARED, MARGIN, SlabRay, margin, moved,
+    FARTHEST as FARTHEST_ORIGIN, LARGEST_RECIPROCAL, LEAST_MARGIN, LONGEST_SQUARED, PLANE_MARGIN, SlabRay, margin,
+    moved,
 };
 use cpu::internals::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
 use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit};
 use cpu::internals::accel::extent::Extent;
-use cpu::internals::accel::may_hit::conservative::SHORTEST;
-use cpu::internals::exact::cylinder_parts::LIMITS;
+use cpu::internals::accel::may_hit::conservative::LEAST_LENGTH_SQUARED;
+use cpu::internals::exact::cylinder_filter::CYLINDER_BOUND;
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;
@@ -90,7 +89,7 @@ fn acts(number: Bounded, growing: i8) {
 /// Runs the test of a plane that is at most `steps` steps from the origin of its frame. Returns the numbers of a plane
 /// where the ray enters, and of one where it leaves.
 fn distances(arithmetic: Arithmetic, steps: Polynomial, of_step: impl Fn() -> Bounded) -> [Bounded; 2] {
-    lanes::begin(arithmetic, f64::from(MARGIN));
+    lanes::begin(arithmetic, f64::from(PLANE_MARGIN));
     // The values stand for the numbers of ray and plane.
     let (origin, direction, plane, frame, step) = (3.0, 5.0, 7.0, 11.0, 17.0);
     let margins = [13.0; 3];
@@ -123,7 +122,7 @@ fn slabs() -> [Row; 3] {
     acts(far, 1);
     let size = length(RECIPROCAL).times(&sum(&[FARTHEST, ORIGIN].map(length)));
     let of = |number: Bounded| {
-        let margin = f64::from(MARGIN);
+        let margin = f64::from(PLANE_MARGIN);
         let need = relative_to_sizes(&number.bounds().error, margin, std::slice::from_ref(&size), 1.0);
         [added(number, &size, margin, V), need]
     };
@@ -132,8 +131,9 @@ fn slabs() -> [Row; 3] {
     let (constant, need) = (near[0].min(far[0]), near[1].max(far[1]));
     // Planes and origins are hardly beyond the objects. `is_in_reach` argues about origins on giants.
     let limits = [(FARTHEST, 1.01 * Extent::LARGEST), (ORIGIN, 1.01 * Extent::LARGEST)];
-    let limits =
-        limits.into_iter().chain([(RECIPROCAL, LARGEST_RECIPROCAL.into()), (bounded::MARGIN.0, f64::from(MARGIN))]);
+    let limits = limits
+        .into_iter()
+        .chain([(RECIPROCAL, LARGEST_RECIPROCAL.into()), (bounded::MARGIN.0, f64::from(PLANE_MARGIN))]);
     let size = far_number.bounds().size;
     let largest = limits.clone().fold(size.clone(), |size, (family, most)| size.scaled_by(family, most)).sum();
     let without_origin = limits.filter(|limit| limit.0 != ORIGIN);
@@ -159,7 +159,7 @@ fn slabs() -> [Row; 3] {
 /// sqrt(3)`, in units of 10^16.
 fn lambda_across() -> f64 {
     // `is_within` lets an origin be farther away by a millionth.
-    3.0_f64.sqrt() * 1.01 * (Extent::LARGEST / SHORTEST.sqrt() + FARTHEST_ORIGIN) / 1e16
+    3.0_f64.sqrt() * 1.01 * (Extent::LARGEST / LEAST_LENGTH_SQUARED.sqrt() + FARTHEST_ORIGIN) / 1e16
 }
 
 /// Returns the row of the least move of a plane, which covers underflow with the smallest reciprocal too.
@@ -169,7 +169,7 @@ fn lambda_across() -> f64 {
 fn underflow() -> Row {
     let [_, far] = distances(Arithmetic::F32, Polynomial::constant(255.0), || Bounded::number(STEP, 0.0));
     let error =
-        far.bounds().error.scaled_by(bounded::MARGIN.0, f64::from(MARGIN)).enlarged(&[(bounded::MARGIN.0, None)]);
+        far.bounds().error.scaled_by(bounded::MARGIN.0, f64::from(PLANE_MARGIN)).enlarged(&[(bounded::MARGIN.0, None)]);
     let size = length(RECIPROCAL).times(&sum(&[FARTHEST, ORIGIN, STEP].map(length)));
     let (_, rest) = error.relative_to(&size);
     assert!(rest.0.keys().all(|monomial| monomial.iter().all(|of| of.0 == RECIPROCAL)), "{rest:?}");
@@ -193,8 +193,8 @@ fn overflow_of_spheres() -> Row {
         (FARTHEST, 1.75 * Extent::LARGEST),
         (RADIUS, 1.75 * Extent::LARGEST),
         (ORIGIN, 1.75 * FARTHEST_ORIGIN),
-        (RECIPROCAL, 1.0 / SHORTEST.sqrt()),
-        (bounded::MARGIN.0, f64::from(MARGIN)),
+        (RECIPROCAL, 1.0 / LEAST_LENGTH_SQUARED.sqrt()),
+        (bounded::MARGIN.0, f64::from(PLANE_MARGIN)),
     ];
     let numbers = [leaves, enters, squares[0], squares[1]].map(|number| number.bounds().size);
     let largest = numbers.map(|size| limits.iter().fold(size, |size, of| size.scaled_by(of.0, of.1)).sum());
@@ -211,7 +211,7 @@ fn closest_so_far() -> Row {
         let least = farthest_for(lambda).min(farthest_for(lambda.next_down()));
         (f64::from(least) - lambda) / lambda / U
     });
-    let margins = [excess.fold(f64::INFINITY, f64::min), LIMITS.lambda_error() / 3.0 / U];
+    let margins = [excess.fold(f64::INFINITY, f64::min), CYLINDER_BOUND.lambda_error() / 3.0 / U];
     Row::new("the closest lambda so far", "accel/bvh.rs", margins, "u lambda")
 }
 
@@ -257,7 +257,7 @@ struct SphereNumbers {
 /// Runs the test of a bounding sphere on one ray. With `is_exact`, the cross product and the enlarged radius count as
 /// exact, with the family [`CROSS`].
 fn sphere_numbers(is_exact: bool) -> SphereNumbers {
-    lanes::begin(Arithmetic::F32, f64::from(MARGIN));
+    lanes::begin(Arithmetic::F32, f64::from(PLANE_MARGIN));
     // Values that stand for the numbers of ray and sphere.
     let (origin, direction, frame) = ([3.0, 5.0, 7.0], [11.0, 13.0, 17.0], [19.0_f32, 23.0, 29.0]);
     let (margins, centers, radius) = ([31.0; 3], [37.0, 41.0, 43.0], 47.0);
@@ -311,13 +311,13 @@ fn bounding_spheres() -> [Row; 3] {
     let least = 6.0 * f64::from(LEAST_MARGIN);
     let need = |error: &Polynomial, unit: &Polynomial| {
         let sizes = [sum(&[FARTHEST, ORIGIN].map(length)), length(RADIUS), size.clone()].map(|size| size.times(unit));
-        relative_to_sizes(error, f64::from(MARGIN), &sizes, (least / V).min(LAMBDA_MIN))
+        relative_to_sizes(error, f64::from(PLANE_MARGIN), &sizes, (least / V).min(LAMBDA_MIN))
     };
     let SphereNumbers { cross, radius, pairs: [[_, leaves], [enters, _], [_, rest]] } = sphere_numbers(false);
     for (number, growing) in [(radius.0, 1), (rest, 1), (leaves, 1), (enters, -1)] {
         acts(number, growing);
     }
-    let constant = added(radius.0, &size, f64::from(MARGIN), V);
+    let constant = added(radius.0, &size, f64::from(PLANE_MARGIN), V);
     let of_cross = sum(&cross.map(|lane| lane.0.raw().error)).plus(&radius.0.bounds().error).in_lengths();
     let (one, reciprocal) = (Polynomial::constant(1.0), length(RECIPROCAL));
     let [passes, leaves, enters] =

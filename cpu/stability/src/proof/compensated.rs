@@ -5,7 +5,7 @@
 use cpu::Ray;
 use cpu::internals::exact::compensated_roots::{self, ACCURACY_OF_C, CONDITION_LIMIT, Discriminant, ERROR_OF_C};
 use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
-use cpu::internals::exact::cylinder_parts::LEAST_EXTENT;
+use cpu::internals::exact::cylinder_filter::LEAST_EXTENT;
 use cpu::internals::exact::error_bound::{LONGEST, SHORTEST, UNDERFLOW};
 use cpu::internals::exact::sphere_compensated::{self, Terms};
 use cpu::internals::exact::sphere_filter;
@@ -28,7 +28,7 @@ const WITHOUT_UNDERFLOW: Arithmetic = Arithmetic { underflow: 0.0, ..Arithmetic:
 pub const FILE: &str = "exact/cylinder_compensated.rs";
 const SPHERE: &str = "exact/sphere_compensated.rs";
 pub const ROOTS: &str = "exact/compensated_roots.rs";
-const SPHERE_MARGIN: f64 = sphere_filter::LIMITS.error_constant * U;
+const SPHERE_MARGIN: f64 = sphere_filter::SPHERE_BOUND.error_constant * U;
 
 /// The families of `d x V` and `(O - C) x V`, for the axis `V` of the file, and of a number that cancels.
 const DIRECTION_CROSS: u8 = DERIVED + 2;
@@ -82,7 +82,7 @@ fn covered(number: Bounded) -> f64 {
 /// Returns the bound of the error of `c`, and the least lambda, lowered, as the code must compute them.
 fn error_of_c_and_least(quadratic: &Roots) -> [Bounded; 2] {
     let of = Bounded::of;
-    let least = of(LAMBDA_MIN) - of(LAMBDA_MIN * sphere_filter::LIMITS.lambda_error());
+    let least = of(LAMBDA_MIN) - of(LAMBDA_MIN * sphere_filter::SPHERE_BOUND.lambda_error());
     [quadratic.terms_of_c * of(ERROR_OF_C * U * U) + of(UNDERFLOW), least]
 }
 
@@ -220,7 +220,7 @@ fn side_h() -> Log {
 
 /// Returns that of a sphere: if a ray leaves, its `h` times the least lambda exceeds the constant.
 fn sphere_h() -> Log {
-    (1e-6 * sphere_filter::LIMITS.lambda_error() / LAMBDA_MIN * UNDERFLOW).log2()
+    (1e-6 * sphere_filter::SPHERE_BOUND.lambda_error() / LAMBDA_MIN * UNDERFLOW).log2()
 }
 
 /// Returns the row of the constant that covers underflow, in bits above the smallest number. A quarter of it must do,
@@ -298,7 +298,7 @@ pub fn sphere_rows() -> ([Row; 3], Row, f64) {
 /// If `S = q + R^2` or `a S` underflows, the sign of `h` may be wrong. Then every lambda is at most `sqrt(2 S / a)`,
 /// below 2^-200, and the ray misses.
 pub fn leaves(of_h: f64) -> Row {
-    for margin in [ERROR_OF_C * U * U, LAMBDA_MIN * sphere_filter::LIMITS.lambda_error()] {
+    for margin in [ERROR_OF_C * U * U, LAMBDA_MIN * sphere_filter::SPHERE_BOUND.lambda_error()] {
         begin(WITHOUT_UNDERFLOW, margin);
         let (_, terms, _) = sphere();
         let from = compared().len();
@@ -312,7 +312,7 @@ pub fn leaves(of_h: f64) -> Row {
         let expected = [[h, zero], [terms_of_h, h.abs() * limit], [c.abs() + error, h.abs() * least]];
         assert_eq!(pairs, expected, "the code decides in another way than the proof takes");
     }
-    let margins = [sphere_filter::LIMITS.lambda_error() / U, of_h * CONDITION_LIMIT + 6.0];
+    let margins = [sphere_filter::SPHERE_BOUND.lambda_error() / U, of_h * CONDITION_LIMIT + 6.0];
     Row::new("lambda of a ray that leaves a sphere", ROOTS, margins, "u lambda")
 }
 
@@ -511,7 +511,7 @@ fn far_discriminant_of_side() -> ([f64; 2], [Log; 2]) {
     _ = root.of_squares();
     forget_later(root);
     let terms = run();
-    let share = cylinder_compensated::SHARE_OF_DISTANCE;
+    let share = cylinder_compensated::SHARE_OF_REACH;
     let size = |share: f64, aside: Polynomial| {
         let of_radius = squared(DIRECTION_CROSS).times(&squared(RADIUS));
         let far = squared(DIRECTION_CROSS).times(&squared(TO_CENTER)).scaled(share);

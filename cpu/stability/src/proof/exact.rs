@@ -3,8 +3,8 @@
 use cpu::internals::exact::compensated_roots::{ACCURACY_OF_C, CONDITION_LIMIT, ERROR_OF_C, ERROR_OF_ROOT};
 use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_compensated::ERROR_OF_CAP;
-use cpu::internals::exact::cylinder_parts::{self, PlainSide, SHARE_OF_WHOLE};
-use cpu::internals::exact::error_bound::{HEADROOM, Limits, NUMERATOR_WEIGHT, UNDERFLOW};
+use cpu::internals::exact::cylinder_filter::{self, PlainSide, SHARE_OF_WHOLE};
+use cpu::internals::exact::error_bound::{BoundConstants, HEADROOM, NUMERATOR_WEIGHT, UNDERFLOW};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
 use cpu::internals::math::real::Real;
@@ -15,7 +15,7 @@ use super::bounds::Arithmetic;
 use super::compensated;
 use super::parts::{self, record};
 use super::polynomial::Polynomial;
-use super::quadratic::Quadratic;
+use super::quadratic::QuadraticErrors;
 use super::row::{
     IN_SCALE, Row, U, added, enlarged, family::*, is, length, ray, relative_to_sizes, squared, uses_of_margin,
 };
@@ -23,17 +23,17 @@ use super::row::{
 /// Returns the rows of all margins.
 #[must_use]
 pub fn rows() -> Vec<Row> {
-    let sphere = quadratic(sphere_filter::LIMITS, "exact/sphere_filter.rs", sphere);
-    let cylinder = quadratic(cylinder_parts::LIMITS, "exact/cylinder_parts.rs", || cylinder(false));
+    let sphere = quadratic(sphere_filter::SPHERE_BOUND, "exact/sphere_filter.rs", sphere);
+    let cylinder = quadratic(cylinder_filter::CYLINDER_BOUND, "exact/cylinder_filter.rs", || cylinder(false));
     let [sphere_lambda, side_lambda] = [sphere.lambda(0.0), cylinder.lambda(cylinder.a / 2.0 * 2.0_f64.sqrt())];
     let mut rows = Vec::new();
     for (quadratic, lambda, names) in [
         (&sphere, sphere_lambda, ["discriminant of a sphere", "numerator of a sphere's root", "lambda of a sphere"]),
         (&cylinder, side_lambda, ["discriminant of a cylinder", "numerator of a side's root", "lambda of a side"]),
     ] {
-        let Quadratic { limits, constant, file, discriminant, .. } = *quadratic;
+        let QuadraticErrors { constants, constant, file, discriminant, .. } = *quadratic;
         // A third of the margin of lambda is for lambda's own error.
-        let of_lambda = limits.lambda_error() / 3.0 / U;
+        let of_lambda = constants.lambda_error() / 3.0 / U;
         let margins = [
             ([constant, discriminant], "u M"),
             ([constant, quadratic.numerator()], "u M / sqrt(D)"),
@@ -46,7 +46,7 @@ pub fn rows() -> Vec<Row> {
     rows.extend(long_cylinder(cylinder.a));
     let (of_sphere, sphere_range, sphere_h) = compensated::sphere_rows();
     let (of_side, side_range, [side_a, side_h]) = compensated::side_rows();
-    let constant = sphere.limits.lambda_error() / 3.0 / U;
+    let constant = sphere.constants.lambda_error() / 3.0 / U;
     let names = ["lambda of a sphere, compensated", "lambda of a side, compensated"];
     for ((what, rows_of), [a, h]) in
         names.into_iter().zip([&of_sphere, &of_side]).zip([[3.0, sphere_h], [side_a, side_h]])
@@ -62,8 +62,9 @@ pub fn rows() -> Vec<Row> {
     rows.extend(side_range);
     rows.push(compensated::plane());
     // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
-    let steep = cylinder_parts::STEEPNESS.sqrt() * cylinder.limits.condition_limit;
-    let of_a = |what, of: &Quadratic, need| Row::new(what, of.file, [of.limits.lambda_error() / U, need], "u a");
+    let steep = cylinder_filter::STEEPNESS.sqrt() * cylinder.constants.condition_limit;
+    let of_a =
+        |what, of: &QuadraticErrors, need| Row::new(what, of.file, [of.constants.lambda_error() / U, need], "u a");
     let in_lanes = [DISCRIMINANT_ERROR / U, cylinder.discriminant];
     rows.extend([
         of_a("a of a sphere", &sphere, sphere.a),
@@ -89,14 +90,14 @@ pub fn rows() -> Vec<Row> {
 
 /// Returns the row of `c`, which shows that a ray starts inside an infinite cylinder.
 fn inside() -> Row {
-    let margin = cylinder_parts::LIMITS.error_of_size();
+    let margin = cylinder_filter::CYLINDER_BOUND.error_of_size();
     begin(Arithmetic::F64, margin);
     let [_, _, c, _] = cylinder(false);
     let pairs = compared();
     let [error, _] = pairs.iter().find(|pair| pair[1] == -c).expect("the code compares it");
     let size = squared(TO_CENTER).plus(&squared(RADIUS));
     let (constant, need) = (added(*error, &size, margin, U), IN_SCALE.relative(&c.bounds().error, &size, margin));
-    Row::new("c of a cylinder", "exact/cylinder_parts.rs", [constant, need], "u (q + R^2)")
+    Row::new("c of a cylinder", "exact/cylinder_filter.rs", [constant, need], "u (q + R^2)")
 }
 
 /// The family of `S`; see [`long_cylinder`].
@@ -107,15 +108,15 @@ const LONG: u8 = DERIVED + 10;
 /// Returns the rows of the side of a long cylinder. `of_a` is the error of `a`, relative to `|d| |d'|`.
 ///
 /// The size is `m = |d'| S (|d| S + |d'| |O - C|)`, and a share of `M` covers the terms of second order. As `sqrt(D) <=
-/// |d'| S` and `n^2 <= 2 |d'|^2 S^2`, the argument is that of [`Quadratic`] with `m` in place of `M`. For lambda,
+/// |d'| S` and `n^2 <= 2 |d'|^2 S^2`, the argument is that of [`QuadraticErrors`] with `m` in place of `M`. For lambda,
 /// `n^2 Ea / a` is at most `2 Ea S^2`. All terms are at most a multiple of `m`.
 fn long_cylinder(of_a: f64) -> [Row; 3] {
-    let limits = cylinder_parts::LIMITS;
-    let margin = limits.error_of_size();
+    let constants = cylinder_filter::CYLINDER_BOUND;
+    let margin = constants.error_of_size();
     begin(Arithmetic::F64, margin);
     let run = || {
         let [a, h, c, discriminant] = cylinder(true);
-        ([h, c, discriminant], error_of(limits, [a, h, discriminant]))
+        ([h, c, discriminant], error_of(constants, [a, h, discriminant]))
     };
     // `m^2` is at most `2 |d'|^2 S^2 (|d|^2 S^2 + |d'|^2 |O - C|^2)`.
     let [_, twice] = root_of_long(run().1);
@@ -141,12 +142,12 @@ fn long_cylinder(of_a: f64) -> [Row; 3] {
         discriminant.bounds().error,
     ];
     let [of_h, of_c, of_discriminant] = needs.map(|error| relative_to_long(&error));
-    let lambda = (of_a + 2.0_f64.sqrt() * of_h + of_c / 2.0 + 2.5) * limits.condition_limit + 2.0;
-    let row = |what, constant, need, unit| Row::new(what, "exact/cylinder_parts.rs", [constant, need], unit);
+    let lambda = (of_a + 2.0_f64.sqrt() * of_h + of_c / 2.0 + 2.5) * constants.condition_limit + 2.0;
+    let row = |what, constant, need, unit| Row::new(what, "exact/cylinder_filter.rs", [constant, need], unit);
     [
         row("discriminant of a long cylinder", constant, of_discriminant, "u m"),
         row("numerator of a long side's root", constant, of_discriminant + 1.0 + of_h + 2.0, "u m / sqrt(D)"),
-        row("lambda of a long side", limits.lambda_error() / 3.0 / U, lambda, "u lambda"),
+        row("lambda of a long side", constants.lambda_error() / 3.0 / U, lambda, "u lambda"),
     ]
 }
 
@@ -195,26 +196,26 @@ fn relative_to_long(error: &Polynomial) -> f64 {
 /// `of_h` is the need of `h`. The discriminant exceeds the error that the code takes, so its root is far above 0.
 fn of_w([_, near, far]: &[Row; 3], of_h: f64) -> f64 {
     let share = near.need.max(far.need) / near.constant;
-    share * sphere_filter::LIMITS.error_constant / (1.0 + (1.0 - share).sqrt()) + of_h
+    share * sphere_filter::SPHERE_BOUND.error_constant / (1.0 + (1.0 - share).sqrt()) + of_h
 }
 
 /// Returns the errors of the quadratic whose `a`, `h`, `c` and discriminant `run` computes, together with its filter.
-fn quadratic(limits: Limits, file: &'static str, run: impl Fn() -> [Bounded; 4]) -> Quadratic {
-    begin(Arithmetic::F64, LAMBDA_MIN * limits.lambda_error());
+fn quadratic(constants: BoundConstants, file: &'static str, run: impl Fn() -> [Bounded; 4]) -> QuadraticErrors {
+    begin(Arithmetic::F64, LAMBDA_MIN * constants.lambda_error());
     run();
     // Both roots are compared with the smallest lambda from both sides.
     assert_eq!(uses_of_margin(), 4, "{file}: the margin of lambda is not used, or on the wrong side");
-    let margin = limits.error_of_size();
+    let margin = constants.error_of_size();
     begin(Arithmetic::F64, margin);
     let [a, h, c, discriminant] = run();
     let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
-    let error = error_of(limits, [a, h, discriminant]);
+    let error = error_of(constants, [a, h, discriminant]);
     let relative = |number: Bounded, size: &Polynomial| IN_SCALE.relative(&number.bounds().error, size, margin);
     let c = enlarged(&c.bounds().error);
     let constant = error.bounds().size.coefficient(&Polynomial::constant(1.0));
     assert_eq!(constant, UNDERFLOW, "the error bound covers underflow");
-    Quadratic {
-        limits,
+    QuadraticErrors {
+        constants,
         constant: added(error, &size, margin, U),
         file,
         a: relative(a, &squared(DIRECTION)),
@@ -227,14 +228,14 @@ fn quadratic(limits: Limits, file: &'static str, run: impl Fn() -> [Bounded; 4])
 /// Returns the bound `E` of the error with which the code compares the discriminant.
 ///
 /// # Panics
-/// If the code does not compare both roots as [`Quadratic`] takes them: with `E`, with the least lambda in range and
-/// with the condition limit.
-fn error_of(limits: Limits, [a, h, discriminant]: [Bounded; 3]) -> Bounded {
+/// If the code does not compare both roots as [`QuadraticErrors`] takes them: with `E`, with the least lambda in range
+/// and with the condition limit.
+fn error_of(constants: BoundConstants, [a, h, discriminant]: [Bounded; 3]) -> Bounded {
     let (pairs, of) = (compared(), Bounded::of);
     let [error, _] = *pairs.iter().find(|pair| pair[1] == -discriminant).expect("a filter compares the discriminant");
     let Operation::Sum(product, _) = error.operation() else { panic!("it is no sum") };
-    let ([size, _], share, root) = (factors_of(product), 1.0 / limits.condition_limit, discriminant.sqrt());
-    let (least, margin) = (of(LAMBDA_MIN), of(LAMBDA_MIN * limits.lambda_error()));
+    let ([size, _], share, root) = (factors_of(product), 1.0 / constants.condition_limit, discriminant.sqrt());
+    let (least, margin) = (of(LAMBDA_MIN), of(LAMBDA_MIN * constants.lambda_error()));
     for numerator in [h - root, h + root] {
         let terms =
             (size * of(share / HEADROOM) + of(UNDERFLOW)) + numerator * numerator * of(NUMERATOR_WEIGHT * share);

@@ -4,7 +4,7 @@ use std::slice;
 
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::accel::inside::{STEEP_SHARE, is_steep};
-use cpu::internals::accel::may_hit::conservative::{ConservativeRay, MARGIN, SHORTEST};
+use cpu::internals::accel::may_hit::conservative::{ConservativeRay, LEAST_LENGTH_SQUARED, QUADRATIC_MARGIN};
 use cpu::internals::accel::may_hit::filter_ray::{
     BoundingSpheres, CYLINDER_MARGIN, FilterRay, InfiniteCylinders, SPHERE_MARGIN,
 };
@@ -22,7 +22,7 @@ use super::row::{Domain, Row, U, added, enlarged, family::*, is, length, ray, re
 
 /// The directions that are not too short, and the scenes of moderate extent.
 fn moderate() -> Domain {
-    Domain { direction: SHORTEST.sqrt(), size: Extent::SMALLEST, underflow: 0.0 }
+    Domain { direction: LEAST_LENGTH_SQUARED.sqrt(), size: Extent::SMALLEST, underflow: 0.0 }
 }
 
 /// The family of the scene's largest coordinate `L`.
@@ -96,7 +96,7 @@ fn beyond_a_cap() -> Row {
 /// Returns the rows of a conservative test: the discriminant, the quadratic at the smallest lambda `t`, and the same
 /// for rays that are certainly inside.
 fn conservative(is_sphere: bool) -> [Row; 3] {
-    begin(Arithmetic::F64, MARGIN);
+    begin(Arithmetic::F64, QUADRATIC_MARGIN);
     let (ray, target) = (ray(), target(is_sphere));
     is(target.center - ray.origin, TO_CENTER);
     let test = ConservativeRay::new(ray);
@@ -111,7 +111,7 @@ fn conservative(is_sphere: bool) -> [Row; 3] {
     _ = test.starts_within(&quadratic);
     let [inside, _] = compared()[compared().len() - 1];
     let size = squared(DIRECTION).times(&size_of_c());
-    let need = moderate().relative(&discriminant.bounds().error, &size, MARGIN);
+    let need = moderate().relative(&discriminant.bounds().error, &size, QUADRATIC_MARGIN);
     let names = if is_sphere {
         ["the line misses a sphere", "the ray has passed a sphere", "the ray starts in a sphere"]
     } else {
@@ -119,13 +119,14 @@ fn conservative(is_sphere: bool) -> [Row; 3] {
     };
     let [misses, passed, starts] = names;
     let row = |what, file, number, size: &Polynomial, need, unit| {
-        Row::new(what, file, [added(number, size, MARGIN, U), need], unit)
+        Row::new(what, file, [added(number, size, QUADRATIC_MARGIN, U), need], unit)
     };
     let conservative = "accel/may_hit/conservative.rs";
-    let passed_need = relative_to_sizes(&in_t(at_first), MARGIN, &sizes_of_points(), moderate().size.powi(2));
+    let passed_need = relative_to_sizes(&in_t(at_first), QUADRATIC_MARGIN, &sizes_of_points(), moderate().size.powi(2));
     // Whether a ray that is not inside is found inside does not depend on how far it goes.
     let all = size_of_c().plus(&squared(DIRECTION));
-    let inside_need = relative_to_sizes(&in_t(inside), MARGIN, slice::from_ref(&all), moderate().size.powi(2));
+    let inside_need =
+        relative_to_sizes(&in_t(inside), QUADRATIC_MARGIN, slice::from_ref(&all), moderate().size.powi(2));
     let with_t = size_of_c().plus(&squared(DIRECTION).scaled(LAMBDA_MIN * LAMBDA_MIN));
     [
         row(misses, conservative, discriminant, &size, need, "u M"),

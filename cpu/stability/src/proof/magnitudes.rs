@@ -6,9 +6,9 @@
 //! bounds have margins far above the rounding of logarithms.
 
 use cpu::internals::accel::extent::Extent;
-use cpu::internals::accel::may_hit::conservative::{ConservativeRay, MARGIN as SHARE};
+use cpu::internals::accel::may_hit::conservative::{ConservativeRay, QUADRATIC_MARGIN as SHARE};
 use cpu::internals::accel::may_hit::filter_ray::MAX_COORDINATE;
-use cpu::internals::exact::cylinder_parts::{LEAST_SIZE, LIMITS, Plane, STEEPNESS};
+use cpu::internals::exact::cylinder_filter::{CYLINDER_BOUND, LEAST_SIZE, Plane, STEEPNESS};
 use cpu::internals::exact::error_bound::{HEADROOM, LONGEST, OVERFLOW, SHORTEST, UNDERFLOW};
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::render::hit_lanes::LARGEST_SQUARES;
@@ -122,8 +122,8 @@ fn sphere() -> Row {
 /// Returns the row of the side of a cylinder, whose `a` must be accurate. If the size of a long one overflows, nothing
 /// is certain.
 fn side() -> Row {
-    let share = 0.5 / (STEEPNESS * LIMITS.condition_limit.powi(2));
-    quadratic("largest number of a side", "exact/cylinder_parts.rs", share, || exact::cylinder(false))
+    let share = 0.5 / (STEEPNESS * CYLINDER_BOUND.condition_limit.powi(2));
+    quadratic("largest number of a side", "exact/cylinder_filter.rs", share, || exact::cylinder(false))
 }
 
 /// Returns the row of a cap, for coordinates up to 2^480. Farther hits are no hits: the radius is smaller, because the
@@ -137,11 +137,11 @@ fn cap() -> Row {
     let slope = ray.direction.dot(record.axis);
     // A slope that is accurate exceeds `|d|_1 / (8 k)`.
     let corners = in_scale().map(|direction| {
-        let least = direction - (8.0 * LIMITS.condition_limit).log2();
+        let least = direction - (8.0 * CYLINDER_BOUND.condition_limit).log2();
         (corner(direction, 480.0, 480.0), [(slope, [least, f64::INFINITY])])
     });
     let corners = corners.each_ref().map(|(corner, known)| (&corner[..], &known[..]));
-    row("largest number of a cap", "exact/cylinder_parts.rs", &corners)
+    row("largest number of a cap", "exact/cylinder_filter.rs", &corners)
 }
 
 /// Returns the row of the constant that covers underflow in a discriminant, in bits above the smallest number, 2^-1074.
@@ -162,7 +162,7 @@ fn underflow() -> Row {
 fn long_side() -> Row {
     let need = LONGEST.log2() - (LEAST_SIZE * LEAST_SIZE / 2.0).log2();
     let logs = [-f64::MIN_POSITIVE.log2(), need];
-    Row::new("underflow of a long side", "exact/cylinder_parts.rs", logs, "log2")
+    Row::new("underflow of a long side", "exact/cylinder_filter.rs", logs, "log2")
 }
 
 /// The lengths in a scene with this largest coordinate `L`. No two points are farther apart than `3.5 L`. So a ray with

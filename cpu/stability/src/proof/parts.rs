@@ -5,7 +5,7 @@ use std::slice;
 use cpu::Vec3;
 use cpu::internals::accel::isolated::SEPARATION;
 use cpu::internals::exact::cylinder::SideLanes;
-use cpu::internals::exact::cylinder_parts::{LEAST_EXTENT, LIMITS, PlainSide, Plane};
+use cpu::internals::exact::cylinder_filter::{CYLINDER_BOUND, LEAST_EXTENT, PlainSide, Plane};
 use cpu::internals::exact::order::{ERROR_OF_CAPS, is_certainly_closer};
 use cpu::internals::geometry::{cylinder::CylinderRecord, ray::LAMBDA_MIN};
 use cpu::internals::math::real::Real;
@@ -18,7 +18,7 @@ use super::row::{
     IN_SCALE, Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, sum, uses_of_margin,
 };
 
-const FILE: &str = "exact/cylinder_parts.rs";
+const FILE: &str = "exact/cylinder_filter.rs";
 
 /// The family of an accurate lambda.
 const LAMBDA: u8 = DERIVED;
@@ -26,7 +26,7 @@ const LAMBDA: u8 = DERIVED;
 pub const FILE_AXIS: u8 = DERIVED + 1;
 
 /// The part of a distance that the error of lambda moves, as a multiple of `u lambda |d|_1`.
-const MOVED: f64 = 2.0 * LIMITS.lambda_error() / U;
+const MOVED: f64 = 2.0 * CYLINDER_BOUND.lambda_error() / U;
 /// The part of a distance that other errors move, as a multiple of `u X`.
 const FIXED: f64 = 64.0;
 
@@ -54,7 +54,7 @@ pub fn rows(of_side: f64) -> Vec<Row> {
     vec![
         row("slope of a ray along an axis", slope[0], slope[1], "u abs(d)"),
         row("distance of a cap's plane", constant, need, "u X"),
-        row("lambda of a cap", LIMITS.lambda_error() / 3.0 / U, of_cap, "u lambda"),
+        row("lambda of a cap", CYLINDER_BOUND.lambda_error() / 3.0 / U, of_cap, "u lambda"),
         row("height of a hit, due to lambda", side[0], to_side[0], "u lambda abs(d)"),
         row("height of a hit, due to the extent", side[1], to_side[1], "u X"),
         row("distance from a cap's centre, due to lambda", cap[0], to_cap[0], "u lambda abs(d)"),
@@ -67,7 +67,7 @@ pub fn rows(of_side: f64) -> Vec<Row> {
 
 /// Returns the row of the order of two hits, each with this relative error of lambda.
 fn order(of_lambda: f64) -> Row {
-    let (margin, size) = (LIMITS.lambda_error(), length(LAMBDA));
+    let (margin, size) = (CYLINDER_BOUND.lambda_error(), length(LAMBDA));
     begin(Arithmetic::F64, margin);
     let lambda = Bounded::number(LAMBDA, of_lambda);
     _ = is_certainly_closer(lambda, lambda);
@@ -143,7 +143,7 @@ fn plane(of_slope: f64) -> ([f64; 2], f64) {
     let [[distance, _]] = run(16.0 * U);
     let row = [added(distance, &extent, 16.0 * U, U), need(distance)];
     // Lambda is accepted if the distance exceeds `X / (4 k)`, and the slope `|d|_1 / (8 k)`.
-    let k = LIMITS.condition_limit;
+    let k = CYLINDER_BOUND.condition_limit;
     // The sign of the distance is not known.
     for (limit, effect) in [(4.0 * k, None), (8.0 * k, Some(-1))] {
         run(limit);

@@ -1,11 +1,11 @@
 //! The errors of a quadratic, and what follows for its roots.
 
-use cpu::internals::exact::{error_bound::Limits, error_bound::NUMERATOR_WEIGHT};
+use cpu::internals::exact::{error_bound::BoundConstants, error_bound::NUMERATOR_WEIGHT};
 
 /// The errors of a quadratic `a lambda^2 - 2 h lambda + c` and of its discriminant, in units of `u`.
-pub struct Quadratic {
+pub struct QuadraticErrors {
     /// The constants of the filter.
-    pub limits: Limits,
+    pub constants: BoundConstants,
     /// The constant in the code for the error of the discriminant.
     pub constant: f64,
     /// The file that has it.
@@ -21,7 +21,7 @@ pub struct Quadratic {
     pub discriminant: f64,
 }
 
-impl Quadratic {
+impl QuadraticErrors {
     /// Returns what the numerator `n = h -+ sqrt(D)` needs, times `sqrt(D)`, relative to `M`.
     ///
     /// `sqrt(D) <= |d| r` and `sqrt(D) <= sqrt(M)`, up to the error of `D`, which adds less than 10^-5. The error of
@@ -56,6 +56,6 @@ impl Quadratic {
         let w = NUMERATOR_WEIGHT;
         let (sum, product) = (a + c / w, (a * c - b * b / 4.0) / w);
         let largest = (sum + (sum * sum - 4.0 * product).sqrt()) / 2.0;
-        largest * self.limits.condition_limit + 2.0
+        largest * self.constants.condition_limit + 2.0
     }
 }

@@ -3,7 +3,7 @@
 
 use cpu::internals::exact::{
     cylinder::SideLanes, cylinder_compensated::CompensatedCaps, cylinder_compensated::CompensatedSide,
-    cylinder_parts::PlainCaps, cylinder_parts::PlainSide, cylinder_parts::is_long, error_bound::in_scale,
+    cylinder_filter::PlainCaps, cylinder_filter::PlainSide, cylinder_filter::is_long, error_bound::in_scale,
 };
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::simd::{Simd, SimdF64};

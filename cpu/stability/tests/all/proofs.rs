@@ -45,8 +45,8 @@ fn a_margin_that_the_formulas_do_not_use_is_zero() {
         let size = squared(family::DIRECTION).times(&squared(family::RADIUS));
         compared().iter().map(|pair| added(pair[0], &size, margin, f64::EPSILON / 2.0)).fold(0.0, f64::max)
     };
-    let margin = sphere_filter::LIMITS.error_of_size();
-    assert_eq!(constant(margin).round(), sphere_filter::LIMITS.error_constant);
+    let margin = sphere_filter::SPHERE_BOUND.error_of_size();
+    assert_eq!(constant(margin).round(), sphere_filter::SPHERE_BOUND.error_constant);
     assert_eq!(constant(margin * 2.0), 0.0, "the code does not use this constant");
 }
 

@@ -7,8 +7,8 @@ use crate::accel::bvh::planes::WIDTH;
 /// Number of bins along the axis of a split.
 const BINS: usize = 16;
 
-/// The cost of visiting a node, where testing an object costs 1. With 16, nearest hits take 4 % less time than if only
-/// visits counted. With 4 or 64 there is no gain (bench/src/bin/nearest.rs).
+/// The cost of visiting a node, where testing an object costs 1. With 16, nearest hits take less time
+/// than if only visits counted. With 4 or 64 there is no gain (bench/src/bin/nearest.rs).
 const VISIT_COST: usize = 16;
 
 /// From this depth on, a range is split into two halves with equal numbers of objects, and not by the surface area

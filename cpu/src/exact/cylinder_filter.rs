@@ -7,7 +7,7 @@
 //! `exact/cylinder_exact.rs` decides without rounding. The reference has a literal copy of the rule in `cap` of
 //! `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
 
-use crate::exact::error_bound::{Decision, ErrorBound, HEADROOM, Limits, Outcome};
+use crate::exact::error_bound::{BoundConstants, Decision, ErrorBound, HEADROOM, Outcome};
 use crate::geometry::{
     cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, cylinder::CylinderView, ray::LAMBDA_MIN, ray::Ray,
 };
@@ -17,7 +17,7 @@ use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 /// that 121 is enough for the discriminant of [`CylinderRecord::quadratic`], and 138 for the numerator of a root. The
 /// condition limit, 65,536, decides the accuracy. With it, the relative error of lambda is proven to be at most 1.7e-10
 /// on the side and 6.0e-10 on a cap. The largest error that `stress` finds is 2.0e-11 (docs/accuracy).
-pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 65536.0 };
+pub const CYLINDER_BOUND: BoundConstants = BoundConstants { error_constant: 192.0, condition_limit: 65536.0 };
 
 /// A ray is steep enough for the side of a cylinder if `|d|^2` is at most this multiple of `k^2 |d'|^2`, where `k` is
 /// the condition limit and `d'` the part of the direction `d` across the axis.
@@ -42,7 +42,7 @@ pub fn is_long<T: Real>(record: &CylinderRecord<T>) -> T::Mask {
 /// discriminant.
 #[inline(always)]
 pub(crate) fn is_inside<T: Rounding>(view: &CylinderView<T>) -> T::Mask {
-    ErrorBound::of_size(LIMITS, view.squares * T::of(HEADROOM)).misses(view.c)
+    ErrorBound::of_size(CYLINDER_BOUND, view.squares * T::of(HEADROOM)).misses(view.c)
 }
 
 /// What is certain about a ray and an infinite cylinder before a crossing is computed.
@@ -178,11 +178,11 @@ impl<'a, T: Rounding> PlainSide<'a, T> {
     pub fn new(record: &'a CylinderRecord<T>, view: &CylinderView<T>, ray: &'a Ray<T>, is_long: bool) -> Self {
         let length_squared = ray.direction.dot(ray.direction);
         let (a, h, discriminant) = record.quadratic(view, ray.direction);
-        let bound = ErrorBound::of_size(LIMITS, size(record, view, a, length_squared, is_long));
+        let bound = ErrorBound::of_size(CYLINDER_BOUND, size(record, view, a, length_squared, is_long));
         let inside = is_inside(view);
         let start_and_slope = [view.along, ray.direction.dot(record.axis)];
         // If a ray is nearly parallel to the axis, the terms of `a` cancel.
-        let condition = LIMITS.condition_limit;
+        let condition = CYLINDER_BOUND.condition_limit;
         let a_is_accurate = length_squared.less_equal(a * T::of(STEEPNESS * condition * condition));
         let root = discriminant.sqrt();
         Self { record, ray, bound, inside, a, a_is_accurate, h, discriminant, root, start_and_slope }
@@ -209,7 +209,7 @@ impl<T: Rounding> SideFormulas<T> for PlainSide<'_, T> {
         let &Self { record, ray, a, h, root, .. } = self;
         let numerator = if leaves { -h + root } else { -h - root };
         let Outcome { lambda, hits, fails } = self.bound.root(a, numerator, root);
-        let error = lambda * T::of(2.0 * LIMITS.lambda_error());
+        let error = lambda * T::of(2.0 * CYLINDER_BOUND.lambda_error());
         let [accurate, behind] = [hits, fails].map(|mask| self.a_is_accurate & mask);
         Crossing::new(record, ray, self.start_and_slope, (lambda, error), accurate, behind)
     }
@@ -295,7 +295,7 @@ impl<T: Rounding> Plane<T> {
     /// must be at most 16 u times `size`.
     #[inline(always)]
     pub(super) fn at(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, (to_plane, size): (T, T)) -> Self {
-        let condition = LIMITS.condition_limit;
+        let condition = CYLINDER_BOUND.condition_limit;
         let slope = ray.direction.dot(record.axis);
         let (steepness, size_of_direction) = (slope.abs(), magnitude(ray.direction));
         let slope_error = size_of_direction * T::of(8.0 * T::UNIT_ROUNDOFF);
@@ -307,7 +307,7 @@ impl<T: Rounding> Plane<T> {
         let too_near = (distance + distance_error).less((steepness - slope_error) * T::of(LAMBDA_MIN));
         let accurate =
             size.less(distance * T::of(4.0 * condition)) & size_of_direction.less(steepness * T::of(8.0 * condition));
-        let error = T::of(2.0 * LIMITS.lambda_error());
+        let error = T::of(2.0 * CYLINDER_BOUND.lambda_error());
         Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate, error }
     }
 
@@ -315,7 +315,7 @@ impl<T: Rounding> Plane<T> {
     #[inline(always)]
     pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
         let lambda = self.to_plane / self.slope;
-        let in_range = self.accurate & LIMITS.in_range(lambda);
+        let in_range = self.accurate & CYLINDER_BOUND.in_range(lambda);
         let from_center = (ray.at(lambda) - self.center).length();
         let margin = margin(record, ray, lambda * self.error);
         let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));

@@ -2,8 +2,8 @@
 //! the planes of the caps at two. Which part is hit depends only on the order of these four, of the ray's origin and of
 //! the least lambda. The tests try each order, and in each order all sets of facts that may be certain.
 
-use super::*;
-use crate::exact::cylinder_parts::Plane;
+use crate::exact::cylinder::*;
+use crate::exact::cylinder_filter::Plane;
 use crate::geometry::ray::LAMBDA_MIN;
 
 /// Values on both sides of the ray's origin and of the least lambda, and these two. Four lambdas find room in each gap.
