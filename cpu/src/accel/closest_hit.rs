@@ -31,7 +31,8 @@ pub(crate) fn is_exactly_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestH
     }
     let rank = |hit: &ClosestHit| tie::rank(order_of(objects, hit.object), hit.part != CylinderPart::Side);
     // If a number is not finite, there are no exact lambdas, and the computed ones are compared.
-    let compared = order::compare(&ray, [&hit.surface(objects), &closest.surface(objects)]);
+    let surfaces = [&hit.surface(objects), &closest.surface(objects)];
+    let compared = order::compare(&ray, surfaces, [hit.lambda, closest.lambda]);
     match compared.or(hit.lambda.partial_cmp(&closest.lambda)) {
         Some(Ordering::Equal) => rank(&hit) >= rank(&closest),
         compared => compared == Some(Ordering::Less),

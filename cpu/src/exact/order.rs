@@ -5,9 +5,11 @@
 //! 1. Identical surfaces tie, and so do two caps in one plane whose axes are equal, opposite or along one coordinate
 //!    axis. Other caps are compared in [double-double](DoubleDouble) arithmetic. Rays often meet two near caps: inside
 //!    a cylinder that stands on another one, or on nested cylinders.
-//! 2. Both lambdas are computed by the [compensated](crate::exact::compensated_roots) formulas, with a bound of their
+//! 2. Spheres around one centre, and sides around one axis, are compared by their radii ([`compare_nested`]). Such
+//!    shells may be so near to each other that only exact lambdas differ.
+//! 3. Both lambdas are computed by the [compensated](crate::exact::compensated_roots) formulas, with a bound of their
 //!    errors that is mostly a thousandth of the one of all accepted lambdas.
-//! 3. The exact lambdas are compared in dyadic arithmetic, without a square root. Only this step recognises equal
+//! 4. The exact lambdas are compared in dyadic arithmetic, without a square root. Only this step recognises equal
 //!    lambdas of other surfaces.
 //!
 //! A tie, of two equal lambdas, is decided by [`geometry::tie`](crate::geometry::tie).
@@ -16,8 +18,8 @@ use std::cmp::Ordering;
 
 use crate::counters::{Counter, add};
 use crate::exact::{
-    cylinder_compensated, cylinder_exact, cylinder_filter::CYLINDER_BOUND, error_bound::UNDERFLOW,
-    exact_lambda::ExactLambda, exact_vector::Exactly, sphere_compensated, sphere_exact,
+    cylinder_compensated, cylinder_exact, cylinder_filter::CYLINDER_BOUND, cylinder_filter::magnitude as magnitude_of,
+    error_bound::UNDERFLOW, exact_lambda::ExactLambda, exact_vector::Exactly, sphere_compensated, sphere_exact,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
@@ -42,9 +44,9 @@ pub fn is_certainly_closer<T: Rounding>(lambda: T, other: T) -> T::Mask {
     (lambda * (T::of(1.0) + T::of(CYLINDER_BOUND.lambda_error()))).less(other)
 }
 
-/// Compares the exact lambdas of a ray's hits on two surfaces, which it must hit. The result is `None` if the exact
-/// lambdas are needed, and a number is not finite.
-pub(crate) fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
+/// Compares the exact lambdas of a ray's hits on two surfaces, which it must hit. `lambdas` are those that the steps of
+/// [`crate::exact`] accept. The result is `None` if the exact lambdas are needed, and a number is not finite.
+pub(crate) fn compare(ray: &Ray, surfaces: [&Surface; 2], lambdas: [f64; 2]) -> Option<Ordering> {
     add(Counter::NearHits, 1);
     if surfaces[0] == surfaces[1] {
         return Some(Ordering::Equal);
@@ -52,6 +54,9 @@ pub(crate) fn compare(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     if let [Some(left), Some(right)] = surfaces.map(Surface::cap)
         && let Some(order) = compare_caps(ray, &left, &right)
     {
+        return Some(order);
+    }
+    if let Some(order) = compare_nested(ray, surfaces, lambdas) {
         return Some(order);
     }
     if let [Some(left), Some(right)] = surfaces.map(|surface| surface.bounds(ray)) {
@@ -72,6 +77,49 @@ pub(crate) fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     Some(left?.compare(&right?))
 }
 
+/// Compares the lambdas of a ray's hits on two spheres with one centre, or on the sides of two cylinders around one
+/// axis. The result is `None` for other surfaces, and if it is uncertain whether the ray enters or leaves a surface.
+///
+/// The equations `a lambda^2 - 2 h lambda + c = 0` of both surfaces differ only in `c`, which is smaller for the larger
+/// radius. A ray enters at the smaller root, which is below `h / a`, and leaves at the larger root, which is above. So
+/// an entry is before each exit, and the larger radius has the earlier entry and the later exit.
+fn compare_nested(ray: &Ray, surfaces: [&Surface; 2], lambdas: [f64; 2]) -> Option<Ordering> {
+    let [left, right] = match surfaces {
+        [Surface::Sphere(left), Surface::Sphere(right)] if left.center == right.center => [left.radius, right.radius],
+        [
+            &Surface::Cylinder(ref left, axis, CylinderPart::Side),
+            &Surface::Cylinder(ref right, other_axis, CylinderPart::Side),
+        ] if is_on_one_line((left.center, axis), (right.center, other_axis)) => [left.radius, right.radius],
+        _ => return None,
+    };
+    let leaves = [surfaces[0].is_left_at(lambdas[0], ray)?, surfaces[1].is_left_at(lambdas[1], ray)?];
+    match leaves {
+        [false, true] => Some(Ordering::Less),
+        [true, false] => Some(Ordering::Greater),
+        [false, false] => right.partial_cmp(&left),
+        [true, true] => left.partial_cmp(&right),
+    }
+}
+
+/// Whether two axes, each through a point, certainly lie on one line.
+fn is_on_one_line((point, axis): (Vec3, Vec3), (other, other_axis): (Vec3, Vec3)) -> bool {
+    let (along, apart) = (normal(axis), point - other);
+    let is_coordinate_axis = along.to_array().into_iter().filter(|&component| component != 0.0).count() == 1;
+    let is_zero = |apart: f64, along: f64| apart == 0.0 || (is_coordinate_axis && along != 0.0);
+    let is_through_both = is_zero(apart.x, along.x) && is_zero(apart.y, along.y) && is_zero(apart.z, along.z);
+    is_through_both && along == normal(other_axis)
+}
+
+/// Returns a vector along an axis. It is the same for two axes if they lie along the same coordinate axis, or if one is
+/// the other or its opposite.
+fn normal(axis: Vec3) -> Vec3 {
+    let mut components = axis.to_array().into_iter().filter(|&component| component != 0.0);
+    match (components.next(), components.next()) {
+        (_, None) => axis.map(|component| if component == 0.0 { 0.0 } else { 1.0 }),
+        (first, _) => axis * first.map_or(1.0, f64::signum),
+    }
+}
+
 /// A point, or a vector, of numbers with 106 bits.
 type Wide3 = Vec3<DoubleDouble>;
 
@@ -84,22 +132,12 @@ struct Cap {
 }
 
 impl Cap {
-    /// Returns a vector that is perpendicular to the cap. Two caps have the same one if their cylinders' axes lie along
-    /// the same coordinate axis, or if one axis is the other or its opposite.
-    fn normal(&self) -> Vec3 {
-        let mut components = self.axis.to_array().into_iter().filter(|&component| component != 0.0);
-        match (components.next(), components.next()) {
-            (_, None) => self.axis.map(|component| if component == 0.0 { 0.0 } else { 1.0 }),
-            (first, _) => self.axis * first.map_or(1.0, f64::signum),
-        }
-    }
-
     /// Whether both caps certainly are in one plane.
     fn is_in_plane_of(&self, other: &Self) -> bool {
-        let (normal, apart) = (self.normal(), self.twice_center - other.twice_center);
+        let (normal, apart) = (normal(self.axis), self.twice_center - other.twice_center);
         let is_zero = |component: DoubleDouble, factor: f64| component.high == 0.0 || factor == 0.0;
         let is_across = is_zero(apart.x, normal.x) && is_zero(apart.y, normal.y) && is_zero(apart.z, normal.z);
-        is_across && normal == other.normal()
+        is_across && normal == self::normal(other.axis)
     }
 }
 
@@ -134,6 +172,23 @@ fn magnitude(vector: Wide3, axis: Vec3) -> (DoubleDouble, f64) {
 }
 
 impl Surface {
+    /// Whether the ray certainly leaves the surface, a sphere or a side, at `lambda`, where it hits it. The result is
+    /// `None` if it may touch the surface.
+    ///
+    /// The direction's part along the outward normal decides. Its error is that of lambda, which is below
+    /// `u LAMBDA_ERROR / 3`, and some 20 roundings, each relative to the sizes of the vectors.
+    fn is_left_at(&self, lambda: f64, ray: &Ray) -> Option<bool> {
+        let (center, axis) = match self {
+            Self::Sphere(record) => (record.center, Vec3::ZERO),
+            Self::Cylinder(record, ..) => (record.center, record.axis),
+        };
+        let (to_origin, way) = (ray.origin - center, ray.direction * lambda);
+        let outward = (to_origin + way).perpendicular_to(axis).dot(ray.direction);
+        let size = magnitude_of(ray.direction) * (magnitude_of(to_origin) + magnitude_of(way));
+        let is_certain = size * CYLINDER_BOUND.lambda_error() + UNDERFLOW < outward.abs();
+        (is_certain && size < f64::INFINITY).then_some(outward > 0.0)
+    }
+
     /// Returns the cap, or `None` for all other surfaces.
     fn cap(&self) -> Option<Cap> {
         let &Self::Cylinder(CylinderRecord { center, .. }, axis, part) = self else { return None };
@@ -214,12 +269,45 @@ mod tests {
             let shells = [2.0, 2.0 - gap].map(|radius| Surface::Sphere(SphereRecord::new(target + aside, radius)));
             for hits in [straight, tilted, shells] {
                 let hits = hits.each_ref();
-                let order = compare(&ray, hits);
+                let lambdas =
+                    hits.map(|hit| hit.exact_lambda(&ray).ok().flatten().map_or(0.0, |exact| exact.rounded()));
+                let order = compare(&ray, hits, lambdas);
                 assert_eq!(order, exactly(&ray, hits), "{ray:?}, {hits:?}");
-                assert_eq!(order.map(Ordering::reverse), compare(&ray, [hits[1], hits[0]]));
+                assert_eq!(order.map(Ordering::reverse), compare(&ray, [hits[1], hits[0]], [lambdas[1], lambdas[0]]));
                 orders[(order.expect("all numbers are finite") as i8 + 1) as usize] += 1;
             }
         }
         assert!(orders.iter().all(|&count| count > 300), "{orders:?}");
+    }
+
+    #[test]
+    fn nested_shells_and_tubes_have_the_order_of_the_exact_lambdas() {
+        let mut draws = Uniform::new(7);
+        let (mut orders, mut decided) = ([0; 3], 0);
+        for number in 0..4000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (center, offset, target) = (vector() * 5.0, vector(), vector());
+            let gap = [0.0, 4.5e-16, 1e-15, 1e-9, 0.3][number % 5] * if number % 2 == 0 { 1.0 } else { -1.0 };
+            // Every third ray starts inside both surfaces, and leaves them.
+            let origin = center + offset * if number % 3 == 0 { 0.5 } else { 9.0 };
+            let ray = Ray { origin, direction: center + target - origin };
+            let along = [Vec3::new(0.0, 8.0, 0.0), Vec3::new(2.0, -7.0, 4.0)][number / 5 % 2];
+            let tube = |center: Vec3, radius: f64, axis: Vec3| {
+                Surface::Cylinder(CylinderRecord::new(center, radius, axis), axis, CylinderPart::Side)
+            };
+            let shells = [2.0, 2.0 - gap].map(|radius| Surface::Sphere(SphereRecord::new(center, radius)));
+            let nested = [tube(center, 2.0, along), tube(center, 2.0 - gap, -along)];
+            let shifted = [tube(center, 2.0, along), tube(center + Vec3::new(0.0, 0.5, 0.0), 2.0 - gap, along)];
+            for hits in [shells, nested, shifted] {
+                let hits = hits.each_ref();
+                let [Some(left), Some(right)] = hits.map(|hit| hit.exact_lambda(&ray).ok().flatten()) else { continue };
+                let lambdas = [left.rounded(), right.rounded()];
+                let order = compare(&ray, hits, lambdas);
+                assert_eq!(order, Some(left.compare(&right)), "{ray:?}, {hits:?}");
+                decided += usize::from(compare_nested(&ray, hits, lambdas).is_some_and(|nested| Some(nested) == order));
+                orders[(left.compare(&right) as i8 + 1) as usize] += 1;
+            }
+        }
+        assert!(orders.iter().all(|&count| count > 1000) && decided > 6000, "{orders:?}, {decided}");
     }
 }
