@@ -1,7 +1,7 @@
 //! Holds any program with the statement's command line to the statement.
 //!
-//! [`cases`] lists the arguments, wrong files, pairs of files and pictures. [`judge`] runs a program on one of them, and
-//! finds its [`fault`]s. [`Report`] is the result, and [`page`] shows it.
+//! [`cases`] lists the arguments, wrong files, pairs of files and pictures. [`judge`] runs a program on one of them,
+//! and finds its [`fault`]s. [`Report`] is the result, and [`page`] shows it.
 
 pub mod cases;
 pub mod fault;

@@ -1,7 +1,7 @@
 //! Grades the programs of a folder: checks them, measures them in turn, and adds points.
 //!
-//! [`file`] reads `grade.toml`, and [`teams`] finds the programs. [`Grading`] checks team by team and keeps each result,
-//! so that it can go on after an interruption. [`points`] adds the points, [`page`] and [`handout`] show them.
+//! [`file`] reads `grade.toml`, and [`teams`] finds the programs. [`Grading`] checks team by team and keeps each
+//! result, so that it can go on after an interruption. [`points`] adds the points, [`page`] and [`handout`] show them.
 
 pub mod file;
 pub mod handout;
@@ -238,8 +238,8 @@ impl Grading<'_> {
         job.hidden.iter().cloned().chain([self.kept.to_owned()].into_iter().filter(|_| !is_inside)).collect()
     }
 
-    /// Measures a scene with all programs in turn. Every round has other seeds, so that a program cannot copy an earlier
-    /// picture, and every picture is compared.
+    /// Measures a scene with all programs in turn. Every round has other seeds, so that a program cannot copy an
+    /// earlier picture, and every picture is compared.
     fn measure(&self, scene: &Case, teams: &[Team], checked: &mut [Vec<Graded>]) -> Result<(), Failure> {
         let rounds = (0..self.rounds.all() as u64).map(|number| scene.seeded(number)).collect::<Result<Vec<_>, _>>()?;
         for case in &rounds {

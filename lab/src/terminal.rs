@@ -79,8 +79,8 @@ pub fn foreign(text: &[u8]) -> String {
     escape_lines(String::from_utf8_lossy(text).trim_end_matches(['\n', '\r']))
 }
 
-/// Whether a terminal obeys this character instead of showing it: a control character, or one that changes the direction
-/// of writing.
+/// Whether a terminal obeys this character instead of showing it: a control character, or one that changes the
+/// direction of writing.
 pub fn is_obeyed(letter: char) -> bool {
     cpu::internals::input::text::escape(letter.encode_utf8(&mut [0; 4]).as_bytes()).len() > letter.len_utf8()
 }

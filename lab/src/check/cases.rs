@@ -118,7 +118,8 @@ impl Case {
         Ok(case)
     }
 
-    /// Returns the case with other seeds and a darker background, for a picture that no earlier run has made. The number 0 changes nothing.
+    /// Returns the case with other seeds and a darker background, for a picture that no earlier run has made. The
+    /// number 0 changes nothing.
     ///
     /// # Errors
     /// An error of the configuration.
@@ -286,8 +287,8 @@ fn inputs() -> impl Iterator<Item = Case> {
 const LEVELS: &str = "image_width: 6\naspect_ratio: 2 1\ngamma: 1\nsamples_per_pixel: 4\n\
     background_dark_color: 0.081 0.41 0.79\nbackground_light_color: 0.081 0.41 0.79\n";
 
-/// Returns the cases of pictures. Scenes, sizes, samples and bounds are chosen so that noise stays below the bounds, and
-/// each fault of a renderer above those of one scene.
+/// Returns the cases of pictures. Scenes, sizes, samples and bounds are chosen so that noise stays below the bounds,
+/// and each fault of a renderer above those of one scene.
 fn pictures() -> impl Iterator<Item = Case> {
     let blocks = include_str!("pictures.txt").split("= ").skip(1);
     let scenes = blocks.filter_map(|block| {

@@ -118,8 +118,8 @@ impl Case {
         Ok(Left { run, printed, out })
     }
 
-    /// Returns the largest size of OUT that is read, in bytes. A pixel of a P3 file has up to 12 bytes, and some programs
-    /// write more white space.
+    /// Returns the largest size of OUT that is read, in bytes. A pixel of a P3 file has up to 12 bytes, and some
+    /// programs write more white space.
     fn most_bytes(&self, files: &[Option<Vec<u8>>; 2]) -> u64 {
         let config = files[0].as_deref().and_then(|text| cpu::Config::parse(text).ok());
         let pixels = config.and_then(|config| config.image_size().ok()).map_or(0, |size| size.pixels() as u64);
@@ -309,8 +309,8 @@ impl Judged {
     }
 }
 
-/// Whether `text` is the message but for blanks at the ends of lines or before a quote, the last line end, or lines that
-/// follow it.
+/// Whether `text` is the message but for blanks at the ends of lines or before a quote, the last line end, or lines
+/// that follow it.
 fn is_near(text: &str, message: &str) -> bool {
     let line = |line: &str| match line.trim_end().strip_suffix('"') {
         Some(start) => start.trim_end().to_owned() + "\"",
@@ -327,7 +327,8 @@ fn visible(text: &str) -> String {
     if text.is_empty() || text.ends_with('\n') { shown } else { shown + "\u{2205}" }
 }
 
-/// Removes a file or folder, whatever it is. The standard library opens a folder on each level, and gives up on deep ones.
+/// Removes a file or folder, whatever it is. The standard library opens a folder on each level, and gives up on deep
+/// ones.
 pub fn remove(path: &Path) {
     let Ok(metadata) = path.symlink_metadata() else { return };
     let removed = if metadata.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };

@@ -118,8 +118,8 @@ pub fn found(folder: &Path) -> io::Result<Vec<Team>> {
     Ok(teams)
 }
 
-/// Returns the files in `place` with the names of programs, by their paths within it, and the number of files and folders
-/// that were looked at. Links are not followed.
+/// Returns the files in `place` with the names of programs, by their paths within it, and the number of files and
+/// folders that were looked at. Links are not followed.
 fn search(place: &Path) -> (Vec<PathBuf>, usize) {
     let (mut files, mut looked) = (Vec::new(), 0);
     let mut folders = VecDeque::from([(PathBuf::new(), 0)]);
