@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cpu::internals::input::reader::read_text;
 use serde::{Deserialize, Serialize};
 
-use super::teams::{self, Team};
+use super::teams::{self, Program, Team};
 use crate::sources::regular;
 use crate::{Failure, terminal};
 
@@ -121,22 +121,6 @@ pub struct Penalty {
     pub points: f64,
     /// Why.
     pub reason: String,
-}
-
-/// A program.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Program {
-    /// Its name.
-    pub name: String,
-    /// The team that it belongs to. Without it, the program's name.
-    pub team: Option<String>,
-    /// The folder in which its commands run. Without it, the folder of its name.
-    pub folder: Option<PathBuf>,
-    /// The line of shell that builds the program.
-    pub build: Option<String>,
-    /// The words of the command that runs it, before the three names of files.
-    pub command: Vec<String>,
 }
 
 impl File {

@@ -6,9 +6,26 @@ use std::io;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
-use super::file::Program;
+use serde::Deserialize;
+
 use crate::bench::commands::Job;
 use crate::terminal;
+
+/// A program that `grade.toml` names.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Program {
+    /// Its name.
+    pub name: String,
+    /// The team that it belongs to. Without it, the program's name.
+    pub team: Option<String>,
+    /// The folder in which its commands run. Without it, the folder of its name.
+    pub folder: Option<PathBuf>,
+    /// The line of shell that builds the program.
+    pub build: Option<String>,
+    /// The words of the command that runs it, before the three names of files.
+    pub command: Vec<String>,
+}
 
 /// A team, which is one row of the results.
 #[derive(Clone, Debug)]
