@@ -12,8 +12,7 @@
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
 //! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
 //! - [`steps`] traces single pixels step by step on both, and [`first_difference`] finds the function that differs;
-//! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take;
-//! - [`conformance`] holds drivers to IEEE 754 and WGSL.
+//! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take.
 //!
 //! The tests compare all formulas, operations on f64 by integers and whole pictures, and they must notice deliberate
 //! errors.
@@ -35,7 +34,6 @@
 
 pub mod adapter;
 pub mod closest_hits;
-pub mod conformance;
 pub mod difference;
 pub mod error;
 pub mod first_difference;

@@ -1,8 +1,7 @@
-//! Runs the programs `shader-lab`, `conformance`, `stress` and `lower-f64` as a user does.
+//! Runs the programs `shader-lab`, `stress` and `lower-f64` as a user does.
 
 #[path = "../common/mod.rs"]
 mod common;
-mod conformance;
 mod limits;
 #[cfg(target_os = "linux")]
 mod little_memory;

@@ -1,9 +1,12 @@
 //! Opens the device for all tests that need one.
 
+#[allow(dead_code, reason = "not every test program prints the table")]
+pub mod conformance;
+
 use std::time::Duration;
 
+use conformance::Probe;
 use gpu_check::Gpu;
-use gpu_check::conformance::{native, probe::Probe, probes, verdict::Verdict};
 
 /// The probes of what WGSL does not demand to be as IEEE 754 defines it.
 const F32_PROBES: [&str; 7] =
@@ -31,8 +34,8 @@ pub fn gpu() -> Gpu {
 /// have it. Only with that of IEEE 754 can f32 have the bits of Rust.
 #[allow(dead_code, reason = "not every test compares f32")]
 pub fn accuracy(gpu: &Gpu) -> Accuracy {
-    let is_as_written = |probe: &Probe| Verdict::of(probe, &native::run(gpu, probe)) == Verdict::AsWritten;
-    let all = probes::all();
+    let is_as_written = |probe: &Probe| probe.verdict(gpu) == "as written";
+    let all = conformance::all();
     let mut chosen = all.iter().filter(|probe| F32_PROBES.contains(&probe.name.as_str()));
     let accuracy = if chosen.all(is_as_written) { Accuracy::Ieee } else { Accuracy::Wgsl };
     println!("f32 has the accuracy of {accuracy:?}");
