@@ -65,7 +65,12 @@ fn every_script_answers_help_and_writes_nothing() {
         }
         answered += 1;
         let command = ["-c", "\"$0\" --help", &format!("../../project/{script}")];
-        let output = Command::new("sh").args(command).current_dir(&elsewhere).output().expect("the shell starts");
+        let output = Command::new("sh")
+            .env("LC_ALL", "C")
+            .args(command)
+            .current_dir(&elsewhere)
+            .output()
+            .expect("the shell starts");
         let said = String::from_utf8_lossy(&output.stdout);
         if output.status.code() != Some(0) || !output.stderr.is_empty() {
             faults.push(format!("{script}: {:?}, {}", output.status, String::from_utf8_lossy(&output.stderr)));

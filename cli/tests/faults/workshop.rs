@@ -52,7 +52,7 @@ impl Workshop {
 
     /// Returns the command of [`Self::command_with`] in a shell, after the shell command `limit`.
     pub fn after(&self, limit: &str, program: &str, names: [&str; 3]) -> Command {
-        let mut shell = Command::new("bash");
+        let mut shell = test_support::running::bash();
         shell.args(["-c", &format!("{limit}; exec \"$@\""), "limited", program]).args(names);
         shell.current_dir(self.path());
         shell

@@ -133,7 +133,7 @@ fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
     fs::write(&out, "old")?;
     for program in PROGRAMS {
         let command = place.render(program, &out);
-        let mut shell = Command::new("bash");
+        let mut shell = test_support::running::bash();
         // The limit is 16 blocks. Its signal is ignored, so the write returns an error as on a full disk.
         shell.args(["-c", "trap '' XFSZ; ulimit -f 16; exec \"$@\"", "limited"]).arg(command.get_program());
         check_refusal(&shell.args(command.get_args()).output()?, &out, "File too large")?;

@@ -19,7 +19,7 @@ const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
 /// Runs a program from bash, with a redirection, for at most one minute.
 fn run_promptly(bench: &Bench, program: &str, out: &str, redirection: &str) -> Output {
     let script = format!("exec timeout 60 \"$0\" config.txt scene.txt {out} {redirection}");
-    let output = Command::new("bash").current_dir(bench.file("")).args(["-c", &script, program]).output();
+    let output = test_support::running::bash().current_dir(bench.file("")).args(["-c", &script, program]).output();
     output.expect("the program runs")
 }
 
@@ -105,7 +105,8 @@ fn a_new_picture_obeys_the_mask_of_the_process() {
     for program in PROGRAMS {
         for (mask, mode) in [("077", 0o600), ("027", 0o640), ("000", 0o666)] {
             let script = format!("umask {mask}; exec \"$0\" config.txt scene.txt out.ppm");
-            let output = Command::new("bash").current_dir(bench.file("")).args(["-c", &script, program]).output();
+            let output =
+                test_support::running::bash().current_dir(bench.file("")).args(["-c", &script, program]).output();
             assert_succeeded(&output.expect("the program runs"));
             let new = fs::metadata(bench.file("out.ppm")).expect("it was written").permissions().mode();
             assert_eq!(new & 0o7777, mode, "{mask}");

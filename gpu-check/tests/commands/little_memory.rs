@@ -1,8 +1,6 @@
 //! Runs `shader-lab` with more and more address space. As long as that is too little, the program must end with a
 //! message and status 2, and not by a panic or a signal.
 
-use std::process::Command;
-
 use gpu_check::shader_lab::TEMPLATE;
 use test_support::folder::Folder;
 use test_support::project_root;
@@ -19,7 +17,7 @@ fn with_too_little_memory_the_program_says_so_and_never_dies() {
     folder.write("config", "image_width: 8\nmax_depth: 1\n");
     folder.write("my.wgsl", TEMPLATE);
     for (refused, kilobytes) in (LEAST..MOST).step_by(STEP).enumerate() {
-        let mut shell = Command::new("bash");
+        let mut shell = test_support::running::bash();
         shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", env!("CARGO_BIN_EXE_shader-lab")]);
         shell.args(["my.wgsl", "--config", "config", "--out", "out.png", "--scene"]);
         shell.arg(project_root().join("scenes/materials/scene.txt")).current_dir(folder.path());

@@ -45,7 +45,7 @@ fn a_module_that_takes_too_much_is_refused_and_a_smaller_one_is_not() {
     // The separate process keeps a limit that is lower than its own. Without one this module takes 4 GiB.
     let limited = |name: &str, text: String| {
         folder.write(name, text);
-        let mut shell = Command::new("bash");
+        let mut shell = test_support::running::bash();
         shell.args(["-c", "ulimit -v 800000; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_lower-f64"), name]);
         shell.current_dir(folder.path()).output().expect("the shell starts")
     };

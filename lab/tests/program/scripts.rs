@@ -13,6 +13,7 @@ fn script(words: &[&str], folder: &Folder) -> Output {
         .args(words)
         .current_dir(test_support::project_root())
         .env("PATH", folder.path())
+        .env("LC_ALL", "C")
         .output()
         .expect("bash is there")
 }

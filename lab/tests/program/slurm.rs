@@ -14,7 +14,7 @@ fn job(folder: &Folder, script: &str) -> Command {
     let stub = folder.write("bin/sbatch", include_str!("sbatch.sh"));
     fs::set_permissions(stub, fs::Permissions::from_mode(0o755)).expect("it is ours");
     let path = std::env::var("PATH").expect("there is a search path");
-    let mut command = Command::new("bash");
+    let mut command = test_support::running::bash();
     command.arg(test_support::project_root().join("lab/slurm").join(script)).env("STUB_LOG", folder.file("log"));
     command.env("PATH", format!("{}:{path}", folder.name("bin"))).env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"));
     command

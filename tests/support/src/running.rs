@@ -20,6 +20,15 @@ pub fn program(path: impl AsRef<OsStr>) -> Command {
     command
 }
 
+/// Returns the command `bash` with messages in English. With a locale that is not installed, bash would also print a
+/// warning.
+#[must_use]
+pub fn bash() -> Command {
+    let mut command = Command::new("bash");
+    command.env("LC_ALL", "C");
+    command
+}
+
 /// A running process. It is killed when this value is dropped, so that it ends even if the test fails.
 #[derive(Debug)]
 pub struct Running(Option<Child>);

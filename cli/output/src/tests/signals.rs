@@ -63,11 +63,10 @@ fn a_process_gets_a_signal() {
 fn signalled(number: c_int, before: &str) -> (Option<c_int>, bool, usize) {
     let folder = Folder::new();
     let program = std::env::current_exe().expect("this process has a program");
-    // The shell sets the action of the signal, because a test under nohup would inherit it as ignored.
-    let action = if before == "ignored" { "''" } else { "-" };
-    let script = format!("trap {action} {number}; exec \"$@\"");
-    let output = Command::new("bash")
-        .args(["-c", &script, "bash"])
+    // `env` sets the action of the signal, because a test under nohup inherits it as ignored, which a shell cannot undo.
+    let action = if before == "ignored" { "ignore" } else { "default" };
+    let output = Command::new("env")
+        .arg(format!("--{action}-signal={number}"))
         .arg(program)
         .args(["--exact", "--ignored", "--nocapture", "tests::signals::a_process_gets_a_signal"])
         .env("RENDER_STOP_SIGNAL", number.to_string())

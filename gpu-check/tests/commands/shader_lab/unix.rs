@@ -8,7 +8,7 @@ fn bash(folder: &Folder, line: &str) -> Output {
     folder.write("my.wgsl", TEMPLATE);
     folder.write("config", "image_width: 16\n");
     fs::copy(project_root().join("scenes/materials/scene.txt"), folder.file("scene")).expect("the folder is writable");
-    let mut bash = Command::new("bash");
+    let mut bash = test_support::running::bash();
     bash.current_dir(folder).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_shader-lab"));
     bash.output().expect("bash starts")
 }
