@@ -1,20 +1,19 @@
 //! Arithmetic without rounding, on the finite numbers of `f64` and on their sums and products.
 //!
-//! A number is an integer of any size times a power of two. No operation rounds or overflows. Each operation takes tens
-//! of instructions or more, so this arithmetic serves only the decisions that faster arithmetic leaves uncertain.
+//! A number is an integer of any size times a power of two. No operation rounds or overflows. Each operation allocates
+//! memory, so this arithmetic serves only the rare decisions that faster arithmetic leaves uncertain.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::math::limbs::{self, Limbs};
-use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real};
+use crate::math::{double_double::DoubleDouble, error_free::two_sum, limbs, real::Real};
 
 /// The number `± magnitude * 2^exponent`, with the minus sign if `negative` is set.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
     negative: bool,
     /// A whole number in the form of [`limbs`]: the lowest limb first, the last limb not zero, empty for zero.
-    magnitude: Limbs,
+    magnitude: Vec<u64>,
     exponent: i64,
 }
 
@@ -25,18 +24,12 @@ impl Dyadic {
             return None;
         }
         let (integer, exponent) = integer_and_exponent(value);
-        Some(Self { negative: value < 0.0, ..Self::of_integer(integer, exponent) })
-    }
-
-    /// Returns `integer * 2^exponent`. Zero bits at the end of the integer go into the exponent, so that products have
-    /// few limbs.
-    pub(crate) fn of_integer(integer: u64, exponent: i64) -> Self {
-        let zeros = integer.trailing_zeros() % 64;
-        Self::of_limbs(Limbs::of(integer >> zeros), exponent + i64::from(zeros))
+        let magnitude = if integer == 0 { Vec::new() } else { vec![integer] };
+        Some(Self { negative: value < 0.0, magnitude, exponent })
     }
 
     /// Returns `magnitude * 2^exponent`. The highest limb of `magnitude` must not be zero.
-    pub(crate) fn of_limbs(magnitude: Limbs, exponent: i64) -> Self {
+    pub(crate) fn of_limbs(magnitude: Vec<u64>, exponent: i64) -> Self {
         debug_assert!(magnitude.last() != Some(&0));
         Self { negative: false, magnitude, exponent }
     }
@@ -88,7 +81,14 @@ impl Dyadic {
 
     /// Returns the 53 bits of the magnitude that follow its highest `skipped` bits.
     fn digits(&self, skipped: i64) -> u64 {
-        limbs::window(&self.magnitude, self.bits() - skipped - 53) & ((1 << 53) - 1)
+        let lowest = self.bits() - skipped - 53;
+        (0..53).filter(|&index| self.bit(lowest + index)).fold(0, |digits, index| digits | 1 << index)
+    }
+
+    /// Whether the bit at `index` of the magnitude is 1. Bits outside of it are 0.
+    fn bit(&self, index: i64) -> bool {
+        let Ok(index) = usize::try_from(index) else { return false };
+        self.magnitude.get(index / 64).is_some_and(|limb| limb >> (index % 64) & 1 == 1)
     }
 
     /// Returns `self + other`, or `self - other` if `is_difference` is set.
@@ -109,10 +109,10 @@ impl Dyadic {
         };
         let high = limbs::shifted(&high.magnitude, shift.unsigned_abs());
         if high_is_negative == low_is_negative {
-            let magnitude = limbs::sum(&high, &low.magnitude);
+            let magnitude = limbs::sum(high, &low.magnitude);
             return Self { negative: high_is_negative, magnitude, exponent };
         }
-        let (magnitude, is_flipped) = limbs::difference(&high, &low.magnitude);
+        let (magnitude, is_flipped) = limbs::difference(high, &low.magnitude);
         Self { negative: high_is_negative != is_flipped, magnitude, exponent }
     }
 }

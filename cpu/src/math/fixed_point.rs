@@ -5,7 +5,7 @@
 //! are slow: they decide the few roundings for which faster arithmetic is uncertain.
 
 use crate::math::dyadic::{Dyadic, exact};
-use crate::math::limbs::{Limbs, product, quotient, shifted, shifted_right, sum};
+use crate::math::limbs::{product, quotient, shifted, shifted_right, sum};
 
 /// A factor in the error bound of a series. A series that is summed with `bits` fraction bits has an error of at most
 /// `UNITS_PER_BIT * bits * 2^-bits` (docs/margins.md). [`logarithm`] adds several series, and returns its own bound.
@@ -25,7 +25,7 @@ pub trait Units: Sized {
     fn is_zero(&self) -> bool;
 }
 
-impl Units for Limbs {
+impl Units for Vec<u64> {
     fn of(integer: u64, shift: usize) -> Self {
         shifted(&[integer], shift as u64)
     }
@@ -36,7 +36,7 @@ impl Units for Limbs {
         quotient(self, divisor)
     }
     fn plus(&self, other: &Self) -> Self {
-        sum(self, other)
+        sum(self.clone(), other)
     }
     fn is_zero(&self) -> bool {
         self.is_empty()
@@ -78,7 +78,7 @@ pub(crate) fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dy
 /// 1.58, and a multiple of `2^-bits`.
 pub(crate) fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2], Dyadic) {
     debug_assert!(exponent + bits as i64 >= 0 && integer as f64 * 2.0_f64.powi(exponent as i32) <= 1.58);
-    let angle: Limbs = Units::of(integer, (exponent + bits as i64) as usize);
+    let angle: Vec<u64> = Units::of(integer, (exponent + bits as i64) as usize);
     let [cosine, sine, minus_cosine, minus_sine] =
         quarters(&angle, bits).map(|units| Dyadic::of_limbs(units, -(bits as i64)));
     ([&sine - &minus_sine, &cosine - &minus_cosine], exact(UNITS_PER_BIT * bits as f64).scaled(-(bits as i64)))
@@ -107,10 +107,10 @@ mod tests {
     #[test]
     fn the_series_have_the_known_sums() {
         const BITS: usize = 40;
-        let number = |units: Limbs| units[0] as f64 / (1_u64 << BITS) as f64;
+        let number = |units: Vec<u64>| units[0] as f64 / (1_u64 << BITS) as f64;
         let is_near = |sum: f64, expected: f64| (sum - expected).abs() < UNITS_PER_BIT * 1e-10;
         assert!(is_near(number(two_atanh(1, 3, BITS)), LN_2));
-        let one: Limbs = Units::of(1, BITS);
+        let one: Vec<u64> = Units::of(1, BITS);
         let [cosine, sine, minus_cosine, minus_sine] = quarters(&one, BITS).map(number);
         assert!(is_near(cosine + sine + minus_cosine + minus_sine, E));
         assert!(is_near(cosine - minus_cosine, 0.540_302_305_868_139_8), "the cosine of 1");

@@ -70,7 +70,7 @@ mod tests {
     /// Rounds `number` from `candidate`.
     fn rounded(number: &Dyadic, candidate: f64) -> Option<f64> {
         nearest(candidate, |Midpoint { integer, exponent }| {
-            Some((number - &Dyadic::of_integer(integer, exponent)).sign())
+            Some((number - &Dyadic::of_limbs(vec![integer], exponent)).sign())
         })
     }
 

@@ -37,7 +37,7 @@ fn rounded(angle: f64, bits: usize) -> Option<f64> {
     let candidate = sine.to_double_double().high / cosine.to_double_double().high;
     nearest(candidate, |Midpoint { integer, exponent }| {
         // The tangent is above the midpoint if `sine - midpoint cosine` is positive.
-        let midpoint = Dyadic::of_integer(integer, exponent);
+        let midpoint = Dyadic::of_limbs(vec![integer], exponent);
         let difference = &sine - &(&midpoint * &cosine);
         let error = &error + &(&midpoint * &error);
         certain_sign(&difference, &error)
