@@ -93,7 +93,12 @@ impl<'a> Search<'a> {
             let counts: Result<Vec<_>, _> = (0..case).map(|case| self.count(set, case)).collect();
             let counts = counts?;
             if (0..case).all(|case| counts[case] <= self.allowed(case)) {
-                found.push((set.iter().map(|&at| self.variants[at].clone()).collect(), counts.iter().sum()));
+                let mut variants: Vec<_> = set.iter().map(|&at| self.variants[at].clone()).collect();
+                variants.sort_by_key(|variant| variant.name);
+                // Two deviations may be found together, and one after the other.
+                if found.iter().all(|(known, _)| *known != variants) {
+                    found.push((variants, counts.iter().sum()));
+                }
             }
         }
         if room == 0 || case == self.pictures.len() {
