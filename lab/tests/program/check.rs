@@ -7,13 +7,14 @@ use test_support::folder::Folder;
 
 use crate::{bash, lab};
 
-/// Checks the program with this text, and returns the exit status, the kinds of all faults, and those of all remarks.
-fn checked(script: &str) -> (Option<i32>, [BTreeSet<String>; 2]) {
+/// Checks the program with this text and this limit of time. Returns the exit status, the kinds of all faults, and those
+/// of all remarks.
+fn checked(script: &str, seconds: &str) -> (Option<i32>, [BTreeSet<String>; 2]) {
     let folder = Folder::new();
     let program = folder.write("program", format!("#!/bin/sh\n{script}\n"));
     std::fs::set_permissions(&program, PermissionsExt::from_mode(0o755)).expect("it is ours");
     let [keep, program] = ["keep", "program"].map(|name| folder.name(name));
-    let arguments = ["check", "--json", "--seconds", "0.5", "--memory", "100", "--keep", &keep, &program];
+    let arguments = ["check", "--json", "--seconds", seconds, "--memory", "100", "--keep", &keep, &program];
     let mut command = lab(&arguments);
     let output = command.env_remove("RENDER_REFERENCE_DIR").output().expect("the program runs");
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{output:?}"));
@@ -23,8 +24,9 @@ fn checked(script: &str) -> (Option<i32>, [BTreeSet<String>; 2]) {
         let all = cases.iter().flat_map(|case| case[list].as_array().expect("a list"));
         all.map(|fault| fault["kind"].as_str().expect("a name").to_owned()).collect()
     };
-    // The command that is printed repeats a case.
-    let repeated = bash(&folder, cases[0]["command"].as_str().expect("a command"));
+    // The command that is printed repeats a case, which may never end.
+    let command = cases[0]["command"].as_str().expect("a command");
+    let repeated = bash(&folder, &format!("timeout 5 {command}"));
     assert_ne!(repeated.status.code(), Some(127), "{repeated:?}");
     (output.status.code(), ["faults", "remarks"].map(kinds))
 }
@@ -58,7 +60,7 @@ fn faults_are_told_apart() {
             &["out_lost"],
         ),
     ] {
-        let (status, [faults, remarked]) = checked(script);
+        let (status, [faults, remarked]) = checked(script, "60");
         assert_eq!(faults.iter().map(String::as_str).collect::<Vec<_>>(), expected, "{script}");
         assert!(remarks.iter().all(|remark| remarked.contains(*remark)), "{script}: {remarked:?}");
         assert_eq!(status, Some(1), "{script}");
@@ -67,7 +69,7 @@ fn faults_are_told_apart() {
 
 #[test]
 fn a_program_that_hangs_is_given_up_after_three_runs() {
-    let (status, [faults, _]) = checked("while :; do :; done");
+    let (status, [faults, _]) = checked("while :; do :; done", "0.3");
     assert_eq!(status, Some(1));
     assert_eq!(faults.into_iter().collect::<Vec<_>>(), ["left_out", "time_out"]);
 }
