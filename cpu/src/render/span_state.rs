@@ -81,3 +81,19 @@ impl<'a, L: Layout> SpanState<'a, L> {
         Streams(&mut self.pixel_jitter, &mut self.tracer.scatter_samples)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scatter_samples_are_counted_from_the_first_one() {
+        let mut samples = ScatterSamples::new(Scatter::Statement, 1, InstructionSet::Portable);
+        let mut jitter = PixelJitter::new(1);
+        for count in 0..2000 {
+            assert_eq!(Streams(&mut jitter, &mut samples).scatter_samples(), count);
+            samples.prepare();
+            let _ = samples.next();
+        }
+    }
+}
