@@ -64,7 +64,7 @@ fn has_its_digest(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
         _ => (renderer.library)(golden)?,
     };
     p3::read(&bytes)?;
-    let actual = digest::sha256(&bytes);
+    let actual = format::digest::sha256(&bytes);
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 

@@ -39,8 +39,8 @@ impl Origin {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scatter: scatter.to_owned(),
             // Two inputs with the same meaning have the same text.
-            config_sha256: digest::sha256(generator::write::config(config).as_bytes()),
-            scene_sha256: digest::sha256(generator::write::scene(scene).as_bytes()),
+            config_sha256: format::digest::sha256(generator::write::config(config).as_bytes()),
+            scene_sha256: format::digest::sha256(generator::write::scene(scene).as_bytes()),
         }
     }
 

@@ -229,7 +229,7 @@ impl Grading<'_> {
         let cases = self.cases.iter().map(|case| (&case.name, &case.files, format!("{:?}", case.expected)));
         let words = team.programs.iter().map(|entry| (&entry.job, &entry.build));
         let all = format!("{:?} {:?} {:?}", cases.collect::<Vec<_>>(), words.collect::<Vec<_>>(), self.limits);
-        digest::sha256(all.as_bytes())
+        format::digest::sha256(all.as_bytes())
     }
 
     /// Returns the folders that a program does not see: those of other teams, and the files of their cases.
@@ -286,7 +286,7 @@ impl Grading<'_> {
         if let Some((picture, both)) = &judged.compared {
             if case.verdict(&both[convention]) == Verdict::AnotherPicture {
                 faults.push(case.wrong_picture(&both[convention], convention));
-            } else if !seen.insert(digest::sha256(picture.pixels.as_flattened())) {
+            } else if !seen.insert(format::digest::sha256(picture.pixels.as_flattened())) {
                 // Every round has other seeds and another background.
                 return Err(Failure::Program(self.language.pick(COPIED).to_owned()));
             }

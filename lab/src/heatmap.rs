@@ -1,7 +1,7 @@
 //! Draws the differences between two pictures as a heat map, with the scale of its colours below.
 
-use annotate::Canvas;
 use colorous::{Gradient, INFERNO, RED_BLUE};
+use format::annotate::Canvas;
 
 use crate::difference::{distance, of_pixels};
 use crate::picture::floats::Floats;
@@ -120,7 +120,7 @@ fn map(
     let digits = (1.0 - scale.most.log10().floor()).clamp(0.0, 9.0) as usize;
     let number = |share: f64| format!("{:.digits$}", scale.bar(share).1);
     framed(&colors, width, &format!("{}{what}", CAPTIONS[usize::from(scale.is_signed)]), |canvas, place, size| {
-        annotate::color_bar(canvas, place, size, |share| scale.bar(share).0, number);
+        format::annotate::color_bar(canvas, place, size, |share| scale.bar(share).0, number);
     })
 }
 
@@ -141,7 +141,7 @@ pub(crate) fn framed(
     canvas.paste((0, 0), colors, width);
     canvas.write((MARGIN, height + 4), caption);
     let size = (canvas.width - 2 * MARGIN, BAR);
-    draw(&mut canvas, (MARGIN, height + 4 + annotate::LINE), size);
+    draw(&mut canvas, (MARGIN, height + 4 + format::annotate::LINE), size);
     Ok(Picture { width: canvas.width, height: canvas.height(), pixels: canvas.pixels })
 }
 
@@ -169,9 +169,10 @@ mod tests {
         let map = heatmap(&first, &second, scale).expect("it is small");
         assert_eq!((map.width, map.height), (LEAST_WIDTH, 1 + LEGEND));
         assert_eq!((map.pixels[0], map.pixels[1]), (color_at(INFERNO, 0.0), color_at(INFERNO, 1.0)));
-        let longest = CAPTIONS.iter().map(|caption| annotate::width_of(&format!("{caption}; grey: none"))).max();
+        let longest =
+            CAPTIONS.iter().map(|caption| format::annotate::width_of(&format!("{caption}; grey: none"))).max();
         assert!(longest.is_some_and(|longest| longest + MARGIN <= LEAST_WIDTH), "{longest:?}");
         let below = &map.pixels[map.width..];
-        assert!(below.contains(&annotate::INK) && below.contains(&color_at(INFERNO, 1.0)));
+        assert!(below.contains(&format::annotate::INK) && below.contains(&color_at(INFERNO, 1.0)));
     }
 }

@@ -39,8 +39,8 @@ pub use call_trace::CallTrace;
 pub use compose::{Composition, Library};
 pub use diagnostic::Diagnostic;
 pub use error::Error;
-pub use modules::{Features, Precision, features, module, precision};
 pub use translate::{Target, Translation, translate};
+pub use twin::{Features, Precision, features, module, precision};
 pub use validate::{Binding, Validated};
 
 #[cfg(test)]

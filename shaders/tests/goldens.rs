@@ -10,7 +10,7 @@ use std::env::var_os;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use digest::sha256;
+use format::digest::sha256;
 use rspirv::binary::Disassemble;
 use shaders::module::MODULES;
 use shaders::{Error, Features, Library, Precision, Target, Translation, translate};

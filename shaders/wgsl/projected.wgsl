@@ -1,5 +1,5 @@
 // The projected form of both intersections, the most accurate one in a single precision; twin of
-// cpu/stability/src/methods/projected.rs. It takes the point of the line that is nearest to the centre or the axis,
+// tests/stability/src/methods/projected.rs. It takes the point of the line that is nearest to the centre or the axis,
 // and goes half a chord from there to each side. So the numbers that cancel are as large as the distance from the line
 // to the centre, and not as large as the distance from the ray's origin.
 

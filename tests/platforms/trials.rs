@@ -40,7 +40,7 @@ fn pictures() -> Vec<Golden> {
 fn has_its_digest(platform: &Platform, golden: &Golden, layout: &str, set: &str) -> Result<(), Failed> {
     let expected = golden.digest()?;
     let job = Job { config: &golden.config, scene: &golden.scene, layout, set };
-    let actual = digest::sha256(&platform.host.render(&platform.build.release()?, job)?);
+    let actual = format::digest::sha256(&platform.host.render(&platform.build.release()?, job)?);
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 

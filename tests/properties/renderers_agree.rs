@@ -110,7 +110,7 @@ fn the_reference_gives_the_digests_of_the_small_scenes() {
         let config = Config::read(&golden.config).expect("committed configurations are valid");
         let scene = Scene::read(&golden.scene).expect("committed scenes are valid");
         let image = cpu::reference::render::<AosImage>(&config, &scene, golden.scatter).expect("it fits");
-        assert_eq!(golden.digest(), Ok(digest::sha256(&ppm(&image))), "{}", golden.name);
+        assert_eq!(golden.digest(), Ok(format::digest::sha256(&ppm(&image))), "{}", golden.name);
         compared += 1;
     }
     assert_eq!(compared, 32, "16 scenes in both conventions");

@@ -73,7 +73,7 @@ fn render(program: &Path, [config, scene]: [&Path; 2], scatter: Scatter) -> Resu
 fn has_its_digest(golden: &Golden, program: &Path) -> Result<(), Failed> {
     let bytes = render(program, [&golden.config, &golden.scene], golden.scatter)?;
     p3::read(&bytes)?;
-    let (actual, expected) = (digest::sha256(&bytes), golden.digest()?);
+    let (actual, expected) = (format::digest::sha256(&bytes), golden.digest()?);
     if actual == expected { Ok(()) } else { Err(format!("{}: {actual} instead of {expected}", golden.name).into()) }
 }
 

@@ -101,12 +101,13 @@ const OF_OUTPUT: [&str; 2] = ["lib.rs", "stop.rs"];
 #[test]
 fn every_public_function_of_the_programs_packages_is_called_by_a_test_of_its_crate() {
     for name in ["cpu", "cli", "cli/output"] {
+        let mut folders = ["src", "tests"].map(|folder| project_root().join(name).join(folder)).to_vec();
         // The package `stability` has the proofs and the stress tests of `cpu`.
-        let folders = ["src", "tests", "stability"].map(|folder| project_root().join(name).join(folder));
+        folders.extend((name == "cpu").then(|| project_root().join("tests/stability")));
         let paths = folders.iter().filter(|folder| folder.exists()).flat_map(|folder| files(folder).into_keys());
         let sources = paths.filter_map(|path| {
             let own = path.strip_prefix(project_root()).expect("it is in the project");
-            let is_tests = own.iter().any(|part| ["tests", "tests.rs", "stability"].iter().any(|name| part == *name));
+            let is_tests = own.iter().any(|part| ["tests", "tests.rs"].iter().any(|name| part == *name));
             let source = std::fs::read_to_string(&path).expect("a source is text");
             let is_public = name != "cli/output" || OF_OUTPUT.iter().any(|file| own.ends_with(file));
             (is_tests || is_public).then_some((is_tests, source))

@@ -4,7 +4,13 @@
 //! the tables, and the page in `web/site` offers them as completions. Error messages use them to point at the wrong
 //! field ([`place`]), and to say what to write instead ([`hint`]). [`refused`] lists wrong lines. Tests check that the
 //! tables agree with the parsers of `cpu`.
+//!
+//! Two features add what several tools share: `digest` computes SHA-256, and `annotate` writes words on pictures.
 
+#[cfg(feature = "annotate")]
+pub mod annotate;
+#[cfg(feature = "digest")]
+pub mod digest;
 pub mod faults;
 pub mod hint;
 pub mod place;

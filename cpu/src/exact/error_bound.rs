@@ -14,7 +14,7 @@
 //!
 //! If `|O - C|^2 + r^2` or `M` is 2^1000 or more, `E` overflows, and nothing is certain. In all other cases no quantity
 //! overflows. Underflow cannot make a wrong result certain, for two reasons: a tiny constant is added to `M`, and the
-//! direction must be [in scale](in_scale). `cpu/stability/src/proof/magnitudes.rs` proves both.
+//! direction must be [in scale](in_scale). `tests/stability/src/proof/magnitudes.rs` proves both.
 
 use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
 

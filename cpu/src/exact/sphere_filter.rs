@@ -9,7 +9,7 @@ use crate::exact::error_bound::{BoundConstants, Decision, ErrorBound, in_scale};
 use crate::geometry::{ray::Ray, sphere::SphereRecord, sphere::SphereView};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// The constants of the error bound for spheres. `cpu/stability/src/proof/exact.rs` proves that an error constant of
+/// The constants of the error bound for spheres. `tests/stability/src/proof/exact.rs` proves that an error constant of
 /// 25.5 suffices. With this condition limit the relative error of lambda is proven to be at most 5.9e-12, and the
 /// largest error that `stress` finds is 2.1e-12 (docs/accuracy). In ordinary pictures 99.6 % of the hits have a lambda
 /// with the bits of the plain formula, and the others have a more accurate one.

@@ -141,7 +141,7 @@ impl Quantizer {
 /// Returns `(below, from)` around the boundary `root^gamma`. A mean of at most `below` is certainly below the boundary,
 /// and a mean of at least `from` is certainly not below it.
 ///
-/// `cpu/stability/src/proof/bytes.rs` proves that the room covers the rounding if it is below 1/2.
+/// `tests/stability/src/proof/bytes.rs` proves that the room covers the rounding if it is below 1/2.
 fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
     let (room, [below, from]) = around(root, gamma);
     // With an extreme gamma nothing is certain. Then a power is computed for every mean.

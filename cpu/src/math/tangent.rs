@@ -11,7 +11,7 @@ use crate::math::nearest::{Midpoint, certain_sign, nearest};
 /// outside of the range give NaN.
 pub fn tangent(angle: f64) -> f64 {
     /// Below this angle `angle^3 / 3` is less than half a unit in the last place, so the `f64` nearest to the tangent
-    /// is the angle itself (checked for every exponent in `cpu/stability/tests/all/functions.rs`).
+    /// is the angle itself (checked for every exponent in `tests/stability/tests/all/functions.rs`).
     const SMALL: f64 = 1.0 / (1_u64 << 27) as f64;
 
     if (0.0..SMALL).contains(&angle) {

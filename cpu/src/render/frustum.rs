@@ -11,7 +11,7 @@
 //! The margin of the comparisons is [`TURNS`] times [`RayError::turn`], relative to a bound of the distance from the
 //! camera to the farthest point of the object or box. It covers the turn itself, by which a hit point may lie beyond
 //! the plane, the error of the plane's normal, and the rounding of both sides of the comparison
-//! (`cpu/stability/src/proof/frustum.rs`).
+//! (`tests/stability/src/proof/frustum.rs`).
 //!
 //! [`RayError::turn`]: crate::render::ray_error::RayError::turn
 

@@ -69,7 +69,7 @@ impl Place {
     /// # Errors
     /// The errors of [`Place::write`], and [`Error::Scene`] if there is too little memory.
     pub fn write_panels(self, panels: &[(&str, &[[u8; 3]])], width: usize) -> Result<(), Error> {
-        let canvas = annotate::panels(panels, width);
+        let canvas = format::annotate::panels(panels, width);
         let canvas = canvas.map_err(|_| cpu::internals::input::error::Error::OutOfMemory { what: "the panels" })?;
         self.write_rows(canvas.width, &canvas.pixels)
     }

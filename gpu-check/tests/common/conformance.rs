@@ -152,10 +152,14 @@ impl<I: Value, O: Value, const N: usize> Draft<I, O, N> {
         let needs_f64 = [I::NAME, O::NAME].contains(&"f64") && !self.name.contains("f64");
         let name = format!("{}{}", self.name, if needs_f64 { "-f64" } else { "" });
         let text = text(I::NAME, O::NAME, N, self.statements, self.result);
-        // If a case allows several results, the last one is taken.
+        // If a case allows several results, the cases get all of them in turn, the last one first.
         let following = |(name, allowed): &Reading<I, O, N>| {
-            let results = self.cases.iter().filter_map(|case| allowed(*case).pop());
-            (*name, results.flat_map(|result| bytemuck::bytes_of(&result).to_vec()).collect())
+            let result = |(index, case): (usize, &[I; N])| {
+                let numbers = allowed(*case);
+                numbers[(numbers.len() - 1 + index) % numbers.len()]
+            };
+            let results: Vec<O> = self.cases.iter().enumerate().map(result).collect();
+            (*name, bytemuck::cast_slice(&results).to_vec())
         };
         let readings = self.readings.iter().map(following).collect();
         let input = self.cases.iter().flat_map(|case| bytemuck::cast_slice::<I, u8>(case).to_vec()).collect();

@@ -112,6 +112,6 @@ fn compare(golden: &Golden, form: Form) -> Result<(), Failed> {
     }
     assert_eq!(faults, Vec::<String>::new());
     let file = ppm(&rendering, case.config.gamma);
-    assert_eq!(golden.digest()?, digest::sha256(file.as_bytes()), "{}", golden.name);
+    assert_eq!(golden.digest()?, format::digest::sha256(file.as_bytes()), "{}", golden.name);
     Ok(())
 }

@@ -4,7 +4,7 @@
 //! engines must write the same bytes, because the time of a wrong picture means nothing.
 
 use cpu::{Config, Scene};
-use digest::sha256;
+use format::digest::sha256;
 use measure::clock::own_seconds;
 use measure::statistics::Median;
 use measure::turns::{in_turn, turns_of};

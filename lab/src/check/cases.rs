@@ -168,7 +168,7 @@ impl Case {
             config.aspect_ratio = [config.image_width, height as u64];
         }
         let image = cpu::render::<Aos>(&config, &scene, CONVENTIONS[convention])?;
-        Ok(Drawn { picture: Picture::of(&image)?, digest: digest::sha256(&engine::bytes(&image)) })
+        Ok(Drawn { picture: Picture::of(&image)?, digest: format::digest::sha256(&engine::bytes(&image)) })
     }
 }
 
@@ -320,7 +320,7 @@ fn of_course(folder: &Path, number: u32) -> Result<Case, Failure> {
     };
     let files = [read(format!("config{number}.txt"))?, read(format!("scene{number}.txt"))?];
     let text = String::from_utf8_lossy(&read("SHA256SUMS".to_owned())?).into_owned();
-    let sums = digest::read_sums(&text)?;
+    let sums = format::digest::read_sums(&text)?;
     let find = |convention: &str| {
         let name = format!("{convention}/{number}.ppm");
         sums.iter().find(|(other, _)| *other == name).map(|(_, digest)| digest.clone())

@@ -220,7 +220,7 @@ impl Case {
             Ok(parsed) => parsed,
             Err(fault) => return Ok(Judged::wrong(fault)),
         };
-        let digest = digest::sha256(bytes);
+        let digest = format::digest::sha256(bytes);
         let size = |picture: &Picture| format!("{} x {}", picture.width, picture.height);
         let mut remarks = Vec::new();
         let mut comparisons = Vec::new();

@@ -1,7 +1,7 @@
 //! Draws a quantity of each pixel with colours, and its scale below.
 
-use annotate::Canvas;
 use colorous::{TABLEAU10, VIRIDIS};
+use format::annotate::Canvas;
 
 use super::Quantity;
 use crate::heatmap::{NOTHING, color_at, framed};
@@ -86,7 +86,7 @@ fn scaled(floats: &Floats, caption: &str, number: impl Fn(&[f32]) -> f64) -> Res
     let kind = if is_wide { ", logarithmic" } else { "" };
     let caption = format!("{caption}{kind}{}", grey(numbers().any(f64::is_nan)));
     framed(&colors, floats.width, &caption, |canvas, place, size| {
-        annotate::color_bar(canvas, place, size, |share| color_at(VIRIDIS, share), |share| short(value(share)));
+        format::annotate::color_bar(canvas, place, size, |share| color_at(VIRIDIS, share), |share| short(value(share)));
     })
 }
 

@@ -95,7 +95,7 @@ impl Input {
             let mut piece = [0; 1 << 16];
             loop {
                 match file.read(&mut piece)? {
-                    0 => return Ok(digest::hexadecimal(&hasher.finalize())),
+                    0 => return Ok(format::digest::hexadecimal(&hasher.finalize())),
                     count => hasher.update(&piece[..count]),
                 }
             }
@@ -128,7 +128,7 @@ pub fn content(file: File, length: u64) -> io::Result<Vec<u8>> {
 
 /// Returns the version of a file with this content.
 pub fn version_of(content: &[u8]) -> String {
-    digest::sha256(content)
+    format::digest::sha256(content)
 }
 
 /// Opens the file at `path` for reading, if no part of the path is a link. On a system without `openat2`, only the last

@@ -87,7 +87,7 @@ fn rendered(config: &str, scene: &str) -> Result<String, Failed> {
     let [config, scene, out] = ["config.txt", "scene.txt", "out.ppm"].map(|name| folder.file(name));
     cli::program::run::<Aos>([&config, &scene, &out].map(|path| path.into()))
         .map_err(|error| String::from_utf8_lossy(&error.message(false)).into_owned())?;
-    Ok(digest::sha256(&std::fs::read(out)?))
+    Ok(format::digest::sha256(&std::fs::read(out)?))
 }
 
 /// Runs the test `name`.

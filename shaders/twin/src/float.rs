@@ -2,8 +2,8 @@
 
 use std::fmt::{Debug, Display};
 
+use crate::Precision;
 use cpu::internals::math::real::Real;
-use modules::Precision;
 
 /// A number type whose values can be put into buffers: `f32` or `f64`.
 pub trait Float: Real<Mask = bool> + bytemuck::Pod + PartialOrd + Display + Debug + Send + Sync {

@@ -1,5 +1,6 @@
 //! A scene in the form for a device: the contents of the buffers of `shaders/wgsl/picture.wgsl`.
 
+use crate::Features;
 use cpu::internals::Camera;
 use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::geometry::sphere::SphereRecord;
@@ -8,7 +9,6 @@ use cpu::internals::layout::Placed;
 use cpu::internals::math::real::Real;
 use cpu::internals::render::background::Background;
 use cpu::{Config, Error as CpuError, Material, Size, Vec3};
-use modules::Features;
 
 /// The reason why a scene has no form for a device.
 #[derive(Debug, thiserror::Error)]

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use cpu::Scatter;
 
-use digest::read_sums;
+use format::digest::read_sums;
 
 /// The two conventions to scatter light (specification, section 11), with their names in the lists of digests.
 const CONVENTIONS: [(&str, Scatter); 2] = [("statement", Scatter::Statement), ("published", Scatter::Published)];

@@ -78,7 +78,7 @@ impl Secret {
 fn random() -> std::io::Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes).map_err(std::io::Error::other)?;
-    Ok(digest::hexadecimal(&bytes))
+    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
 }
 
 /// Whether two texts are the same. The time does not depend on the number of equal leading bytes. So it reveals nothing

@@ -84,7 +84,7 @@ pub extern "C" fn render(layout: u32, is_published: u32, is_portable: u32) -> u3
 #[unsafe(no_mangle)]
 pub extern "C" fn digest() {
     let mut state = state();
-    state.result = digest::sha256(&state.result).into_bytes();
+    state.result = format::digest::sha256(&state.result).into_bytes();
 }
 
 /// Makes the result the table of the lines of a configuration (`text` is 0) or of a scene. `render-lab help config` and

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use modules::module::{MODULES, REALS, needed};
 use serde::Serialize;
+use twin::module::{MODULES, REALS, needed};
 
 /// A module as the page reads it.
 #[derive(Serialize)]

@@ -6,7 +6,7 @@
 //! the distance is computed as `n (s r) + (f r - o r)`.
 //!
 //! Let `u = 2^-24`, and let `P` be the largest magnitude of a plane of the scene along the axis, so that `|f| <= P`
-//! and `n s <= 2 P` and a step, a 127th of the node's length. `cpu/stability/src/proof/boxes.rs` proves that rounding
+//! and `n s <= 2 P` and a step, a 127th of the node's length. `tests/stability/src/proof/boxes.rs` proves that rounding
 //! changes the distance by less than `14 u (P + |o|) |r|`, whether products and sums are fused or not. `s r` is exact
 //! unless it is subnormal, because `s` is a power of two. The boxes were built in double precision, which moved their
 //! planes by at most `2^-51 P`. The code moves the distance by at least `16 u (P + |o|) |r|`, towards the side on

@@ -9,7 +9,7 @@
 //! box's coordinates. Without rounding, the box would be a cube around the sphere. Rounding moves each plane outward by
 //! at most 1.5 units in the last place, which is `3 u P` ([`Bounds::of_object`]). So the middle of the box is not the
 //! sphere's centre. The radius has room for that, and for the rounding in [`SphereLeaf::overlaps`]
-//! (`cpu/stability/src/proof/boxes.rs`). This is true for coordinates. Trees with bytes are so large that isolated
+//! (`tests/stability/src/proof/boxes.rs`). This is true for coordinates. Trees with bytes are so large that isolated
 //! objects, for which boxes are tested for overlaps, are not sought.
 
 use crate::accel::bounds::Bounds;

@@ -19,7 +19,7 @@ use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 pub const QUADRATIC_MARGIN: f64 = 512.0 * f64::EPSILON;
 
 /// The smallest squared length of a direction for which the tests are valid. With it underflow is negligible, in single
-/// precision too (`cpu/stability/src/proof/filters.rs`).
+/// precision too (`tests/stability/src/proof/filters.rs`).
 pub const LEAST_LENGTH_SQUARED: f64 = 1e-14;
 
 /// Whether a direction with this squared length is too short for the tests: shorter than 10^-7. The caller must then

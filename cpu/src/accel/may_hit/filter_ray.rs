@@ -18,7 +18,7 @@
 //! miss. The miss is right, for this reason. Let `L` be the [largest
 //! coordinate](crate::accel::extent::Extent::max_coordinate) of the scene. The ray's origin and the points of objects
 //! are at most `3.5 L` apart. So a ray with `|d| > 3500 L` is past all objects at the smallest lambda in range, 10^-3.
-//! For a shorter direction nothing overflows (`cpu/stability/src/proof/magnitudes.rs`).
+//! For a shorter direction nothing overflows (`tests/stability/src/proof/magnitudes.rs`).
 
 use crate::accel::may_hit::target::Target;
 use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::Ray, math::vec3::Vec3, simd::SimdF32};

@@ -8,7 +8,7 @@
 //! 3. `t = y ln x = n ln 2 + j / 64 + r` with `|r| <= 2^-7` and a little more, and `|t| < 746`.
 //! 4. `e^r` is a Taylor polynomial of degree 12, and `e^t = 2^n e^(j / 64) e^r`.
 //!
-//! `cpu/stability/src/proof/power.rs` bounds the relative error.
+//! `tests/stability/src/proof/power.rs` bounds the relative error.
 
 use crate::math::double_double::DoubleDouble;
 use crate::math::dyadic::power_of_two;

@@ -27,11 +27,11 @@
 //! points, 64 `u` of the distance and of the coordinates are added. The factors leave room for the rounding of the
 //! margins themselves, which are computed in f32.
 
+use crate::Precision;
 use cpu::Vec3;
 use cpu::internals::accel::bounds::Bounds;
 use cpu::internals::geometry::cylinder::CylinderRecord;
 use cpu::internals::geometry::sphere::SphereRecord;
-use modules::Precision;
 
 use crate::Float;
 

@@ -31,7 +31,7 @@ fn exact_pictures_have_the_digests_of_an_independent_program() {
             cpu::reference::render_with::<_, Exact>(&config, &scene, scatter).expect("it renders");
         let mut ppm = Vec::new();
         cpu::internals::image::ppm::write_ppm(&image, &mut ppm).expect("memory takes all bytes");
-        let actual = digest::sha256(&ppm);
+        let actual = format::digest::sha256(&ppm);
         assert_eq!(actual, expected, "{file}");
         compared += 1;
     }

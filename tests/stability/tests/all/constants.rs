@@ -91,7 +91,7 @@ fn collect(source: &Path, folder: &Path, found: &mut BTreeSet<Entry>) {
 
 #[test]
 fn every_constant_has_a_row_or_is_no_bound() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cpu/src");
     let (mut found, mut listed) = (BTreeSet::new(), BTreeSet::new());
     collect(&source, &source, &mut found);
     let page = include_str!("../../../../docs/margins.md");
