@@ -242,9 +242,12 @@ export const tests = {
         equal(await page.getAttribute('#tab-live', 'aria-selected'), 'true', 'the next tab');
         await frame(page);
         check(await page.isVisible('#live-canvas') && !await page.isVisible('#canvas'), 'one view is shown');
-        await page.keyboard.press('Tab');
-        equal(await page.evaluate(() => document.activeElement.id), 'live-canvas', 'the picture has the focus');
-        await page.keyboard.press('Shift+Tab');
+        // The button for the full screen and two of the live view stand before the picture.
+        for (const name of ['full', 'live-take', 'live-reset', 'live-canvas']) {
+            await page.keyboard.press('Tab');
+            equal(await page.evaluate(() => document.activeElement.id), name, 'the element with the focus');
+        }
+        await page.focus('#tab-live');
         await page.keyboard.press('ArrowLeft');
         check(await page.isVisible('#canvas'), 'the first view is shown again');
     },
