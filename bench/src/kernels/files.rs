@@ -9,15 +9,15 @@ use cpu::internals::accel::extent::Extent;
 use cpu::internals::layout::Objects;
 use cpu::internals::layout::aos::{AosImage, AosObjects};
 use cpu::{Config, Image, Rgb, Scene, Size};
-use generator::{self, Options};
+use generator::{self, Arrangement, Options};
 
 use super::{Kernel, Work, plain};
 
 pub const KERNELS: &[Kernel] = &[
     Kernel { name: "parse-config", new: parse_config },
     Kernel { name: "parse-scene", new: parse_scene },
-    Kernel { name: "build-flat-filter", new: || build(100) },
-    Kernel { name: "build-bvh", new: || build(5000) },
+    Kernel { name: "build-flat-filter", new: || build(60, Arrangement::Grid) },
+    Kernel { name: "build-bvh", new: || build(5000, Arrangement::Scattered) },
     Kernel { name: "write-ppm", new: write_ppm },
 ];
 
@@ -35,8 +35,9 @@ fn parse_scene() -> Box<dyn Work> {
     })
 }
 
-fn build(objects: usize) -> Box<dyn Work> {
-    let scene = generator::scene(&Options { objects, ..Options::default() });
+/// Builds the structure of a scene. A grid has a ground, which is a dominant sphere.
+fn build(objects: usize, arrangement: Arrangement) -> Box<dyn Work> {
+    let scene = generator::scene(&Options { objects, arrangement, ..Options::default() });
     let mut objects = AosObjects::build(&scene).expect("it fits");
     let extent = Extent { max_coordinate: 100.0, moderate: true, has_tiny: false };
     plain(objects.sphere_count() + objects.cylinder_count(), move || {

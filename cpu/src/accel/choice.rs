@@ -4,12 +4,13 @@
 //! 1. [`Accel::EveryObject`] for extreme magnitudes: a camera, diffusion or window distance beyond 1e9, pixels below
 //!    1e-12 ([`Extent`]), or up to 8 objects with one beyond 1e9 or a radius or half height below 1e-6;
 //! 2. [`SmallScene`] for up to 8 objects;
-//! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7 and no such tiny object;
+//! 3. [`FlatFilter`] for up to 64 objects with a dominant sphere such as a ground, coordinates of up to 2e7 and no such
+//!    tiny object; without a dominant sphere, or with more objects, a tree is faster;
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
-//! How is a scene of 200 objects searched? A [`Bvh`] has nodes of up to 16 children. So a scene of 65 to 256 objects
-//! mostly gets a tree of two levels: a root whose children are nodes of objects. A ray is tested against the boxes of
+//! How is a scene of 200 objects searched? A [`Bvh`] has nodes of up to 16 children. So a scene of 9 to 256 objects
+//! without a flat filter mostly gets a tree of two levels: a root whose children are nodes of objects. A ray is tested against the boxes of
 //! the root, then against those of each child that it hits, the nearest child first. From 257 objects on, a ray is
 //! tested against the collapsed root instead of the root and its children (`accel/bvh/collapsed_root.rs`). This is one
 //! list of up to 64 boxes, most of which are those of the second level. It is used by instruction sets with at least
@@ -29,8 +30,8 @@
 
 use crate::accel::{
     accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
-    closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit,
-    object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
+    closest_hit::ClosestHit, dominant_sphere::DominantSphere, every_object::EveryObject, extent::Extent, flat_filter,
+    flat_filter::FlatFilter, may_hit, object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
@@ -43,7 +44,8 @@ pub enum Accel {
     EveryObject(EveryObject),
     /// The structure for up to eight objects.
     SmallScene(SmallScene),
-    /// The structure for up to 64 spheres and 64 cylinders, which tests several of them at once in single precision.
+    /// The structure for up to 64 objects with a dominant sphere, which tests several of them at once in single
+    /// precision.
     FlatFilter(FlatFilter),
     /// The tree of boxes, for more objects.
     Bvh(Bvh<WideBoxes>),
@@ -57,15 +59,15 @@ impl Accel {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         let is_small = count(objects) <= may_hit::object_lanes::PLACES;
         Ok(if !extent.moderate || is_small && (extent.has_tiny || extent.max_coordinate > Extent::LARGEST) {
             Self::EveryObject(EveryObject)
         } else if is_small {
             Self::SmallScene(SmallScene::new(objects, extent))
-        } else if most_of_a_kind <= flat_filter::MOST_OF_A_KIND
+        } else if count(objects) <= flat_filter::MOST
             && !extent.has_tiny
             && extent.max_coordinate <= flat_filter::MAX_COORDINATE
+            && DominantSphere::of(objects).0.is_some()
         {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
         } else if count(objects) <= bvh::MOST_WIDE {

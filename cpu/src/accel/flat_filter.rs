@@ -1,4 +1,4 @@
-//! The structure for up to 64 spheres and 64 cylinders. Conservative tests in single precision, several at once, find
+//! The structure for up to 64 objects with a dominant sphere. Conservative tests in single precision, several at once, find
 //! the objects that a ray may hit.
 
 pub use crate::accel::may_hit::filter_ray::MAX_COORDINATE;
@@ -15,14 +15,13 @@ use crate::{
     layout::with_room, math::vec3::Vec3, simd::Simd, simd::SimdF32,
 };
 
-/// Maximum number of spheres, and maximum number of cylinders, in a [`FlatFilter`]. Each object of a kind has one bit
-/// in a `u64`.
-pub const MOST_OF_A_KIND: usize = u64::BITS as usize;
+/// Maximum number of objects in a [`FlatFilter`]. Each object of a kind has one bit in a `u64`.
+pub const MOST: usize = u64::BITS as usize;
 
 /// A cylinder is slender if its bounding sphere's radius is more than this multiple of its own radius.
 const SLENDER: f64 = 2.0;
 
-/// The structure for up to 64 spheres and 64 cylinders. Its data are stored in lanes, whatever the layout of the
+/// The structure for up to 64 objects. Its data are stored in lanes, whatever the layout of the
 /// objects, because they only decide which objects are intersected.
 #[derive(Debug)]
 pub struct FlatFilter {
