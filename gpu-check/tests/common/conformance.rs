@@ -72,8 +72,11 @@ pub struct Probe {
     /// The readings of the program: what results that follow one are called, and such results. The first is "as written".
     pub readings: Vec<(&'static str, Vec<u8>)>,
     /// Returns the verdict on results.
-    pub judge: Box<dyn Fn(&[u8]) -> String>,
+    pub judge: Judge,
 }
+
+/// Returns the verdict on results, such as "as written".
+pub type Judge = Box<dyn Fn(&[u8]) -> String>;
 
 impl Probe {
     /// Returns the program in the form that naga validates.
