@@ -40,7 +40,7 @@ fn every_deviation_shows_and_no_two_have_equal_pictures() {
     let statement = pictures(&[], Scatter::Statement);
     let mut faults = Vec::new();
     for variant in table() {
-        let pictures = pictures(&[variant.clone()], Scatter::Statement);
+        let pictures = pictures(std::slice::from_ref(&variant), Scatter::Statement);
         if pictures == statement {
             faults.push(format!("{}: it does not show", variant.words));
         }

@@ -49,7 +49,7 @@ fn a_process_gets_a_signal() {
     let _files = [make(&folder), make(&folder)];
     let send = || Command::new("kill").args([format!("-{number}"), std::process::id().to_string()]).status();
     assert!(send().expect("every Unix has kill").success());
-    std::thread::sleep(std::time::Duration::from_millis(if before == "" { 60_000 } else { 50 }));
+    std::thread::sleep(std::time::Duration::from_millis(if before.is_empty() { 60_000 } else { 50 }));
     assert_eq!(requested(), before == "noted");
     println!("it goes on");
     if before == "noted" {
