@@ -16,6 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod links;
 mod place;
 pub mod stop;
 mod temporary;
@@ -26,7 +27,7 @@ use std::io::{self, ErrorKind, Write};
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
-pub use crate::place::{follow, is_stdout};
+pub use crate::links::{follow, is_stdout};
 use crate::temporary::Temporary;
 
 /// Options for writing an output.

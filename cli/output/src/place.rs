@@ -1,4 +1,4 @@
-//! Follows the links of an output's path, and opens the regular file, the device or the pipe to which it leads.
+//! Opens the regular file, the device or the pipe to which an output's path leads.
 //!
 //! Standard output needs care. If it is closed, the standard library opens `/dev/null` in its place before `main`. It
 //! also reports success for a write to a standard output that is not open for writing. In both cases the picture would
@@ -6,20 +6,18 @@
 
 #![allow(unsafe_code)]
 
-use std::fs::{self, File, Metadata, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
-use std::os::unix::ffi::OsStrExt;
-use std::os::unix::fs::{FileTypeExt, MetadataExt};
-use std::path::{Path, PathBuf};
+use std::os::unix::fs::FileTypeExt;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use rustix::fs::{Access, AtFlags, CWD, OFlags, accessat, fcntl_getfl};
-use rustix::io::{Errno, fcntl_getfd};
+use rustix::io::fcntl_getfd;
 use rustix::stdio::stdout;
 
+use crate::links::{error, follow, is_stdout};
 use crate::temporary::Temporary;
-
-const STDOUT_NAMES: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
 /// Whether standard output was closed when the process started.
 static STDOUT_IS_CLOSED: AtomicBool = AtomicBool::new(false);
@@ -76,53 +74,4 @@ fn open_stdout() -> io::Result<File> {
     }
     io::stdout().flush()?;
     Ok(File::from(stdout().try_clone_to_owned()?))
-}
-
-/// Whether an output to `path` goes to standard output.
-pub fn is_stdout(path: &Path) -> bool {
-    follow(path).is_ok_and(|path| STDOUT_NAMES.iter().any(|name| path == Path::new(name)))
-}
-
-/// Follows all links from `path`. Returns the path of a file that is no link, a path at which no file exists, or a name
-/// of standard output.
-///
-/// # Errors
-/// An error if there are too many links. [`ErrorKind::PermissionDenied`] if `path` or one of its folders is a link in a
-/// folder of all users, because another user may have made the link. [`ErrorKind::InvalidFilename`] if `path` ends in no
-/// name.
-pub fn follow(path: &Path) -> io::Result<PathBuf> {
-    let mut path = path.to_owned();
-    // Linux follows so many links at most.
-    for _ in 0..40 {
-        // For `folder/` and `folder/.` the standard library returns the name `folder`.
-        let Some(_) = path.file_name().filter(|name| path.as_os_str().as_bytes().ends_with(name.as_bytes())) else {
-            return error(ErrorKind::InvalidFilename, "it is not the name of a file");
-        };
-        let is_foreign =
-            |part: &Path| part.is_symlink() && parent(part).metadata().is_ok_and(|folder| is_shared(&folder));
-        if path.ancestors().any(is_foreign) {
-            let text = "it leads through a link in a folder of all users, such as /tmp; name the file itself";
-            return error(ErrorKind::PermissionDenied, text);
-        }
-        match fs::read_link(&path) {
-            Ok(text) if !STDOUT_NAMES.iter().any(|name| path == Path::new(name)) => path = parent(&path).join(text),
-            _ => return Ok(path),
-        }
-    }
-    Err(Errno::LOOP.into())
-}
-
-/// Returns the folder of the file at `path`.
-pub fn parent(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// Whether all users may create files in a folder, and remove only their own, as in `/tmp`: it is "sticky".
-pub fn is_shared(folder: &Metadata) -> bool {
-    folder.mode() & 0o1002 == 0o1002
-}
-
-/// Returns an error with these words.
-pub fn error<T>(kind: ErrorKind, text: &str) -> io::Result<T> {
-    Err(io::Error::new(kind, text))
 }

@@ -11,7 +11,7 @@ use std::path::Path;
 use rustix::fs::{AtFlags, CWD, Mode, OFlags, fgetxattr, fremovexattr, linkat, openat, renameat};
 use rustix::io::Errno;
 
-use crate::place::{error, is_shared, parent};
+use crate::links::{error, is_shared, parent};
 use crate::stop::Name;
 
 /// A file that is being written. [`Temporary::commit`] gives it the name `target` in an open folder. So the file goes
