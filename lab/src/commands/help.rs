@@ -18,8 +18,8 @@ pub struct Arguments {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: &str = "animate bench check compare completions config convert generate grade inspect man render report \
-                          scene shader time view";
+pub const TOPICS: &str = "animate bench check compare completions config convert diagnose explain generate grade inspect man \
+                          render report scene shader time view";
 
 impl Arguments {
     /// Prints the help of the topic.
