@@ -103,7 +103,7 @@ fn advise(error: &mut clap::Error, arguments: &[OsString]) {
         let next = words.iter().skip_while(|word| **word != option).nth(1).filter(|next| !next.starts_with('-'));
         let value = joined.or(next.copied());
         format!("write '--set {key}={}'", value.unwrap_or("VALUE"))
-    } else if error.get(ContextKind::SuggestedArg).is_none() {
+    } else {
         let cli = cli::Cli::command();
         let options = cli.get_subcommands().filter(|other| !other.is_hide_set()).flat_map(|other| {
             other.get_opts().filter_map(|option| option.get_long()).map(|long| (long.as_bytes(), other.get_name()))
@@ -111,10 +111,14 @@ fn advise(error: &mut clap::Error, arguments: &[OsString]) {
         let all: Vec<_> = options.collect();
         let word = option.trim_start_matches('-').as_bytes();
         let Some(near) = format::hint::nearest(word, all.iter().map(|(long, _)| *long)) else { return };
-        let commands: Vec<_> = all.iter().filter(|(long, _)| *long == near).map(|(_, name)| *name).collect();
-        format!("'--{}' is an option of {}", String::from_utf8_lossy(near), commands.join(", "))
-    } else {
-        return;
+        let near = String::from_utf8_lossy(near);
+        // The suggested option is one of this command. It is the better one only if no other command has a nearer one.
+        if error.get(ContextKind::SuggestedArg) == Some(&ContextValue::String(format!("--{near}"))) {
+            return;
+        }
+        error.insert(ContextKind::SuggestedArg, ContextValue::None);
+        let commands: Vec<_> = all.iter().filter(|(long, _)| *long == near.as_bytes()).map(|(_, name)| *name).collect();
+        format!("'--{near}' is an option of {}", commands.join(", "))
     };
     error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
 }
