@@ -1,6 +1,6 @@
 //! Grades the programs of a folder: checks them, measures them in turn, and adds points.
 //!
-//! [`file`] reads `grade.toml`, and [`teams`] finds the programs. [`Grading`] checks team by team and keeps each
+//! [`mod@file`] reads `grade.toml`, and [`teams`] finds the programs. [`Grading`] checks team by team and keeps each
 //! result, so that it can go on after an interruption. [`points`] adds the points, [`page`] and [`handout`] show them.
 
 pub mod file;

@@ -75,7 +75,7 @@ impl Picture {
     }
 
     /// Returns the part of a picture of `width` pixels that starts at column `x` and row `y`. `pixel` returns the pixel
-    /// at an index, and `pixels` is empty. Call [`with_room`] for it before long work.
+    /// at an index, and `pixels` is empty. Call `with_room` for it before long work.
     pub fn part(
         [x, y, part_width, height]: [usize; 4],
         width: usize,

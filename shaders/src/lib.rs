@@ -5,7 +5,7 @@
 //! modules use the number type `real`, so that one text composes to `f64` and to `f32`. In `f64` the lavapipe driver
 //! gives the bits of `cpu`. naga can translate the `f32` text for every target.
 //!
-//! - the package [`modules`] lists the modules and the modules that each one needs;
+//! - the package [`twin`] lists the modules and the modules that each one needs;
 //! - [`compose`] joins a module and the modules that it needs into one text, and can replace any of them;
 //! - [`validate`] checks that text with naga, and reports errors with their places in the module's own file;
 //! - [`limits`] limits the size and the nesting of the texts that naga reads;
