@@ -10,7 +10,8 @@ use crate::picture::{Picture, with_room};
 /// The mapping from differences to colours of the heat map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The smallest difference with the last colour, in levels from 0 to 255, or in the unit of the numbers. Larger differences have that colour too.
+    /// The smallest difference with the last colour, in levels from 0 to 255, or in the unit of the numbers. Larger
+    /// differences have that colour too.
     pub most: f64,
     /// Whether the colours show the sign: red for pixels that are brighter in the second picture, blue for darker ones.
     pub is_signed: bool,

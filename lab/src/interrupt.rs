@@ -33,8 +33,8 @@ fn wish() -> SigSet {
     SigSet::from(Signal::SIGUSR1)
 }
 
-/// Keeps SIGUSR1 from this thread and from those that it starts, so that only [`listen_for_wish`] gets it. Call it before
-/// other threads are started.
+/// Keeps SIGUSR1 from this thread and from those that it starts, so that only [`listen_for_wish`] gets it. Call it
+/// before other threads are started.
 pub fn block_wish() {
     // The only error is a wrong set of signals.
     let _ = wish().thread_block();

@@ -1,8 +1,8 @@
 //! The Python module `exact_renderer`: pictures, exact intersections, depth and normals as arrays of numpy.
 //!
-//! `config` and `scene` have the classes `Config` and `Scene`, whose values all go through the parsers of `cpu`. `picture` and `rays`
-//! have the functions, whose work `worker` runs without the interpreter's lock. `fault` turns errors into exceptions.
-//! `exact_renderer.pyi` has the types for Python.
+//! `config` and `scene` have the classes `Config` and `Scene`, whose values all go through the parsers of `cpu`.
+//! `picture` and `rays` have the functions, whose work `worker` runs without the interpreter's lock. `fault` turns
+//! errors into exceptions. `exact_renderer.pyi` has the types for Python.
 
 mod arrays;
 mod closest;

@@ -15,8 +15,9 @@ use crate::values::{number, vector};
 
 /// Materials and objects.
 ///
-/// A scene is a sequence: of its materials, such as `("matte", "grey", (0.5, 0.5, 0.5))`, and then of its objects, such as
-/// `("sphere", (0.0, 0.0, 0.0), 1.0, "grey")`. `Scene(list(scene))` gives an equal one. It can be copied and pickled.
+/// A scene is a sequence: of its materials, such as `("matte", "grey", (0.5, 0.5, 0.5))`, and then of its objects, such
+/// as `("sphere", (0.0, 0.0, 0.0), 1.0, "grey")`. `Scene(list(scene))` gives an equal one. It can be copied and
+/// pickled.
 ///
 /// Each method adds a line of a scene file, and returns the scene, as in
 /// `Scene().matte("grey", (.5, .5, .5)).sphere((0, 0, 0), 1, "grey")`. A material must be added before its objects.

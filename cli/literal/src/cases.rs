@@ -16,8 +16,8 @@ pub struct Case {
     pub scene: Scene,
 }
 
-/// Returns the cases, in the order of the stages. In the text of all cases a line `= NAME` begins a case, and a line `-`
-/// its scene.
+/// Returns the cases, in the order of the stages. In the text of all cases a line `= NAME` begins a case, and a line
+/// `-` its scene.
 ///
 /// # Errors
 /// An error of a text, which is damaged then.

@@ -43,8 +43,8 @@ impl<'a> Walk<'a> {
     /// Returns the life of the pixel in this column and row: the events of each sample, the mean and the bytes. The
     /// result is `None` if there is no such pixel.
     ///
-    /// An event `sample`, `ray`, `candidate`, `hit` or `end` has the values of its step. `place` is the number of random
-    /// numbers of a stream before those of the event.
+    /// An event `sample`, `ray`, `candidate`, `hit` or `end` has the values of its step. `place` is the number of
+    /// random numbers of a stream before those of the event.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.

@@ -1,5 +1,5 @@
-//! Checks the lives of pixels: their bytes are those of the picture, and their random numbers are at the places that are
-//! told, as the crate `rand_mt` draws them.
+//! Checks the lives of pixels: their bytes are those of the picture, and their random numbers are at the places that
+//! are told, as the crate `rand_mt` draws them.
 
 use cpu::{Config, Image, Material, Scatter, Scene, Soa, Vec3};
 use literal::explain::Walk;

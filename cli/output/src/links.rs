@@ -20,8 +20,8 @@ pub fn is_stdout(path: &Path) -> bool {
 ///
 /// # Errors
 /// An error if there are too many links. [`ErrorKind::PermissionDenied`] if `path` or one of its folders is a link in a
-/// folder of all users, because another user may have made the link. [`ErrorKind::InvalidFilename`] if `path` ends in no
-/// name.
+/// folder of all users, because another user may have made the link. [`ErrorKind::InvalidFilename`] if `path` ends in
+/// no name.
 pub fn follow(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_owned();
     // Linux follows so many links at most.

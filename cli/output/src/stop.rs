@@ -54,7 +54,8 @@ unsafe extern "C" {
 
 impl Name {
     /// Registers a random name for a file in `folder`, and calls `make`, which creates a file with this name. If the
-    /// name is in use, `make` must fail. The folder must stay open until [`Name::remove`] or [`Name::forget`] is called.
+    /// name is in use, `make` must fail. The folder must stay open until [`Name::remove`] or [`Name::forget`] is
+    /// called.
     ///
     /// # Errors
     /// The error of `make`.

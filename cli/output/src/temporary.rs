@@ -18,8 +18,8 @@ use crate::stop::Name;
 /// into this folder even if the folder is renamed meanwhile.
 ///
 /// If the file system supports it, the file has no name until it is complete. Then no file is left, however the process
-/// ends before. Otherwise the file has a hidden temporary name. It is removed when this value is dropped or when a signal ends
-/// the process.
+/// ends before. Otherwise the file has a hidden temporary name. It is removed when this value is dropped or when a
+/// signal ends the process.
 #[derive(Debug)]
 pub struct Temporary {
     name: Option<&'static Name>,

@@ -1,5 +1,5 @@
-//! The structure for up to 64 objects with a dominant sphere. Conservative tests in single precision, several at once, find
-//! the objects that a ray may hit.
+//! The structure for up to 64 objects with a dominant sphere. Conservative tests in single precision, several at once,
+//! find the objects that a ray may hit.
 
 pub use crate::accel::may_hit::filter_ray::MAX_COORDINATE;
 use crate::accel::{

@@ -1,8 +1,8 @@
 //! Logarithm, sine and cosine with any number of bits, as integers with a bound of their error.
 //!
 //! A fixed-point number is an integer `n` that stands for `n / 2^bits`. Each operation truncates, so it is wrong by
-//! less than one unit `2^-bits`, and `tests/stability/src/proof/series.rs` adds up the errors of a series. The functions
-//! are slow: they decide the few roundings for which faster arithmetic is uncertain.
+//! less than one unit `2^-bits`, and `tests/stability/src/proof/series.rs` adds up the errors of a series. The
+//! functions are slow: they decide the few roundings for which faster arithmetic is uncertain.
 
 use crate::math::dyadic::{Dyadic, exact};
 use crate::math::limbs::{product, quotient, shifted, shifted_right, sum};

@@ -5,9 +5,9 @@
 //! `d = (O - P) + dx (c + x) + dy (f + y)`, and `d^` is the direction that [`Camera::ray`] computes. The point
 //! `O + dx (c + x) + dy (f + y)` is rounded to the spacing of numbers near the camera's *position*, however near the
 //! window is. Let `W` and `H` be the picture's width and height in pixels, and `u = 2^-53`. With
-//! `s = |O - P| + W |dx| + H |dy|` the error `|d^ - d|` is at most `5 u (|P| + s)` (`tests/stability/src/proof/camera.rs`
-//! proves it from the formula). The code uses [`ROUNDINGS`] `= 8` instead of 5, which also covers the roundings of the
-//! bound itself.
+//! `s = |O - P| + W |dx| + H |dy|` the error `|d^ - d|` is at most `5 u (|P| + s)`
+//! (`tests/stability/src/proof/camera.rs` proves it from the formula). The code uses [`ROUNDINGS`] `= 8` instead of 5,
+//! which also covers the roundings of the bound itself.
 //!
 //! Let `D` be the distance of `P` from the plane of the window. No direction `d` is shorter than `D`, and no computed
 //! direction is shorter than `D - |d^ - d|`. So rounding turns a camera ray by an angle whose sine is at most

@@ -69,7 +69,8 @@ pub struct Probe {
     pub text: String,
     /// The numbers of all cases, as they lie in a buffer.
     pub input: Vec<u8>,
-    /// The readings of the program: what results that follow one are called, and such results. The first is "as written".
+    /// The readings of the program: what results that follow one are called, and such results. The first is "as
+    /// written".
     pub readings: Vec<(&'static str, Vec<u8>)>,
     /// Returns the verdict on results.
     pub judge: Judge,

@@ -1,5 +1,5 @@
-//! Holds the device to IEEE 754 and WGSL with the probes of `tests/common/conformance`. This command prints the table of
-//! verdicts for a device, in the form of `docs/gpu/probes.csv`:
+//! Holds the device to IEEE 754 and WGSL with the probes of `tests/common/conformance`. This command prints the table
+//! of verdicts for a device, in the form of `docs/gpu/probes.csv`:
 //!
 //!     cargo test -p gpu-check --test device conformance -- --nocapture
 

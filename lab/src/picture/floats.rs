@@ -69,8 +69,8 @@ impl Floats {
         })
     }
 
-    /// Whether these numbers are probably no linear light: they have one channel, NaN, clearly negative numbers, or whole
-    /// numbers above 1.
+    /// Whether these numbers are probably no linear light: they have one channel, NaN, clearly negative numbers, or
+    /// whole numbers above 1.
     pub fn is_no_light(&self) -> bool {
         let has = |is: fn(f32) -> bool| self.values.iter().any(|&value| is(value));
         let is_whole = || self.values.iter().all(|&value| value.fract() == 0.0) && has(|value| value > 1.0);

@@ -28,7 +28,8 @@ pub struct Input {
 }
 
 impl Input {
-    /// Returns the input file at `named`, whose links are followed now. The file may be missing, but its folder may not.
+    /// Returns the input file at `named`, whose links are followed now. The file may be missing, but its folder may
+    /// not.
     ///
     /// # Errors
     /// A message if there is something else than a regular file that can be read, or no folder.

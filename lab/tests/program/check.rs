@@ -7,8 +7,8 @@ use test_support::folder::Folder;
 
 use crate::{bash, lab};
 
-/// Checks the program with this text and this limit of time. Returns the exit status, the kinds of all faults, and those
-/// of all remarks.
+/// Checks the program with this text and this limit of time. Returns the exit status, the kinds of all faults, and
+/// those of all remarks.
 fn checked(script: &str, seconds: &str) -> (Option<i32>, [BTreeSet<String>; 2]) {
     let folder = Folder::new();
     let program = folder.write("program", format!("#!/bin/sh\n{script}\n"));

@@ -7,8 +7,8 @@ use crate::bash;
 
 /// Number of pixels of the pictures, in a square.
 const PIXELS: usize = 2048 * 2048;
-/// Address space in KiB that a command on a tiny picture takes, and half as much: the program, its stack, its heap and the
-/// spare memory. A picture of one pixel took 39,257 KiB.
+/// Address space in KiB that a command on a tiny picture takes, and half as much: the program, its stack, its heap and
+/// the spare memory. A picture of one pixel took 39,257 KiB.
 const BASE: usize = 60_000;
 
 /// Commands, with the bytes a pixel that they take.

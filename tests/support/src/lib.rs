@@ -1,8 +1,8 @@
 //! Code that the tests of all crates share.
 //!
 //! [`agreement`] compares the renderer with the reference. [`golden`] lists the pictures whose digests come from other
-//! programs, and [`format::digest`] computes digests. [`p3`] is a strict reader of pictures. [`running`] ends processes, and
-//! `injection` makes system calls of a program fail. The crate `generator` generates scenes.
+//! programs, and [`format::digest`] computes digests. [`p3`] is a strict reader of pictures. [`running`] ends
+//! processes, and `injection` makes system calls of a program fail. The crate `generator` generates scenes.
 //!
 //! The tests of the built programs are in `cli/tests`, because Cargo builds the programs first there. The tests that
 //! need only the library are in `tests`.

@@ -63,7 +63,8 @@ fn a_process_gets_a_signal() {
 fn signalled(number: c_int, before: &str) -> (Option<c_int>, bool, usize) {
     let folder = Folder::new();
     let program = std::env::current_exe().expect("this process has a program");
-    // `env` sets the action of the signal, because a test under nohup inherits it as ignored, which a shell cannot undo.
+    // `env` sets the action of the signal, because a test under nohup inherits it as ignored, which a shell cannot
+    // undo.
     let action = if before == "ignored" { "ignore" } else { "default" };
     let output = Command::new("env")
         .arg(format!("--{action}-signal={number}"))

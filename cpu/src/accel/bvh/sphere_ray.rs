@@ -9,8 +9,8 @@
 //! Let `u = 2^-24`, and let `o` be the ray's origin. `M` is the sum of `|o|` and `P` over the three axes, where `P` is
 //! the largest magnitude of a plane of the scene along the axis. So `|x| <= M` and `R <= M`, apart from the step of up
 //! to a 127th of a node by which bytes may move a centre or a radius. The test decides about three things: the
-//! distance from the line, the entry and the exit. `tests/stability/src/proof/boxes.rs` proves that they need margins of
-//! less than `31 u M`, `22 u M` and `15 u M`, with the steps of bytes. The code enlarges each radius by `32 u M`. So
+//! distance from the line, the entry and the exit. `tests/stability/src/proof/boxes.rs` proves that they need margins
+//! of less than `31 u M`, `22 u M` and `15 u M`, with the steps of bytes. The code enlarges each radius by `32 u M`. So
 //! the test never discards a bounding sphere that the ray hits before the closest hit so far.
 //!
 //! What happens at extreme magnitudes? Coordinates are at most 10^9, or 10^17 if the ray starts on a giant, so no

@@ -125,8 +125,8 @@ fn flushed<T: Number>(number: T, flush: bool) -> T {
     T::select(flush && number.abs().less(T::TINY), zero, number)
 }
 
-/// Returns the results of `formula` if, for each of `choices`, its bits say whether the first input, the second input and
-/// the result are flushed. A zero that replaces a number may have either sign.
+/// Returns the results of `formula` if, for each of `choices`, its bits say whether the first input, the second input
+/// and the result are flushed. A zero that replaces a number may have either sign.
 fn flushing<T: Number>([a, b]: [T; 2], formula: fn(T, T) -> T, choices: std::ops::RangeInclusive<u8>) -> Vec<T> {
     let exact = formula(a, b);
     let results = choices.flat_map(|choice| {
@@ -205,8 +205,8 @@ fn comparison<T: Number>() -> Vec<Probe> {
     ]
 }
 
-/// 15.7.6: a conversion to f32 gives either neighbour, to u32 it rounds toward zero. 17.2: `bitcast` keeps the bits, but
-/// may flush subnormal numbers (15.7.2).
+/// 15.7.6: a conversion to f32 gives either neighbour, to u32 it rounds toward zero. 17.2: `bitcast` keeps the bits,
+/// but may flush subnormal numbers (15.7.2).
 fn conversion() -> Vec<Probe> {
     /// Ties, neighbours of ties and the largest numbers.
     const WORDS: [u32; 10] =
@@ -237,7 +237,8 @@ fn conversion() -> Vec<Probe> {
     ]
 }
 
-/// Integer arithmetic, of which f64 by integers consists. 8.7: it is modulo 2^32, a / 0 is a. 8.9: a shift is modulo 32.
+/// Integer arithmetic, of which f64 by integers consists. 8.7: it is modulo 2^32, a / 0 is a. 8.9: a shift is modulo
+/// 32.
 fn integer() -> Vec<Probe> {
     const CORNERS: [u32; 9] = [0, 1, 2, 7, 0x7fff_ffff, 0x8000_0000, 0x8000_0001, 0xffff_fffe, u32::MAX];
 
