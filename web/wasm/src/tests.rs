@@ -132,8 +132,8 @@ fn the_shaders_get_a_scene() {
     let largest = exact.iter().zip(&single).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
     assert!(largest > 0.0 && largest < 1e-4, "f32 differs from f64 by rounding: {largest}");
 
-    // The ray beside the middle goes along (0.375, -0.375, 3), whose unit vector has z = 0.9847. So it hits the sphere of
-    // radius 1 at 3 z - sqrt(9 z^2 - 8) = 2.1014 units from the camera, with the normal towards the camera.
+    // The ray beside the middle goes along (0.375, -0.375, 3), whose unit vector has z = 0.9847. So it hits the sphere
+    // of radius 1 at 3 z - sqrt(9 z^2 - 8) = 2.1014 units from the camera, with the normal towards the camera.
     assert_eq!((truth(2), result_length()), (0, 8 * 8 * 6 * 8));
     let seen: Vec<f64> =
         state().result.chunks(8).map(|bytes| f64::from_le_bytes(bytes.try_into().expect("8 bytes"))).collect();
