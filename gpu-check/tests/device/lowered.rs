@@ -1,6 +1,6 @@
 //! Compares f64 by integers with Rust's f64: every operation, every formula, and whole pictures.
 //!
-//! The variable `LOWERED_CASES` sets the number of cases of each operation.
+//! `RENDER_CASES` sets the number of cases of each operation.
 
 pub mod operands;
 pub mod operations;
@@ -11,6 +11,7 @@ use gpu_check::pipeline::Content;
 use gpu_check::{Error, Form, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
+use test_support::number_of;
 
 use crate::common::{self, Accuracy};
 use crate::kernels::kernel::{Tally, compare};
@@ -19,7 +20,7 @@ use crate::scenes;
 use operands::draw;
 use operations::{BASIC, COMPOSITE, Operation};
 
-/// Number of cases of each operation, unless `LOWERED_CASES` sets another, and the largest number of them in memory.
+/// Number of cases of each operation, unless `RENDER_CASES` sets another, and the largest number of them in memory.
 const CASES: u64 = 1_000_000;
 /// Number of random scenes.
 const RANDOM_SCENES: u64 = 60;
@@ -53,8 +54,8 @@ pub fn check(gpu: &Gpu, operation: &Operation, arithmetic: &Arithmetic, cases: &
 #[test]
 fn every_operation_gives_the_bits_of_rust() {
     let gpu = common::gpu();
-    let count = std::env::var("LOWERED_CASES").map_or(CASES, |text| text.parse().expect("LOWERED_CASES is a number"));
-    assert!(count > 0, "LOWERED_CASES must be positive");
+    let count = number_of("RENDER_CASES").unwrap_or(CASES);
+    assert!(count > 0, "RENDER_CASES must be positive");
     let mut faults = Vec::new();
     for first in (0..count).step_by(CASES as usize) {
         let cases = (first..count.min(first + CASES)).flat_map(|index| draw(30, index)).collect::<Vec<_>>();
