@@ -16,7 +16,7 @@ use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 /// The constants of the error bound for cylinders. The error constant is 192. `tests/stability/src/proof/exact.rs`
 /// proves that 121 is enough for the discriminant of [`CylinderRecord::quadratic`], and 138 for the numerator of a
 /// root. The condition limit, 65,536, decides the accuracy. With it, the relative error of lambda is proven to be at
-/// most 1.7e-10 on the side and 6.0e-10 on a cap. The largest error that `stress` finds is 2.0e-11 (docs/accuracy).
+/// most 1.7e-10 on the side and 6.0e-10 on a cap. docs/accuracy has the largest error that `stress` finds.
 pub const CYLINDER_BOUND: BoundConstants = BoundConstants { error_constant: 192.0, condition_limit: 65536.0 };
 
 /// A ray is steep enough for the side of a cylinder if `|d|^2` is at most this multiple of `k^2 |d'|^2`, where `k` is

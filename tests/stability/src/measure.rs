@@ -1,6 +1,7 @@
 //! Measures the errors of an implementation in a regime, and how often it is wrong.
 
 use cpu::internals::exact::error_bound::Decision;
+use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::{Ray, Vec3};
 
@@ -21,14 +22,14 @@ pub struct Row {
     pub cases: usize,
     /// Number of cases in which the ray hits the object.
     pub hits: usize,
-    /// Number of cases with a wrong hit, miss, root or part.
-    pub wrong: usize,
+    /// Number of cases with each [`Fault`], in the order of the enumeration.
+    pub faults: [usize; 3],
     /// Number of wrong cases that stay wrong if the surface moves by 8 u S. `None` for cylinders, for which this is not
     /// computed.
     pub wrong_beyond_noise: Option<usize>,
     /// Number of right hits with the wrong side: inside instead of outside, or the reverse.
     pub wrong_side: usize,
-    /// Relative errors of lambda, for the cases with a right decision: the median, the value that 99.9 % of the errors
+    /// Relative errors of lambda, for the hits without a [`Fault`]: the median, the value that 99.9 % of the errors
     /// do not exceed, and the largest.
     pub lambda_error: [f64; 3],
     /// Distances of the hit points from the surface, in units of u times the largest coordinate: the median and the
@@ -36,6 +37,25 @@ pub struct Row {
     pub surface_error: [f64; 2],
     /// Time of one intersection in nanoseconds, the shortest of nine passes.
     pub nanoseconds: f64,
+}
+
+impl Row {
+    /// Returns the number of cases with a wrong decision.
+    #[must_use]
+    pub fn wrong(&self) -> usize {
+        self.faults.iter().sum()
+    }
+}
+
+/// A wrong decision about a case. The error of lambda is no decision: [`judge_answer`] measures it apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// A miss instead of a hit, or the reverse.
+    Hit,
+    /// A hit of another part of the object.
+    Part,
+    /// A hit of the right part where the line crosses this part the other time.
+    Root,
 }
 
 /// The cases of a regime with the oracle's answers, twice: in double precision, and rounded to single precision.
@@ -82,15 +102,17 @@ impl Judged {
         };
         let (mut lambda_errors, mut surface_errors) = (Vec::new(), Vec::new());
         for ((case, judgement), answer) in cases.iter().zip(judgements).zip(answers) {
-            let Some(error) =
-                lambda_error(judgement, answer.map(|found| (found.lambda, found.part)), method.unit_roundoff())
-            else {
-                row.wrong += 1;
-                let noise = 8.0 * method.unit_roundoff() * case.size();
-                if let (Some(count), Some(slack)) = (&mut row.wrong_beyond_noise, judgement.slack) {
-                    *count += usize::from(slack > noise);
+            let found = answer.map(|found| (found.lambda, found.part));
+            let error = match judge_answer(judgement, found, method.unit_roundoff()) {
+                Ok(error) => error,
+                Err(fault) => {
+                    row.faults[fault as usize] += 1;
+                    let noise = 8.0 * method.unit_roundoff() * case.size();
+                    if let (Some(count), Some(slack)) = (&mut row.wrong_beyond_noise, judgement.slack) {
+                        *count += usize::from(slack > noise);
+                    }
+                    continue;
                 }
-                continue;
             };
             let (Some(truth), Some(answer)) = (&judgement.truth, answer) else { continue };
             lambda_errors.push(error);
@@ -137,24 +159,30 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// Returns the relative error of lambda, or `None` if the decision is wrong. For a right miss the error is 0. An
-/// `answer` is a lambda and a part.
-#[must_use]
-pub fn lambda_error(judgement: &Judgement, answer: Found, unit_roundoff: f64) -> Option<f64> {
-    match (&judgement.truth, answer) {
-        (None, None) => Some(0.0),
-        (Some(truth), Some((lambda, part))) if truth.part == part => {
-            let lambda = big(lambda);
-            let distance = |other: &oracle::Big| to_f64(&(&lambda - other)).abs();
-            let error = distance(&truth.lambda);
-            // If lambda is nearer to another crossing, it is the wrong root. If two roots are too near to be
-            // distinguished in this precision, they count as one root.
-            let resolution = 4.0 * unit_roundoff * to_f64(&truth.lambda);
-            let other_root = judgement.crossings.iter().any(|other| distance(other) < error);
-            (!other_root || error <= resolution).then(|| error / to_f64(&truth.lambda))
-        }
-        _ => None,
+/// Compares an answer, which is a lambda and a part, with the oracle's. Returns the relative error of lambda; for a right
+/// miss it is 0.
+///
+/// # Errors
+/// The decision that is wrong. An answer takes the root of its part that is nearest to its lambda. Two roots that are
+/// too near to be told apart in this precision count as one.
+pub fn judge_answer(judgement: &Judgement, answer: Found, unit_roundoff: f64) -> Result<f64, Fault> {
+    let (truth, (lambda, part)) = match (&judgement.truth, answer) {
+        (None, None) => return Ok(0.0),
+        (Some(truth), Some(answer)) => (truth, answer),
+        _ => return Err(Fault::Hit),
+    };
+    if truth.part != part {
+        return Err(Fault::Part);
     }
+    let lambda = big(lambda);
+    let distance = |other: &oracle::Big| to_f64(&(&lambda - other)).abs();
+    let error = distance(&truth.lambda);
+    let resolution = 4.0 * unit_roundoff * to_f64(&truth.lambda);
+    let is_nearer = |(of, other): &(CylinderPart, oracle::Big)| *of == part && distance(other) < error;
+    if error > resolution && judgement.crossings.iter().any(is_nearer) {
+        return Err(Fault::Root);
+    }
+    Ok(error / to_f64(&truth.lambda))
 }
 
 /// Returns the largest magnitude in the computation of a hit point: of the coordinates of the point and of the ray's
@@ -172,3 +200,6 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     values[((values.len() - 1) as f64 * share).round() as usize]
 }
+
+#[cfg(test)]
+mod tests;

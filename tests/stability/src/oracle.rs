@@ -49,8 +49,8 @@ pub struct Truth {
 pub struct Judgement {
     /// The hit, or `None` if the ray misses the object.
     pub truth: Option<Truth>,
-    /// All lambdas at which the line crosses the infinite surfaces of the object, in range or not.
-    pub crossings: Vec<Big>,
+    /// All lambdas at which the line crosses the infinite surfaces of the object, in range or not, each with its part.
+    pub crossings: Vec<(CylinderPart, Big)>,
     /// The smallest distance by which a sphere's surface must move to change the decision. Then the line is tangent, or
     /// the point at the least lambda is on the surface. `None` for cylinders, for which it is not computed.
     pub slack: Option<f64>,
@@ -142,13 +142,13 @@ fn judge_sphere(sphere: &Sphere, ray: &Ray) -> Judgement {
         return Judgement { truth: None, crossings: Vec::new(), slack };
     }
     let root = discriminant.sqrt();
-    let crossings = vec![(&h - &root) / &a, (&h + &root) / &a];
-    let truth = crossings.iter().enumerate().find(|(_, lambda)| in_range(lambda)).map(|(index, lambda)| Truth {
+    let roots = [(&h - &root) / &a, (&h + &root) / &a];
+    let truth = roots.iter().enumerate().find(|(_, lambda)| in_range(lambda)).map(|(index, lambda)| Truth {
         lambda: lambda.clone(),
         part: CylinderPart::Side,
         front: index == 0 && root > Big::ZERO,
     });
-    Judgement { truth, crossings, slack }
+    Judgement { truth, crossings: roots.map(|root| (CylinderPart::Side, root)).into(), slack }
 }
 
 fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
@@ -176,7 +176,7 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
             let front = index == 0 && root > Big::ZERO;
             hits.push(Truth { lambda: roots[index].clone(), part: CylinderPart::Side, front });
         }
-        crossings.extend(roots);
+        crossings.extend(roots.map(|root| (CylinderPart::Side, root)));
     }
 
     let steep = &slope * &slope >= big(PARALLEL) * big(PARALLEL) * &square;
@@ -191,7 +191,7 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
         if in_range(&lambda) && at_most(&dot(&from_base, &from_base), &radius_squared) {
             hits.push(Truth { lambda: lambda.clone(), part, front: outward < Big::ZERO });
         }
-        crossings.push(lambda);
+        crossings.push((part, lambda));
     }
 
     // The hit with the smallest lambda. Of hits with equal lambdas, the first one counts.

@@ -31,20 +31,27 @@ pub struct Picture {
 #[must_use]
 pub fn errors(kinds: &[(&str, &[Section])]) -> String {
     let mut text = String::from(
-        "object,regime,implementation,cases,hits,wrong,wrong_beyond_8uS,wrong_side,lambda_p50,lambda_p999,lambda_max,\
-         surface_p50,surface_max,compensated,dyadic\n",
+        "object,regime,implementation,cases,hits,wrong,wrong_hit,wrong_part,wrong_root,wrong_beyond_8uS,wrong_side,\
+         lambda_p50,lambda_p999,lambda_max,surface_p50,surface_max,compensated,dyadic\n",
     );
     for (kind, sections) in kinds {
         for Section { rows, fallbacks: [compensated, dyadic] } in *sections {
             for row in rows {
                 let [median, high, most] = row.lambda_error;
                 let [near, far] = row.surface_error;
+                let [hit, part, root] = row.faults;
                 let beyond = row.wrong_beyond_noise.map_or(String::new(), |count| count.to_string());
                 // Writing to a `String` never fails, so errors are ignored.
                 let _ = writeln!(
                     text,
-                    "{kind},\"{}\",{},{},{},{},{beyond},{},{median:e},{high:e},{most:e},{near:e},{far:e},{compensated},{dyadic}",
-                    row.regime, row.method, row.cases, row.hits, row.wrong, row.wrong_side
+                    "{kind},\"{}\",{},{},{},{},{hit},{part},{root},{beyond},{},{median:e},{high:e},{most:e},{near:e},{far:e},\
+                     {compensated},{dyadic}",
+                    row.regime,
+                    row.method,
+                    row.cases,
+                    row.hits,
+                    row.wrong(),
+                    row.wrong_side
                 );
             }
         }
@@ -107,9 +114,12 @@ mod tests {
     #[test]
     fn every_table_has_a_head_and_a_row_for_each_measurement() {
         let row = |method| Row { regime: "ordinary", method, nanoseconds: 12.34, ..Row::default() };
-        let sections = [Section { rows: vec![row("plain f64"), row("exact f64")], fallbacks: [0.25, 0.0] }];
+        let sections = [Section {
+            rows: vec![row("plain f64"), Row { faults: [1, 2, 3], ..row("exact f64") }],
+            fallbacks: [0.25, 0.0],
+        }];
         let kinds: [(&str, &[Section]); 1] = [("sphere", &sections)];
-        assert!(errors(&kinds).ends_with("sphere,\"ordinary\",exact f64,0,0,0,,0,0e0,0e0,0e0,0e0,0e0,0.25,0\n"));
+        assert!(errors(&kinds).ends_with("sphere,\"ordinary\",exact f64,0,0,6,1,2,3,,0,0e0,0e0,0e0,0e0,0e0,0.25,0\n"));
         assert!(costs(&kinds).ends_with("sphere,\"ordinary\",exact f64,12.3\n"));
         let large = large_spheres(&[1.0, 10.0], &[("exact f64", vec![0.0, 0.5])]);
         assert!(large.ends_with("\nexact f64,1e0,0\nexact f64,1e1,0.5\n"));

@@ -8,7 +8,7 @@ use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::input::scene::{Cylinder, Shape};
 use cpu::{Ray, Vec3};
 use stability::case::Case;
-use stability::measure::lambda_error;
+use stability::measure::judge_answer;
 use stability::oracle;
 use stability::record::Found;
 use stability::regimes::{CYLINDERS, EXTREMES, LIMITS, SPHERES};
@@ -40,8 +40,9 @@ fn every_decision_is_right_and_every_lambda_within_its_bound() {
         let (mut hits, mut worst, mut share) = (0, 0.0_f64, 0.0_f64);
         for case in regime.cases(seed, rays) {
             let (judgement, answer) = (oracle::judge(&case), exact_answer(&case));
-            let error = lambda_error(&judgement, answer, f64::EPSILON / 2.0);
-            let error = error.unwrap_or_else(|| panic!("{}: {case:?} gives {answer:?}", regime.name));
+            let error = judge_answer(&judgement, answer, f64::EPSILON / 2.0);
+            let error =
+                error.unwrap_or_else(|fault| panic!("{}: {case:?} gives {answer:?}, a wrong {fault:?}", regime.name));
             let (record, ray) = case.of::<f64>();
             plain_wrong += usize::from(record.plain(&ray).map(|hit| hit.1) != answer.map(|hit| hit.1));
             hits += usize::from(judgement.truth.is_some());
