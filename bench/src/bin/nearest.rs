@@ -51,7 +51,6 @@ fn main() -> ExitCode {
 
 /// Measures and prints. Returns whether enough hits agree in every row.
 fn run(command: &CommandLine) -> Result<bool, String> {
-    InstructionSet::named()?;
     let mut sets = sets();
     sets.retain(|(name, _)| command.set.as_ref().is_none_or(|set| set == name));
     if sets.is_empty() {

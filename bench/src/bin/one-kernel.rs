@@ -26,7 +26,6 @@ fn counted_work(work: &mut dyn Work) {
 
 fn main() -> ExitCode {
     bench::main(|Options { name }| {
-        let _ = bench::instruction_set();
         let Some(name) = name else {
             kernels::all().iter().for_each(|kernel| println!("{}", kernel.name));
             return Ok(true);
