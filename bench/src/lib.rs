@@ -14,8 +14,8 @@ use std::process::ExitCode;
 use clap::Parser;
 
 /// Parses the command line of a program and runs it. The exit status is 0 if `run` returns true, 1 if it returns false,
-/// and 2 for an error, whose message is printed. It is an error if `RENDER_INSTRUCTION_SET` names no set of this machine:
-/// the evaluated programs would ignore the name, and another set would be measured.
+/// and 2 for an error, whose message is printed. It is an error if `RENDER_INSTRUCTION_SET` names no set of this
+/// machine: the evaluated programs would ignore the name, and another set would be measured.
 pub fn main<O: Parser>(run: impl FnOnce(&O) -> Result<bool, String>) -> ExitCode {
     let options = O::parse();
     match cpu::internals::InstructionSet::named().and_then(|_| run(&options)) {
