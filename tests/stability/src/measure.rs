@@ -159,8 +159,8 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// Compares an answer, which is a lambda and a part, with the oracle's. Returns the relative error of lambda, which is 0
-/// for a right miss.
+/// Compares an answer, which is a lambda and a part, with the oracle's. Returns the relative error of lambda, which is
+/// 0 for a right miss.
 ///
 /// # Errors
 /// The decision that is wrong. An answer takes the root of its part that is nearest to its lambda. Two roots that are
