@@ -17,10 +17,11 @@
 //! is used by instruction sets with at least eight lanes of `f32`. From 20,000 objects on, unless they are sparse, a
 //! [`Bvh`] has bounding spheres instead of boxes where it can (`accel/bvh/sphere_leaf.rs`).
 //!
-//! With a [`SmallScene`] two more choices follow. With fewer than four objects, paths are traced with a lookahead
+//! With a [`SmallScene`] one more choice follows. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
-//! Specular chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
-//! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`,
+//! Frustum culling visits the boxes of a [`Bvh`] ([`Accel::visit_boxes`]). Specular chains use a structure only beyond
+//! 64 objects and with extreme magnitudes; otherwise lanes of rays are tested against every object
+//! (`render/specular_chains.rs`). The limits stand beside what they limit: `accel/extent.rs`,
 //! `accel/may_hit/object_lanes.rs`, `accel/flat_filter.rs`, `accel/may_hit/filter_ray.rs` and `accel/small_scene.rs`.
 //! [`FlatFilter`] and [`Bvh`] test a sphere much larger than all other objects separately (`accel/dominant_sphere.rs`).
 //! A [`Bvh`] also tests objects separately that are tiny or reach much farther than all others (`accel/giants.rs`).
@@ -60,7 +61,7 @@ impl Accel {
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
         let is_small = count(objects) <= may_hit::object_lanes::PLACES;
-        Ok(if !extent.moderate || is_small && (extent.has_tiny || extent.max_coordinate > Extent::LARGEST) {
+        Ok(if !extent.moderate || is_small && !extent.is_ordinary() {
             Self::EveryObject(EveryObject)
         } else if is_small {
             Self::SmallScene(SmallScene::new(objects, extent))
@@ -77,7 +78,7 @@ impl Accel {
         })
     }
 
-    /// Returns the structure whose few objects are intersected with one ray in each lane, if the scene has it.
+    /// Returns the structure for few objects, which can be tested with one ray in each lane, if the scene has it.
     #[inline(always)]
     pub(crate) const fn in_lanes(&self) -> Option<&SmallScene> {
         if let Self::SmallScene(small_scene) = self { Some(small_scene) } else { None }

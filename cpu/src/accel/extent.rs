@@ -41,6 +41,11 @@ impl Extent {
             && pixel >= Self::SMALLEST * Self::SMALLEST;
         Self { max_coordinate, moderate, has_tiny }
     }
+
+    /// Whether the [conservative tests](crate::accel::may_hit::conservative) are valid for all objects of the scene.
+    pub(crate) fn is_ordinary(&self) -> bool {
+        self.moderate && !self.has_tiny && self.max_coordinate <= Self::LARGEST
+    }
 }
 
 /// Returns a bound of the magnitudes of an object's coordinates, in scene units.

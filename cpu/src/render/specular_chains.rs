@@ -7,11 +7,28 @@ use crate::render::{
     samples::Batch, shade::shade, span_state::SpanState, surface_hit::SurfaceHit,
 };
 use crate::{
-    accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short, accel::object::ObjectId,
-    accel::object::ObjectRef, accel::object::count, accel::small_scene::SmallScene, accel::stack::Stack,
-    counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3,
-    simd::Kernel, simd::MOST_LANES, simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
+    accel::extent::Extent, accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short,
+    accel::may_hit::target::Target, accel::object::ObjectId, accel::object::ObjectRef, accel::object::count,
+    accel::stack::Stack, counters::Counter, counters::add, geometry::ray::Ray, input::error::Error,
+    input::error::with_room, layout::Layout, layout::OBJECTS, layout::Objects, math::vec3::Vec3, simd::Kernel,
+    simd::MOST_LANES, simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
 };
+
+/// Maximum number of objects of a scene whose chains are traced in lanes. Each object is tested for all lanes at once.
+/// With more objects, a tree that takes one ray at a time is faster.
+const MOST_IN_LANES: usize = 64;
+
+/// Returns the objects for the conservative tests of chains in lanes, in the order of their [numbers](ObjectId). The
+/// list is empty if chains are traced one after the other: there are too many objects, or the tests are not valid.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] if memory is short.
+pub(crate) fn chain_targets(objects: &impl Objects, extent: &Extent) -> Result<Vec<Target>, Error> {
+    let count = if extent.is_ordinary() && count(objects) <= MOST_IN_LANES { count(objects) } else { 0 };
+    let mut targets = with_room(count, OBJECTS)?;
+    targets.extend((0..count as ObjectId).map(|id| Target::of(objects, id, extent.max_coordinate)));
+    Ok(targets)
+}
 
 /// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
 /// the maximum depth. The samples on matte or metal surfaces are merged into the path queue. All other samples get
@@ -24,14 +41,14 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let SpanState { prepared, batch, tracer, stack, .. } = self.0;
-        if let Some(small_scene) = prepared.accel.in_lanes() {
+        if !prepared.chain_targets.is_empty() {
             let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
             while !rays.is_none() && batch.specular.count > 0 {
                 if rays.pauses() && tracer.limits.is_stopped() {
                     break;
                 }
                 rays = rays.minus_one();
-                step_all::<S, L>(prepared, small_scene, batch, rays);
+                step_all::<S, L>(prepared, batch, rays);
             }
             for at in 0..batch.specular.count {
                 let [.., sample] = batch.specular.entries.get(at);
@@ -50,7 +67,7 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
 /// Traces every chain to its next hit, as many at once as there are lanes. If the hit is refractive, the sample stays
 /// in the specular queue. `rays` is the number of rays that a sample may still send from that hit.
 #[inline(always)]
-fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene, batch: &mut Batch, rays: RaysLeft) {
+fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, rays: RaysLeft) {
     let background = prepared.background.lanes::<S::F64>();
     let rays = rays.in_lanes();
     let count = std::mem::take(&mut batch.specular.count);
@@ -59,7 +76,7 @@ fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene
         let valid = valid_lanes::<S::F64>(count - from);
         let [x, y, z, dx, dy, dz, _, sample] = batch.specular.entries.load::<S::F64>(from);
         let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-        let hits = closest_hit(&prepared.objects, small_scene, &ray, valid);
+        let hits = closest_hit(&prepared.objects, &prepared.chain_targets, &ray, valid);
         let missed = valid & !hits.bits;
         if missed != 0 {
             let [x, y, z] = background.color(ray.direction).to_array();
@@ -82,24 +99,23 @@ fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene
 /// Returns the closest hit of each ray. An object is intersected only if at least one of the rays may hit it, because
 /// neighbouring chains mostly miss the same objects. `valid` has a bit for each lane that holds a ray.
 #[inline(always)]
-fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
+fn closest_hit<V: SimdF64, O: Objects>(objects: &O, targets: &[Target], ray: &Ray<V>, valid: u32) -> HitLanes<V> {
     let mut hits = HitLanes::none();
     let rays = Rays::new(objects, ray, valid);
     let conservative = ConservativeRay::new(*ray);
     let too_short = V::bits(is_too_short(conservative.length_squared)) & valid;
-    for id in 0..count(objects) as ObjectId {
-        if (V::bits(small_scene.object_lanes.may_hit(id as usize, &conservative)) & valid) | too_short == 0 {
-            continue;
+    let (spheres, cylinders) = targets.split_at(objects.sphere_count().min(targets.len()));
+    for (index, target) in spheres.iter().enumerate() {
+        if (V::bits(conservative.sphere(&target.lanes())) & valid) | too_short != 0 {
+            let (id, record) = (index as ObjectId, objects.sphere(index).record);
+            hits.filtered_sphere(id, &record, &record.lanes().seen_from(ray.origin), &rays);
         }
-        match ObjectRef::of(objects, id) {
-            ObjectRef::Sphere(index) => {
-                let record = objects.sphere(index).record;
-                hits.filtered_sphere(id, &record, &record.lanes().seen_from(ray.origin), &rays);
-            }
-            ObjectRef::Cylinder(index) => {
-                let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
-                hits.filtered_cylinder(id, (&record, &axis), &record.lanes().seen_from(ray.origin), &rays);
-            }
+    }
+    for (index, target) in cylinders.iter().enumerate() {
+        if (V::bits(conservative.cylinder(&target.lanes())) & valid) | too_short != 0 {
+            let id = ObjectRef::Cylinder(index).number(spheres.len());
+            let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
+            hits.filtered_cylinder(id, (&record, &axis), &record.lanes().seen_from(ray.origin), &rays);
         }
     }
     hits
