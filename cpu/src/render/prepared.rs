@@ -2,12 +2,12 @@
 
 use std::borrow::Borrow;
 
-use crate::render::{background::Background, max_depth::RaysLeft, ray_error::RayError, specular_chains::chain_targets};
+use crate::render::{background::Background, max_depth::RaysLeft, ray_error::RayError};
 use crate::{
-    accel::choice::Accel, accel::extent::Extent, accel::may_hit::target::Target, geometry::camera::Camera,
-    image::quantize::Quantizer, input::config::Config, input::error::Error, input::error::with_room,
-    input::material::Material, input::scene::Scene, input::size::Size, layout::Layout, layout::Objects,
-    materials::prepared::PreparedMaterial, sampling::scatter_vectors::Scatter,
+    accel::choice::Accel, accel::extent::Extent, accel::may_hit::target::Target, accel::may_hit::target::targets,
+    geometry::camera::Camera, image::quantize::Quantizer, input::config::Config, input::error::Error,
+    input::error::with_room, input::material::Material, input::scene::Scene, input::size::Size, layout::Layout,
+    layout::Objects, materials::prepared::PreparedMaterial, sampling::scatter_vectors::Scatter,
 };
 
 /// The prepared scene: all values that rendering needs and that are the same for all rays.
@@ -29,7 +29,7 @@ pub struct Prepared<L: Layout> {
     pub moderate: bool,
     /// The acceleration structure over the objects.
     pub accel: Accel,
-    /// The objects for the tests of specular chains in lanes, if chains are traced so; see [`chain_targets`].
+    /// The objects for specular chains in lanes. It is empty if chains are traced one after the other; see [`targets`].
     pub chain_targets: Vec<Target>,
     /// The table that turns means into bytes.
     pub quantizer: Quantizer,
@@ -75,7 +75,7 @@ impl<L: Layout> Prepared<L> {
             background: Background::new(config),
             moderate: extent.moderate,
             accel: Accel::new(&mut objects, &extent)?,
-            chain_targets: chain_targets(&objects, &extent)?,
+            chain_targets: targets(&objects, &extent)?,
             objects,
             materials: prepared_materials,
             quantizer: Quantizer::new(config.gamma),

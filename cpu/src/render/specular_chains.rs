@@ -7,28 +7,11 @@ use crate::render::{
     samples::Batch, shade::shade, span_state::SpanState, surface_hit::SurfaceHit,
 };
 use crate::{
-    accel::extent::Extent, accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short,
-    accel::may_hit::target::Target, accel::object::ObjectId, accel::object::ObjectRef, accel::object::count,
-    accel::stack::Stack, counters::Counter, counters::add, geometry::ray::Ray, input::error::Error,
-    input::error::with_room, layout::Layout, layout::OBJECTS, layout::Objects, math::vec3::Vec3, simd::Kernel,
-    simd::MOST_LANES, simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
+    accel::may_hit::conservative::ConservativeRay, accel::may_hit::conservative::is_too_short,
+    accel::may_hit::target::Target, accel::object::ObjectId, accel::object::ObjectRef, accel::stack::Stack,
+    counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3,
+    simd::Kernel, simd::MOST_LANES, simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
 };
-
-/// Maximum number of objects of a scene whose chains are traced in lanes. Each object is tested for all lanes at once.
-/// With more objects, a tree that takes one ray at a time is faster.
-const MOST_IN_LANES: usize = 64;
-
-/// Returns the objects for the conservative tests of chains in lanes, in the order of their [numbers](ObjectId). The
-/// list is empty if chains are traced one after the other: there are too many objects, or the tests are not valid.
-///
-/// # Errors
-/// [`Error::OutOfMemory`] if memory is short.
-pub(crate) fn chain_targets(objects: &impl Objects, extent: &Extent) -> Result<Vec<Target>, Error> {
-    let count = if extent.is_ordinary() && count(objects) <= MOST_IN_LANES { count(objects) } else { 0 };
-    let mut targets = with_room(count, OBJECTS)?;
-    targets.extend((0..count as ObjectId).map(|id| Target::of(objects, id, extent.max_coordinate)));
-    Ok(targets)
-}
 
 /// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
 /// the maximum depth. The samples on matte or metal surfaces are merged into the path queue. All other samples get

@@ -1,8 +1,9 @@
 //! Spheres and cylinders in the form that the [conservative tests](crate::accel::may_hit::conservative) use.
 
-use crate::accel::object::{ObjectId, ObjectRef};
+use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef, object::count};
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
-use crate::layout::Objects;
+use crate::input::{error::Error, error::with_room};
+use crate::layout::{OBJECTS, Objects};
 use crate::math::{vec3::Vec3, vec3::broadcast};
 
 /// A bound of the rounding error in a computed hit point, relative to the scene's largest coordinate. It is 16,384 `u`,
@@ -10,6 +11,22 @@ use crate::math::{vec3::Vec3, vec3::broadcast};
 /// that no ray whose hit point lies on a cap's rim is discarded. The true error is thousands of times smaller
 /// (docs/margins.md).
 pub const SLACK: f64 = 8192.0 * f64::EPSILON;
+
+/// Maximum number of objects of a scene that are tested for several rays in lanes, one object after the other. With
+/// more objects, a tree that takes one ray at a time is faster.
+const MOST_IN_LANES: usize = 64;
+
+/// Returns all objects of a scene, in the order of their [numbers](ObjectId), for tests with one ray in each lane. The
+/// list is empty if there are too many objects, or if the tests are not valid.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] if memory is short.
+pub(crate) fn targets(objects: &impl Objects, extent: &Extent) -> Result<Vec<Target>, Error> {
+    let count = if extent.is_ordinary() && count(objects) <= MOST_IN_LANES { count(objects) } else { 0 };
+    let mut targets = with_room(count, OBJECTS)?;
+    targets.extend((0..count as ObjectId).map(|id| Target::of(objects, id, extent.max_coordinate)));
+    Ok(targets)
+}
 
 /// A sphere or a cylinder; `T` is a number or lanes. A test of a sphere uses only centre and radius.
 #[derive(Clone, Copy, Debug)]
