@@ -5,7 +5,9 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use shaders::{Composition, Precision};
-use wgpu::{Adapter, AdapterInfo, Backend, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
+use wgpu::{
+    Adapter, AdapterInfo, Backend, Device, DeviceDescriptor, DeviceType, ErrorFilter, Features, Limits, PollType, Queue,
+};
 
 use crate::form::Form;
 use crate::{Error, adapter};
@@ -94,6 +96,11 @@ impl Gpu {
     #[must_use]
     pub fn with_patience(self, patience: Duration) -> Self {
         Self { patience, ..self }
+    }
+
+    /// Whether the driver calculates on the CPU.
+    pub(crate) fn is_cpu(&self) -> bool {
+        self.info.device_type == DeviceType::Cpu
     }
 
     /// Returns the time limit of a run.

@@ -40,8 +40,8 @@ pub enum End {
 
 impl Limits {
     /// The limits of all programs. The largest shader of this project needs a quarter of the memory. The wall-clock
-    /// limit is six times the limit on processor time, because the machine may be busy.
-    pub const STANDARD: Self = Self { memory: 4 << 30, seconds: 20, patience: Duration::from_secs(120) };
+    /// limit is thirty times the limit on processor time, because the machine may be busy.
+    pub const STANDARD: Self = Self { memory: 4 << 30, seconds: 20, patience: Duration::from_secs(600) };
 
     /// Returns the limits as arguments for the separate process, which calls [`limit_this_process`].
     #[must_use]

@@ -10,7 +10,7 @@ use test_support::running::Running;
 use super::*;
 
 /// Time limit for the program to notice a change.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// A running program, and the lines that it writes. It is killed when this value is dropped.
 struct Watched(Running, Receiver<String>);
