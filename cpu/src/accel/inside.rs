@@ -11,8 +11,8 @@
 //! overflows with coordinates of up to 10^9.
 
 use crate::accel::{
-    extent::is_within, may_hit::conservative::ConservativeRay, may_hit::conservative::QUADRATIC_MARGIN,
-    may_hit::conservative::Quadratic, may_hit::target::SLACK, may_hit::target::Target, object::ObjectId,
+    extent::is_within, may_hit::conservative::ConservativeQuadratic, may_hit::conservative::ConservativeRay,
+    may_hit::conservative::QUADRATIC_MARGIN, may_hit::target::SLACK, may_hit::target::Target, object::ObjectId,
     object::ObjectRef, object::count, small_scene::SmallScene,
 };
 use crate::exact::error_bound::in_scale;
@@ -68,7 +68,7 @@ impl ConservativeRay<f64> {
 impl<T: Rounding> ConservativeRay<T> {
     /// Whether the quadratic is certainly negative at the smallest lambda in range.
     #[inline(always)]
-    pub fn starts_within(&self, &Quadratic { a, h, c, size }: &Quadratic<T>) -> T::Mask {
+    pub fn starts_within(&self, &ConservativeQuadratic { a, h, c, size }: &ConservativeQuadratic<T>) -> T::Mask {
         const SQUARED: f64 = LAMBDA_MIN * LAMBDA_MIN;
         let most_c = c + (size + self.length_squared * T::of(SQUARED)) * T::of(QUADRATIC_MARGIN);
         (a * T::of(SQUARED) - h * T::of(2.0 * LAMBDA_MIN) + most_c).less(T::of(0.0))

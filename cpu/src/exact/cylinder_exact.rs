@@ -21,7 +21,7 @@ struct Inputs {
     /// `d`: the ray's direction.
     direction: Exact3,
     /// `q`: the vector from the cylinder's centre to the ray's origin.
-    r_c: Exact3,
+    from_center: Exact3,
     /// `V`: the axis of the scene file, which is as long as the cylinder is high.
     axis: Exact3,
     radius_squared: Dyadic,
@@ -57,10 +57,10 @@ pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: Cylin
 impl Inputs {
     fn new(&CylinderRecord { center, radius, .. }: &CylinderRecord, axis: Vec3, ray: &Ray) -> Result<Self, NotFinite> {
         let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
-        let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
-        let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
+        let from_center = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
+        let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), from_center.dot(&axis));
         let (radius_squared, least) = (to_dyadic(radius)?.squared(), least_lambda()?);
-        Ok(Self { direction, r_c, axis, radius_squared, half, slope, height, least })
+        Ok(Self { direction, from_center, axis, radius_squared, half, slope, height, least })
     }
 
     /// Returns the side's lambda, or `None` if the ray misses the side.
@@ -68,8 +68,8 @@ impl Inputs {
         let length_squared = self.half.scaled(1);
         let flat = |product: Dyadic, along: Dyadic| &(&product * &length_squared) - &along;
         let a = flat(self.direction.dot(&self.direction), self.slope.squared());
-        let h = flat(self.r_c.dot(&self.direction), &self.height * &self.slope);
-        let c = flat(&self.r_c.dot(&self.r_c) - &self.radius_squared, self.height.squared());
+        let h = flat(self.from_center.dot(&self.direction), &self.height * &self.slope);
+        let c = flat(&self.from_center.dot(&self.from_center) - &self.radius_squared, self.height.squared());
         ExactQuadratic::with_roots(a, -&h, c)?.smallest_root(|root| self.side_counts(root))
     }
 
@@ -94,7 +94,7 @@ impl Inputs {
 
     /// Returns a cap's lambda, or `None` if the ray misses the cap. The rule is that of [`crate::geometry::cap`].
     fn cap(&self, is_bottom: bool) -> Exactly<ExactLambda> {
-        let Self { direction, r_c, axis, radius_squared, half, slope, least, .. } = self;
+        let Self { direction, from_center, axis, radius_squared, half, slope, least, .. } = self;
         let parallel = &to_dyadic(PARALLEL)?.squared() * &half.scaled(1);
         if (&slope.squared() - &parallel).sign() == Ordering::Less {
             return Ok(None);
@@ -105,7 +105,7 @@ impl Inputs {
         }
         // `point` is the vector from the cap's centre to the ray's point, times the denominator.
         let to_cap = axis.times(&to_dyadic(if is_bottom { -0.5 } else { 0.5 })?);
-        let point = r_c.minus(&to_cap).times(&denominator).plus(&direction.times(&numerator));
+        let point = from_center.minus(&to_cap).times(&denominator).plus(&direction.times(&numerator));
         let outside = &point.dot(&point) - &(radius_squared * &denominator.squared());
         Ok((outside.sign() != Ordering::Greater).then(|| ExactLambda::fraction(numerator, denominator)))
     }

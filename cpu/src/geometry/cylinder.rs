@@ -1,8 +1,8 @@
 //! Ray against closed cylinder (specification, sections 9.2 and 9.3).
 //!
-//! The curved side is part of the infinite cylinder `|r_c' + d' lambda|^2 = r^2`, with `r_c = O - C`. A prime marks the
-//! part of a vector that is perpendicular to the axis. With `a = d'.d'`, `c = r_c'.r_c' - r^2` and `h = r_c'.d'`, half
-//! of the linear coefficient, the roots are `(-h -+ sqrt(h^2 - a c)) / a`. The module of the
+//! The curved side is part of the infinite cylinder `|(O - C)' + d' lambda|^2 = r^2`. A prime marks the part of a vector
+//! that is perpendicular to the axis. With `a = d'.d'`, `c = (O - C)'.(O - C)' - r^2` and `h = (O - C)'.d'`, half of
+//! the linear coefficient, the roots are `(-h -+ sqrt(h^2 - a c)) / a`. The module of the
 //! [sphere](crate::geometry::sphere) explains why the formula with `h` gives the bits of the usual formula. A root
 //! counts if its point, measured along the axis, is at most half the height from the centre. The caps are discs in the
 //! planes at both ends ([`cap`]).
@@ -33,9 +33,9 @@ pub struct CylinderRecord<T = f64> {
 /// The terms of the cylinder's formula that are constant for all rays from one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CylinderView<T = f64> {
-    /// The vector from the cylinder's centre to the rays' origin, without its part along the axis.
-    pub r_c: Vec3<T>,
-    /// `r_c.r_c - r^2`, which is negative if the origin is inside the infinite cylinder.
+    /// The vector from the axis to the rays' origin, perpendicular to the axis. The statement calls it `r_c'`.
+    pub from_axis: Vec3<T>,
+    /// The square of its length, minus `r^2`, which is negative if the origin is inside the infinite cylinder.
     pub c: T,
     /// `|O - C|^2 + r^2`: the square of the distance from origin to centre, plus the square of the radius.
     pub squares: T,
@@ -44,7 +44,7 @@ pub struct CylinderView<T = f64> {
     pub along: T,
 }
 
-broadcast!(CylinderView: r_c; c, squares, along);
+broadcast!(CylinderView: from_axis; c, squares, along);
 broadcast!(CylinderRecord: center, axis, top, bottom; radius, radius_squared, half_height);
 
 /// The part of a cylinder that a ray hits.
@@ -93,10 +93,10 @@ impl<T: Real> CylinderRecord<T> {
     #[inline(always)]
     pub fn seen_from(&self, origin: Vec3<T>) -> CylinderView<T> {
         let from_center = origin - self.center;
-        let r_c = from_center.perpendicular_to(self.axis);
+        let from_axis = from_center.perpendicular_to(self.axis);
         CylinderView {
-            r_c,
-            c: r_c.dot(r_c) - self.radius_squared,
+            from_axis,
+            c: from_axis.dot(from_axis) - self.radius_squared,
             squares: from_center.dot(from_center) + self.radius_squared,
             along: from_center.dot(self.axis),
         }
@@ -108,7 +108,7 @@ impl<T: Real> CylinderRecord<T> {
     pub fn quadratic(&self, view: &CylinderView<T>, direction: Vec3<T>) -> (T, T, T) {
         let direction = direction.perpendicular_to(self.axis);
         let a = direction.dot(direction);
-        let h = view.r_c.dot(direction);
+        let h = view.from_axis.dot(direction);
         (a, h, h * h - a * view.c)
     }
 

@@ -71,11 +71,11 @@ pub fn twin<T: Float>(name: &str) -> Option<Twin<T>> {
         },
         "cylinder_seen_from" => |_, mut of| {
             let view = of.cylinder().seen_from(of.vector());
-            join([vector(view.r_c), number(view.c)])
+            join([vector(view.from_axis), number(view.c)])
         },
         "cylinder_quadratic" => |_, mut of| {
             let (cylinder, zero) = (of.cylinder(), T::of(0.0));
-            let view = CylinderView { r_c: of.vector(), c: of.number(), squares: zero, along: zero };
+            let view = CylinderView { from_axis: of.vector(), c: of.number(), squares: zero, along: zero };
             let (a, h, discriminant) = cylinder.quadratic(&view, of.vector());
             join([number(a), number(h), number(discriminant)])
         },

@@ -13,7 +13,7 @@ use crate::layout::Objects;
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
 /// The margin of the constant term `c` of a quadratic `a lambda^2 - 2 h lambda + c`, relative to the sum of the
-/// magnitudes of the terms of `c` ([`Quadratic::size`]). It is `1024 u`: room for about 1,000 roundings, each with a
+/// magnitudes of the terms of `c` ([`ConservativeQuadratic::size`]). It is `1024 u`: room for about 1,000 roundings, each with a
 /// relative error of at most `u = EPSILON / 2`. The tests and the exact formulas together need a quarter of this, so
 /// rounding never discards an object that the ray hits (docs/margins.md).
 pub const QUADRATIC_MARGIN: f64 = 512.0 * f64::EPSILON;
@@ -51,7 +51,7 @@ pub struct ConservativeRay<T> {
 
 /// The coefficients of `a lambda^2 - 2 h lambda + c`.
 #[derive(Clone, Copy)]
-pub struct Quadratic<T> {
+pub struct ConservativeQuadratic<T> {
     /// The coefficient of the square of lambda.
     pub a: T,
     /// Half of the linear coefficient, negated.
@@ -86,24 +86,24 @@ impl<T: Rounding> ConservativeRay<T> {
     #[inline(always)]
     pub fn sphere(&self, target: &Target<T>) -> T::Mask {
         let quadratic = self.sphere_quadratic(target);
-        let Quadratic { a, c, size, .. } = quadratic;
+        let ConservativeQuadratic { a, c, size, .. } = quadratic;
         !quadratic.has_no_root(a * size.mul_add_loosely(T::of(-QUADRATIC_MARGIN), c))
     }
 
     /// Returns the quadratic of ray and sphere.
     #[inline(always)]
-    pub fn sphere_quadratic(&self, target: &Target<T>) -> Quadratic<T> {
+    pub fn sphere_quadratic(&self, target: &Target<T>) -> ConservativeQuadratic<T> {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (c, size) = (q - target.radius_squared, q + target.radius_squared);
-        Quadratic { a: self.length_squared, h, c, size }
+        ConservativeQuadratic { a: self.length_squared, h, c, size }
     }
 
     /// Whether the ray may hit the cylinder.
     #[inline(always)]
     pub fn cylinder(&self, target: &Target<T>) -> T::Mask {
         let (across, slope, along) = self.cylinder_quadratic(target);
-        let Quadratic { a, c, size, .. } = across;
+        let ConservativeQuadratic { a, c, size, .. } = across;
         // The margin is proportional to the squared length of the whole direction. The part of the direction across the
         // axis may be nothing but rounding error.
         let least_product = size.mul_add_loosely(self.length_squared * T::of(-QUADRATIC_MARGIN), a * c);
@@ -115,11 +115,11 @@ impl<T: Rounding> ConservativeRay<T> {
     /// Returns the quadratic of the ray and the infinite cylinder. Then it returns the components along the axis of two
     /// vectors: the direction, and the vector from the ray's origin to the centre.
     #[inline(always)]
-    pub fn cylinder_quadratic(&self, target: &Target<T>) -> (Quadratic<T>, T, T) {
+    pub fn cylinder_quadratic(&self, target: &Target<T>) -> (ConservativeQuadratic<T>, T, T) {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
-        let across = Quadratic {
+        let across = ConservativeQuadratic {
             a: (-slope).mul_add_loosely(slope, self.length_squared),
             h: (-slope).mul_add_loosely(along, h),
             c: (-along).mul_add_loosely(along, q - target.radius_squared),
@@ -131,7 +131,7 @@ impl<T: Rounding> ConservativeRay<T> {
     }
 }
 
-impl<T: Rounding> Quadratic<T> {
+impl<T: Rounding> ConservativeQuadratic<T> {
     /// Whether the quadratic certainly has no root in range, at a lambda of at least [`LAMBDA_MIN`]. `least_product` is
     /// `a c`, lowered by the margin.
     #[inline(always)]
@@ -220,7 +220,8 @@ mod tests {
     fn the_quadratic_of_a_cylinder_is_that_of_the_plane_across_its_axis() {
         let target = Target::cylinder(&CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0)), 10.0);
         let ray = Ray { origin: Vec3::new(3.0, 5.0, 0.0), direction: Vec3::new(1.0, 2.0, 0.0) };
-        let (Quadratic { a, h, c, size }, slope, along) = ConservativeRay::new(ray).cylinder_quadratic(&target);
+        let (ConservativeQuadratic { a, h, c, size }, slope, along) =
+            ConservativeRay::new(ray).cylinder_quadratic(&target);
         // `(3 + lambda)^2 = 1`. The origin is at the squared distance 34, and the farthest point at 5, from the centre.
         assert_eq!([a, h, c, size, slope, along], [1.0, -3.0, 8.0, 39.0, 2.0, -5.0]);
     }
