@@ -3,6 +3,9 @@
 //! A block stands between a line `<!-- figures: NAME -->` and a line `<!-- end -->`. `docs/refresh` measures, and then
 //! writes the blocks by `BLESS=1 cargo test -p tests --test documentation blocks`.
 
+#[path = "blocks/accuracy.rs"]
+mod accuracy;
+
 use std::fmt::Write;
 
 use crate::project::Project;
@@ -92,6 +95,7 @@ fn block(project: &Project, name: &str) -> String {
         "speed of the bundled scenes" => speed(project, |scene| scene.starts_with("scenes/")),
         "speed" => speed(project, |_| true),
         "sets" => sets(project),
+        "accuracy" => accuracy::block(project),
         _ => panic!("there is no block of figures [{name}]"),
     }
 }
