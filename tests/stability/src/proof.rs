@@ -16,6 +16,7 @@ pub mod direction;
 pub mod exact;
 pub mod filters;
 mod frustum;
+pub mod gappa;
 pub mod interval;
 pub mod lanes;
 mod logarithm;

@@ -5,6 +5,7 @@ mod constants;
 mod extremes;
 mod functions;
 mod furnaces;
+mod gappa;
 mod near;
 mod pictures;
 mod proofs;
