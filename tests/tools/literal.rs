@@ -17,11 +17,7 @@ use generator::cameras::hard_camera;
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::golden::{self, Golden};
-use test_support::{number_of, p3, ppm, trial};
-
-/// The name of the compiler. It must be g++, because the digests depend on the random distributions of its library,
-/// libstdc++.
-const COMPILER: &str = "g++";
+use test_support::{cpp, number_of, p3, ppm, trial};
 
 /// The built program, in a folder that is removed by the last test that uses it.
 type Built = Result<(Folder, PathBuf), String>;
@@ -32,13 +28,13 @@ type Check = Box<dyn FnOnce(&Path) -> Result<(), Failed> + Send>;
 pub fn trials() -> Vec<Trial> {
     let cases = golden::cases();
     assert_eq!(cases.len(), 32, "16 scenes in both conventions");
-    let runs = Command::new(COMPILER).arg("--version").output().is_ok_and(|output| output.status.success());
+    let missing = cpp::missing();
     // The program is built once, by the first test that runs. A static value would never be dropped.
     let program: Arc<LazyLock<Built>> = Arc::new(LazyLock::new(build));
     let literal = |name: &str, check: Check| {
         let program = Arc::clone(&program);
         let test = move || check(&program.as_ref().as_ref().map_err(Clone::clone)?.1);
-        trial(format!("literal: {name}"), (!runs).then_some("needs g++"), test)
+        trial(format!("literal: {name}"), missing, test)
     };
     vec![
         literal("cases", Box::new(move |program| cases.iter().try_for_each(|golden| has_its_digest(golden, program)))),
@@ -50,13 +46,7 @@ pub fn trials() -> Vec<Trial> {
 /// Builds the program in a new folder.
 fn build() -> Built {
     let folder = Folder::new();
-    let program = folder.file("literal");
-    let mut compiler = Command::new(COMPILER);
-    // A fused multiply-add rounds once instead of twice, which would change bytes of the picture. So contraction is
-    // switched off.
-    compiler.args(["-std=c++20", "-O2", "-ffp-contract=off", "-o"]).arg(&program);
-    compiler.arg(test_support::project_root().join("tests/literal/literal.cpp"));
-    check(&compiler.output().map_err(|error| error.to_string())?)?;
+    let program = cpp::build("literal", &folder)?;
     Ok((folder, program))
 }
 

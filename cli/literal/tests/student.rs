@@ -1,6 +1,7 @@
-//! Diagnoses a program in C++ with mistakes, `student.cpp`, which shares nothing with the literal renderer.
+//! Diagnoses a program in C++ with mistakes, `tests/literal/student.cpp`, which shares nothing with the literal
+//! renderer.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use libtest_mimic::{Arguments, Failed};
@@ -8,7 +9,7 @@ use literal::cases::{Case, cases};
 use literal::develop::Picture;
 use literal::diagnose::Search;
 use test_support::folder::Folder;
-use test_support::{p3, trial};
+use test_support::{cpp, p3, trial};
 
 /// Mistakes of the student's program, and a part of the words of each deviation that must be named.
 const NAMED: &[(&str, &[&str])] = &[
@@ -54,8 +55,8 @@ const NAMED: &[(&str, &[&str])] = &[
     ("depth_more", &["one more ray"]),
     ("depth_less", &["one less ray"]),
     ("end_background", &["beyond the depth contributes the background"]),
-    ("limit_1e-4", &["1e-4 instead"]),
-    ("limit_1e-8", &["instead of 1e-3"]),
+    ("limit_1e_4", &["1e-4 instead"]),
+    ("limit_1e_8", &["instead of 1e-3"]),
     ("limit_0", &["is 0 instead"]),
     ("first_root", &["only the smaller root"]),
     ("far_root", &["the larger root is used for spheres"]),
@@ -80,6 +81,7 @@ const NAMED: &[(&str, &[&str])] = &[
     ("unit_vectors", &["unit vectors"]),
     ("ball", &["lie in the ball"]),
     ("cube_normalised", &["of the cube are normalised"]),
+    ("matte_alone", &["not added to the normal"]),
     ("no_reflectance", &["reflectance of matte and metal is left out"]),
     ("metal_not_unit", &["reflected direction of metal is not normalised"]),
     ("metal_unit_after", &["normalised after the diffusion"]),
@@ -91,8 +93,8 @@ const NAMED: &[(&str, &[&str])] = &[
     ("rho_never", &["always rho"]),
     ("no_total_reflection", &["total reflection"]),
     ("schlick", &["Schlick"]),
-    ("bias_1e-3", &["1e-3 along the normal"]),
-    ("bias_1e-4", &["1e-4 along the normal"]),
+    ("bias_1e_3", &["1e-3 along the normal"]),
+    ("bias_1e_4", &["1e-4 along the normal"]),
     ("bias_direction", &["1e-4 times the direction"]),
     ("background_swapped", &["colours are swapped"]),
     ("background_not_unit", &["the background uses the direction"]),
@@ -106,13 +108,13 @@ const NAMED: &[(&str, &[&str])] = &[
     ("mt32,rho_never", &["32-bit", "always rho"]),
     ("seeds_swapped,side_unit", &["seeds are swapped", "side is normalised"]),
     ("no_gamma,seed_per_row", &["gamma correction is missing", "each row"]),
-    ("limit_1e-4,no_flip", &["1e-4 instead", "not turned round"]),
+    ("limit_1e_4,no_flip", &["1e-4 instead", "not turned round"]),
     ("pv_positive,rounded", &["not negated", "rounded to the nearest"]),
     ("depth_more,no_diffusion", &["one more ray", "diffusion of metal is ignored"]),
     ("last_object,bgr", &["last object", "blue, green, red"]),
     ("origin_without_half,metal_unit_after", &["lacks the half pixel", "normalised after"]),
     ("refract_not_unit,no_total_reflection", &["without normalising it", "total reflection"]),
-    ("bias_1e-4,limit_0", &["1e-4 along the normal", "instead of 1e-3"]),
+    ("bias_1e_4,limit_0", &["1e-4 along the normal", "instead of 1e-3"]),
     ("zyx,height_double", &["z, y, x", "so it doubles"]),
     ("unit_vectors,y_before_x", &["unit vectors", "y is drawn before"]),
     ("zyx,half_twice,no_reflectance", &["z, y, x", "half pixel", "left out"]),
@@ -168,20 +170,11 @@ fn names_every_mistake(program: &Path) -> Result<(), Failed> {
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
 }
 
-/// Builds the student's program in the folder.
-fn build(folder: &Folder) -> Result<PathBuf, Failed> {
-    let program = folder.file("student");
-    let source = test_support::project_root().join("cli/literal/tests/student.cpp");
-    let output = Command::new("g++").args(["-std=c++20", "-O2", "-o"]).arg(&program).arg(source).output()?;
-    if output.status.success() { Ok(program) } else { Err(String::from_utf8_lossy(&output.stderr).into()) }
-}
-
 fn main() {
-    let runs = Command::new("g++").arg("--version").output().is_ok_and(|output| output.status.success());
-    let test = move || {
+    let test = || {
         let folder = Folder::new();
-        names_every_mistake(&build(&folder)?)
+        names_every_mistake(&cpp::build("student", &folder)?)
     };
-    let trials = vec![trial("every mistake of a student's program is named", (!runs).then_some("needs g++"), test)];
+    let trials = vec![trial("every mistake of a student's program is named", cpp::missing(), test)];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

@@ -2,13 +2,12 @@
 //!
 //! Each function of [`TARGETS`] takes any bytes, and panics if the code under test breaks a promise. The program in the
 //! folder `targets` passes the functions to libFuzzer. `tests/smoke.rs` calls them with any toolchain. It uses the
-//! [`inputs`] of a target, and thousands of seeded [mutations](mutate) of them.
+//! [`inputs`] of a target, and thousands of seeded [mutations](test_support::mutate) of them.
 //!
 //! An oracle is never the code under test. The parsers are compared with the [`plain`] parsers, which are written from
 //! docs/specification.md alone. The fast renderer is compared with `cpu::reference`. The reader of pictures is compared
 //! with a plain reader, and must read what the writers have written.
 
-pub mod mutate;
 pub mod picture;
 pub mod plain;
 pub mod render;
@@ -64,7 +63,10 @@ pub fn inputs(target: &str) -> Vec<Vec<u8>> {
         "render" => {
             let mut random = Uniform::new(1);
             let lengths = [40, 60, 90, 130, 200, 260, 400];
-            inputs.extend(lengths.map(|length| (0..length).map(|_| mutate::below(&mut random, 256) as u8).collect()));
+            inputs.extend(
+                lengths
+                    .map(|length| (0..length).map(|_| test_support::mutate::below(&mut random, 256) as u8).collect()),
+            );
         }
         _ => inputs.extend(paths(&fuzz_folder().join("seeds").join(target)).iter().map(|path| read(path))),
     }

@@ -187,7 +187,7 @@ mod tests {
     use cpu::internals::sampling::uniform::Uniform;
 
     use super::*;
-    use crate::mutate::below;
+    use test_support::mutate::below;
 
     #[test]
     fn every_choice_is_a_valid_pair_of_files_and_many_have_objects() {

@@ -3,8 +3,8 @@
 //! The variable `RENDER_CASES` sets the number of mutations for each target. `RENDER_SEED` sets their seed.
 
 use cpu::internals::sampling::uniform::Uniform;
-use fuzz_oracles::mutate::{below, mutate};
 use fuzz_oracles::{check, dictionary, inputs};
+use test_support::mutate::{below, mutate};
 use test_support::number_of;
 
 /// A description of an input and the input. It prints both if it is dropped during a panic, so that the input can be

@@ -2,17 +2,21 @@
 //!
 //! [`agreement`] compares the renderer with the reference. [`golden`] lists the pictures whose digests come from other
 //! programs, and [`format::digest`] computes digests. [`p3`] is a strict reader of pictures. [`running`] ends
-//! processes, and `injection` makes system calls of a program fail. The crate `generator` generates scenes.
+//! processes, and `injection` makes system calls of a program fail. `cpp` builds the programs in C++, and
+//! [`mutate`] changes inputs. The crate `generator` generates scenes.
 //!
 //! The tests of the built programs are in `cli/tests`, because Cargo builds the programs first there. The tests that
 //! need only the library are in `tests`.
 
 pub mod agreement;
 #[cfg(feature = "programs")]
+pub mod cpp;
+#[cfg(feature = "programs")]
 pub mod folder;
 pub mod golden;
 #[cfg(unix)]
 pub mod injection;
+pub mod mutate;
 pub mod p3;
 pub mod running;
 
