@@ -1,49 +1,14 @@
 //! Programs of students that attack the results, the terminal, and the machine. `render-lab` itself plays the honest
 //! renderer.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+use std::os::unix::fs::{MetadataExt, symlink};
 
 use serde_json::Value;
 use test_support::folder::Folder;
 
 use crate::bash;
-
-/// A `grade.toml` with a scene that is large enough to be timed, and few cases. The reference is above all times of the
-/// tests, so that 0 points have another reason than the time.
-const SMALL: &str = "skip = ['message-*', 'default-*', 'blank*', 'leading*', 'numbers*', 'arguments-*', 'no-*', 'one-*']\n\
-    [points]\nenergy = 0\n[[scene]]\nname = 's'\nconfig = 'config.txt'\nscene = 'scene.txt'\nreference = 1e4\n";
-
-/// Returns a folder with the programs of these teams.
-fn teams(scripts: &[(&str, &str)]) -> Folder {
-    let folder = Folder::new();
-    fs::create_dir(folder.file("st")).expect("the folder is writable");
-    folder.write("st/config.txt", "image_width: 32\naspect_ratio: 2 1\nsamples_per_pixel: 64\n");
-    folder.write("st/scene.txt", "matte: m .5 .6 .7\nsphere: 0 0 0 3 m\n");
-    folder.write("st/grade.toml", SMALL);
-    for (team, script) in scripts {
-        fs::create_dir(folder.file("st").join(team)).expect("the folder is writable");
-        let program = folder.write(&format!("st/{team}/render"), format!("#!/bin/sh\n{script}\n"));
-        fs::set_permissions(program, PermissionsExt::from_mode(0o755)).expect("it is ours");
-    }
-    folder
-}
-
-/// The honest program.
-const HONEST: &str = "[ $# = 3 ] || exit 1\nexec \"$lab\" render \"$@\"";
-
-/// Grades, and returns the rows by the names of the teams.
-fn graded(folder: &Folder, options: &str) -> BTreeMap<String, Value> {
-    let output = bash(folder, &format!("$lab grade st --json --rounds 2 {options}"));
-    let all: Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{output:?}"));
-    let rows = all["teams"].as_array().expect("a list").iter();
-    rows.map(|row| (row["team"].as_str().expect("a name").to_owned(), row.clone())).collect()
-}
-
-fn points(row: &Value) -> Vec<Option<f64>> {
-    (0..3).map(|part| row["points"][part].as_f64().map(|points| (points * 100.0).round())).collect()
-}
+use crate::grading::{HONEST, graded, points, teams};
 
 #[test]
 fn no_program_forges_its_result_or_changes_that_of_another() {
@@ -87,10 +52,11 @@ fn no_program_forges_its_result_or_changes_that_of_another() {
 #[test]
 fn a_command_that_ends_its_watcher_is_ended_with_it() {
     let folder = Folder::new();
-    let output = bash(&folder, "$lab time 'sleep 1234.5 & kill -9 $PPID; sleep 1234.5'");
+    let sleep = format!("sleep 1{}.5", std::process::id());
+    let output = bash(&folder, &format!("$lab time '{sleep} & kill -9 $PPID; {sleep}'"));
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code() == Some(2) && said.contains("stopped the process that watches it"), "{output:?}");
-    let alive = bash(&folder, "pgrep -x -f 'sleep 1234.5'");
+    let alive = bash(&folder, &format!("pgrep -x -f '{sleep}'"));
     assert!(!alive.status.success(), "no process is left: {alive:?}");
 }
 
@@ -149,13 +115,18 @@ fn a_kept_folder_leads_to_no_other_file() {
 
 #[test]
 fn a_signal_ends_the_command_and_all_that_it_started() {
-    let folder = teams(&[("a", "exec sleep 4321.5")]);
-    for command in ["time 'sleep 4321.5'", "check --seconds 999 st/a/render", "grade --seconds 999 st --results r"] {
+    // Another run of the tests may be going on. One of the processes leaves its session.
+    let sleep = format!("sleep 4{}.5", std::process::id());
+    let both = format!("setsid {sleep} & exec {sleep}");
+    let folder = teams(&[("a", &both)]);
+    let time = format!("time '{both}'");
+    for command in [&*time, "check --seconds 999 st/a/render", "grade --seconds 999 st --results r"] {
         for signal in ["INT", "TERM", "HUP"] {
             // A command in the background ignores SIGINT unless bash runs with job control.
             let line = format!(
-                "set -m; export TMPDIR=$PWD/tmp; mkdir -p tmp; $lab {command} & until pgrep -x -f 'sleep 4321.5' >/dev/null; do sleep 0.02; done; \
-                 kill -{signal} $!; wait $!; echo $?; sleep 0.1; pgrep -x -f 'sleep 4321.5'; ls tmp"
+                "set -m; export TMPDIR=$PWD/tmp; mkdir -p tmp; $lab {command} & \
+                 until pgrep -x -f '{sleep}' >/dev/null; do sleep 0.02; done; \
+                 kill -{signal} $!; wait $!; echo $?; pgrep -x -f '{sleep}'; ls tmp"
             );
             let output = bash(&folder, &line);
             assert_eq!(String::from_utf8_lossy(&output.stdout), "130\n", "{command}, {signal}: {output:?}");

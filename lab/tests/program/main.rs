@@ -8,15 +8,19 @@ mod compare;
 mod completion;
 mod diagnose;
 mod files;
+mod grading;
 mod hostile;
 mod limits;
 mod memory;
+mod mutated;
 mod pictures;
 mod render;
 mod results;
+mod rubric;
 mod scenes;
 mod scripts;
 mod slurm;
+mod teams;
 
 use std::process::{Command, Output};
 
