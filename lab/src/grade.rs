@@ -12,7 +12,7 @@ pub mod teams;
 use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cpu::Config;
@@ -151,16 +151,18 @@ impl Grading<'_> {
         let programs: usize = teams.iter().map(|team| team.programs.len()).sum();
         let bar = terminal::progress(programs * self.cases.len(), "cases");
         let next = AtomicUsize::new(0);
-        let results: Vec<_> = teams.iter().map(|_| Mutex::new(None)).collect();
+        let results: Vec<_> = teams.iter().map(|_| OnceLock::new()).collect();
         let work = || {
-            while let Some(team) = teams.get(next.fetch_add(1, Ordering::Relaxed)) {
-                let index = teams.iter().position(|other| other.folder == team.folder).unwrap_or_default();
+            loop {
+                let index = next.fetch_add(1, Ordering::Relaxed);
+                let Some(team) = teams.get(index) else { break };
                 let result = self.check(team, &bar);
                 if result.is_err() {
                     // Our own failure, or a request to stop, ends all work.
                     next.store(teams.len(), Ordering::Relaxed);
                 }
-                *results[index].lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(result);
+                // No other thread has this index.
+                let _ = results[index].set(result);
             }
         };
         std::thread::scope(|scope| {
@@ -170,24 +172,14 @@ impl Grading<'_> {
             work();
         });
         bar.finish_and_clear();
-        let results =
-            results.into_iter().map(|result| result.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner));
-        let (mut done, mut failure) = (Vec::new(), None);
-        for result in results {
-            match result {
-                Some(Ok(graded)) => done.push(graded),
-                Some(Err(error)) => failure = Some(error),
-                None => {}
-            }
-        }
-        match failure {
-            Some(Failure::Interrupted) if self.results.is_some() => {
-                let count = done.len().to_string();
+        let results: Vec<_> = results.into_iter().filter_map(OnceLock::into_inner).collect();
+        let count = results.iter().filter(|result| result.is_ok()).count();
+        match results.into_iter().collect::<Result<_, _>>() {
+            Err(Failure::Interrupted) if self.results.is_some() => {
                 let message = format!("{count} of {} teams are checked; --resume goes on", teams.len());
                 Err(Failure::Kept { message, interrupted: true })
             }
-            Some(failure) => Err(failure),
-            None => Ok(done),
+            result => result,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use measure::statistics::Median;
 
-use super::file::{File, LEAST_REFERENCE, Weights};
+use super::file::{self, File, LEAST_REFERENCE, Weights};
 use super::teams::Team;
 use super::{Graded, Row};
 use crate::bench::commands::Timed;
@@ -43,29 +43,30 @@ impl Graded {
     }
 }
 
+/// Returns a figure of what a program took, if it is known.
+type Figure = fn(&Timed) -> Option<f64>;
+
 /// A figure of one scene: its values with 5 points and with none, or why it does not count.
 type Scale = Result<[f64; 2], String>;
 
 /// Returns the rows of all teams.
 pub fn rows(teams: &[Team], checked: Vec<Vec<Graded>>, scenes: &[String], file: &File, language: Language) -> Vec<Row> {
-    let given = |scene: usize| file.scene.get(scene);
-    let time = |timed: &Timed| Some(timed.median.median);
-    let energy = |timed: &Timed| Some(timed.joules?.median);
-    let times: Vec<Scale> = (0..scenes.len())
-        .map(|scene| {
-            let [reference, zero] = given(scene).map_or([None; 2], |given| [given.reference, given.zero]);
-            // If no program has made the right picture, all have no points, whatever the scale is.
-            let scale = scale(&checked, scene, time, reference, zero).unwrap_or([1.0, 4.0]);
+    let time: Figure = |timed| Some(timed.median.median);
+    let energy: Figure = |timed| Some(timed.joules?.median);
+    let scales = |figure: Figure, given: fn(&file::Timed) -> [Option<f64>; 2]| {
+        let given = move |scene| file.scene.get(scene).map_or([None; 2], given);
+        (0..scenes.len()).map(|scene| scale(&checked, scene, figure, given(scene))).collect::<Vec<_>>()
+    };
+    // If no program has made the right picture, all have no points, whatever the scale is.
+    let times = scales(time, |given| [given.reference, given.zero]).into_iter().map(|it| it.unwrap_or([1.0, 4.0]));
+    let times: Vec<Scale> = times
+        .map(|scale| {
             let is_tiny = scale[0] < LEAST_REFERENCE;
             if is_tiny { Err(language.say(TINY, &[&format!("{:.3}", scale[0])])) } else { Ok(scale) }
         })
         .collect();
-    let energies: Vec<Scale> = (0..scenes.len())
-        .map(|scene| {
-            let [reference, zero] = given(scene).map_or([None; 2], |given| [given.joules, given.joules_zero]);
-            scale(&checked, scene, energy, reference, zero).ok_or_else(String::new)
-        })
-        .collect();
+    let energies = scales(energy, |given| [given.joules, given.joules_zero]);
+    let energies: Vec<Scale> = energies.into_iter().map(|scale| scale.ok_or_else(String::new)).collect();
     let Weights { messages, pictures, time: time_weight, energy: energy_weight } = file.points;
     let weights = [messages, pictures, time_weight, energy_weight];
     let row = |(team, programs): (&Team, Vec<Graded>)| {
@@ -78,31 +79,27 @@ pub fn rows(teams: &[Team], checked: Vec<Vec<Graded>>, scenes: &[String], file: 
             problems: Vec::new(),
         };
         row.problems.extend(team.missing.clone());
-        let reasons = |row: &Row, part: usize| -> Vec<String> {
-            let several = row.programs.len() > 1;
-            let label = |graded: &Graded| if several { format!("{}: ", graded.program) } else { String::new() };
-            let fault = |graded: &Graded| {
-                let main = graded.report.as_ref()?.main_fault(GROUPS[part], language)?;
-                Some(format!("{}{}: {main}", label(graded), language.pick(PARTS[part])))
-            };
-            row.programs.iter().filter(|graded| graded.share(GROUPS[part]) == Some(0.0)).filter_map(fault).collect()
-        };
+        let several = row.programs.len() > 1;
+        let label = |graded: &Graded| if several { format!("{}: ", graded.program) } else { String::new() };
         for (part, groups) in GROUPS.iter().enumerate() {
             row.points[part] = mean(row.programs.iter().map(|graded| graded.share(groups)));
-            let found = reasons(&row, part);
-            row.problems.extend(found);
+            let without = row.programs.iter().filter(|graded| graded.share(groups) == Some(0.0));
+            let reason = |graded: &Graded| {
+                let main = graded.report.as_ref()?.main_fault(groups, language)?;
+                Some(format!("{}{}: {main}", label(graded), language.pick(PARTS[part])))
+            };
+            row.problems.extend(without.filter_map(reason));
         }
-        for (part, scales, figure) in [(2, &times, time as fn(&Timed) -> Option<f64>), (3, &energies, energy)] {
+        for (part, scales, figure) in [(2, &times, time), (3, &energies, energy)] {
             let points = row.programs.iter().map(|graded| scored(graded, scales, figure));
             row.points[part] = mean(points);
         }
         for graded in &row.programs {
-            let label = if row.programs.len() > 1 { format!("{}: ", graded.program) } else { String::new() };
+            let label = label(graded);
             row.problems.extend(graded.not_graded.iter().map(|reason| format!("{label}{reason}")));
             for ((scene, result), scale) in scenes.iter().zip(&graded.times).zip(&times) {
                 let reason = match (result, scale) {
-                    (Err(reason), _) => Some(reason.clone()),
-                    (Ok(_), Err(reason)) => Some(reason.clone()),
+                    (Err(reason), _) | (Ok(_), Err(reason)) => Some(reason.clone()),
                     (Ok(timed), Ok([_, zero])) if timed.median.median >= *zero => {
                         Some(language.say(SLOW, &[&format!("{:.3}", timed.median.median), &format!("{zero:.3}")]))
                     }
@@ -141,25 +138,23 @@ fn mean(values: impl Iterator<Item = Option<f64>>) -> Option<f64> {
     (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
 }
 
-/// Returns the values of a figure of a scene with 5 points and with none, or `None` if no program has the figure.
+/// Returns the values of a figure of a scene with 5 points and with none, those that are given or else those of all
+/// programs, or `None` if no program has the figure.
 fn scale(
     checked: &[Vec<Graded>],
     scene: usize,
-    figure: fn(&Timed) -> Option<f64>,
-    reference: Option<f64>,
-    zero: Option<f64>,
+    figure: Figure,
+    [reference, zero]: [Option<f64>; 2],
 ) -> Option<[f64; 2]> {
     let known = checked.iter().flatten().filter_map(|graded| figure(graded.times.get(scene)?.as_ref().ok()?));
     let known: Vec<f64> = known.collect();
-    if known.is_empty() {
-        return None;
-    }
-    let reference = reference.unwrap_or_else(|| Median::of(&known).median);
+    let all = (!known.is_empty()).then(|| Median::of(&known).median)?;
+    let reference = reference.unwrap_or(all);
     Some([reference, zero.unwrap_or(4.0 * reference)])
 }
 
 /// Returns the mean points of a program for a figure of all scenes that count, or `None` if none of them does.
-fn scored(graded: &Graded, scales: &[Scale], figure: fn(&Timed) -> Option<f64>) -> Option<f64> {
+fn scored(graded: &Graded, scales: &[Scale], figure: Figure) -> Option<f64> {
     let known = graded.times.iter().zip(scales).filter_map(|(timed, scale)| Some((timed, scale.as_ref().ok()?)));
     let points = |(timed, [reference, zero]): (&Result<Timed, String>, &[f64; 2])| {
         Some(timed.as_ref().ok().and_then(figure).map_or(0.0, |value| scaled(value, *reference, *zero)))
