@@ -88,6 +88,36 @@ fn sets(project: &Project) -> String {
     table + "\n" + &source("sets", &file)
 }
 
+/// Returns the table of how far pictures of permitted and of wrong programs are from the expected ones, in each scene.
+/// The first row has the bounds of the scenes.
+fn check(project: &Project) -> String {
+    let file = project.text("docs/measurements/check.txt");
+    // The head of a scene is its name, section, and the bounds of the maximum and of the RMSE.
+    let scenes = project.text("lab/src/check/pictures.txt");
+    let heads = scenes.lines().filter_map(|line| line.strip_prefix("= "));
+    let heads: Vec<Vec<_>> = heads.map(|head| head.split(' ').collect()).collect();
+    let names: Vec<_> = heads.iter().map(|head| head[0]).collect();
+    let bounds: Vec<_> = heads.iter().map(|head| format!("{}/{}", head[3], head[2])).collect();
+    let mut table = format!("| Program | {} |\n|---|{}\n", names.join(" | "), "--:|".repeat(names.len()));
+    let _ = writeln!(table, "| bounds of RMSE/maximum | {} |", bounds.join(" | "));
+    for line in file.lines() {
+        let Some((kind, rest)) = line.split_once(' ').filter(|(kind, _)| ["permitted", "fault"].contains(kind)) else {
+            continue;
+        };
+        let (name, figures) = rest.split_once(": ").expect("a program has figures");
+        let figures: Vec<_> = figures.split(", ").filter_map(|figure| figure.split_once(' ')).collect();
+        let cell = |scene: &&str| match figures.iter().find(|(other, _)| other == scene) {
+            Some((_, figure)) => {
+                figure.strip_suffix('!').map_or((*figure).to_owned(), |figure| format!("**{figure}**"))
+            }
+            None => "-".to_owned(),
+        };
+        let cells: Vec<_> = names.iter().map(cell).collect();
+        let _ = writeln!(table, "| {kind}: `{}` | {} |", name.trim_matches('"'), cells.join(" | "));
+    }
+    table + "\n" + &source("check", &file)
+}
+
 /// Returns the text of a block.
 fn block(project: &Project, name: &str) -> String {
     match name {
@@ -96,6 +126,7 @@ fn block(project: &Project, name: &str) -> String {
         "speed" => speed(project, |_| true),
         "sets" => sets(project),
         "accuracy" => accuracy::block(project),
+        "check" => check(project),
         _ => panic!("there is no block of figures [{name}]"),
     }
 }
@@ -128,7 +159,7 @@ fn the_blocks_of_figures_are_those_of_the_measurements() {
         }
         assert_eq!(text, written, "{path}: BLESS=1 cargo test -p tests --test documentation blocks writes the figures");
     }
-    assert!(count >= 3, "{count} blocks");
+    assert!(count >= 5, "{count} blocks");
 }
 
 #[test]
