@@ -11,6 +11,7 @@ use cpu::internals::accel::closest_hit::ClosestHit;
 use cpu::internals::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use cpu::internals::accel::stack::Stack;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::ray::facing;
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::layout::{Objects, Placed};
 use cpu::internals::math::vec3::Vec3;
@@ -143,10 +144,7 @@ impl<'a, L: Layout> Tracer<'a, L> {
         let surface = SurfaceHit::new(objects, &ray, &hit);
         match quantity {
             Quantity::Depth => [hit.lambda * ray.direction.length(); 3],
-            Quantity::Normal => {
-                let outward = surface.outward.unit();
-                if ray.direction.dot(outward) < 0.0 { outward } else { -outward }.to_array()
-            }
+            Quantity::Normal => facing(ray.direction, surface.outward.unit()).1.to_array(),
             Quantity::Object => [f64::from(order_of(objects, hit.object)); 3],
             Quantity::Material => [f64::from(surface.material); 3],
             Quantity::Part => match (ObjectRef::of(objects, hit.object), hit.part) {

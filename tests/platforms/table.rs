@@ -30,8 +30,8 @@ pub struct Platform {
 
 /// Returns all platforms.
 pub fn platforms() -> Vec<Platform> {
-    let with_lanes = Arc::new(Build::wasm("wasm32-simd128", "-C target-feature=+simd128"));
-    let without = Arc::new(Build::wasm("wasm32", ""));
+    let with_lanes = Arc::new(Build::wasm("wasm32-simd128", "-C strip=symbols -C target-feature=+simd128"));
+    let without = Arc::new(Build::wasm("wasm32", "-C strip=symbols"));
     let arm = &[COMPILER, ARM_LIBRARY, ARM_LINKER, ARM_C];
     let arm = Build::programs("aarch64", "aarch64-unknown-linux-gnu", ARM_LINKER.0, arm);
     let s390x = &[COMPILER, SOURCES, S390X_LINKER, S390X_C];

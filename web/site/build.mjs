@@ -13,7 +13,7 @@ if (!out) {
 }
 
 await build({
-    entryPoints: [...['main', 'worker', 'preparing'].map((name) => join(here, `src/${name}.ts`))],
+    entryPoints: [...['main', 'worker', 'preparing', 'explaining'].map((name) => join(here, `src/${name}.ts`))],
     outdir: out,
     bundle: true,
     splitting: true,

@@ -40,33 +40,52 @@ impl<'a> Walk<'a> {
         Ok(Self { config, scene, scatter, image, vectors: is_drawn.then_some(vectors) })
     }
 
-    /// Returns the life of the pixel in this column and row: the events of each sample, the mean and the bytes. The
-    /// result is `None` if there is no such pixel.
-    ///
-    /// An event `sample`, `ray`, `candidate`, `hit` or `end` has the values of its step. `place` is the number of
-    /// random numbers of a stream before those of the event.
+    /// Returns [`life`] of the pixel in this column and row, with its bytes in the picture as `picture`.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn explain(&self, [column, row]: [usize; 2]) -> Result<Option<Value>, Error> {
-        let size = self.image.size();
-        if column >= size.width() || row >= size.height() {
-            return Ok(None);
+        let vectors = self.vectors.as_ref().and_then(|vectors| vectors.get(row)).copied();
+        let mut life = life(self.config, self.scene, self.scatter, vectors, [column, row])?;
+        if let Some(life) = &mut life {
+            let pixel = self.image.pixel(row * self.image.size().width() + column);
+            life["picture"] = json!([pixel.red, pixel.green, pixel.blue]);
         }
-        let mut renderer = Renderer::new(self.config, self.scene, self.scatter, Rules::default())?;
-        // Without the numbers of vectors, all pixels before are traced.
-        let first_row = if self.vectors.is_some() { row } else { 0 };
-        renderer.skip(first_row, self.vectors.as_ref().map_or(0, |vectors| vectors[row]));
-        for place in first_row * size.width()..row * size.width() + column {
-            let _ = renderer.mean([place / size.width(), place % size.width()])?;
-        }
-        renderer.told = Some(Vec::new());
-        let (mean, gamma) = (renderer.mean([row, column])?.to_array(), self.config.gamma);
-        let pixel = self.image.pixel(row * size.width() + column);
-        Ok(Some(json!({
-            "pixel": [column, row], "size": [size.width(), size.height()], "objects": self.scene.objects.len(),
-            "samples": renderer.told, "mean": mean, "gamma": gamma, "scaled": mean.map(|mean| scaled(mean, gamma)),
-            "bytes": mean.map(|mean| quantize(mean, gamma)), "picture": [pixel.red, pixel.green, pixel.blue],
-        })))
+        Ok(life)
     }
+}
+
+/// Returns the life of the pixel in this column and row: the events of each sample, the mean and the bytes. The result
+/// is `None` if there is no such pixel.
+///
+/// An event `sample`, `ray`, `candidate`, `hit` or `end` has the values of its step. `place` is the number of random
+/// numbers of a stream before those of the event. `vectors` is the number of random vectors that surfaces take before
+/// the pixel's row. Without it, all pixels before are traced.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] if memory is short, or [`Error::Picture`] if the picture is too large.
+pub fn life(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    vectors: Option<u64>,
+    [column, row]: [usize; 2],
+) -> Result<Option<Value>, Error> {
+    let mut renderer = Renderer::new(config, scene, scatter, Rules::default())?;
+    let [width, height] = [renderer.size.width(), renderer.size.height()];
+    if column >= width || row >= height {
+        return Ok(None);
+    }
+    let first_row = if vectors.is_some() { row } else { 0 };
+    renderer.skip(first_row, vectors.unwrap_or(0));
+    for place in first_row * width..row * width + column {
+        let _ = renderer.mean([place / width, place % width])?;
+    }
+    renderer.told = Some(Vec::new());
+    let (mean, gamma) = (renderer.mean([row, column])?.to_array(), config.gamma);
+    Ok(Some(json!({
+        "pixel": [column, row], "size": [width, height], "objects": scene.objects.len(),
+        "samples": renderer.told, "mean": mean, "gamma": gamma, "scaled": mean.map(|mean| scaled(mean, gamma)),
+        "bytes": mean.map(|mean| quantize(mean, gamma)),
+    })))
 }

@@ -9,7 +9,7 @@ export class Asked<Q extends object, A extends { question: number }> {
     /** Why the worker answers no question, such as a script that cannot be loaded. */
     #failure: Error | null = null;
 
-    constructor(script: string, module: WebAssembly.Module) {
+    constructor(script: string, module?: WebAssembly.Module) {
         this.#worker = new Worker(script, { type: 'module' });
         this.#worker.onmessage = ({ data }: MessageEvent<A>) => {
             this.#waiting.get(data.question)?.answer(data);
@@ -21,7 +21,9 @@ export class Asked<Q extends object, A extends { question: number }> {
             this.#waiting.forEach(({ fail }) => fail(failure));
             this.#waiting.clear();
         };
-        this.#worker.postMessage({ module });
+        if (module) {
+            this.#worker.postMessage({ module });
+        }
     }
 
     /** Returns the answer to `request`. Throws if the worker fails. */

@@ -9,6 +9,7 @@ import { tags } from '@lezer/highlight';
 import { basicSetup } from 'codemirror';
 import { completions } from './complete';
 import type { Row } from './module';
+import { turning } from './turning';
 import { editorWords } from './words';
 
 /** What an editor tells the page. */
@@ -60,7 +61,7 @@ export function linesOf(rows: Row[]): Extension {
             return /^[-+.\d][-+.\deE]*$/.test(word[0]) ? 'number' : 'name';
         },
     });
-    return [language, EditorState.languageData.of(() => [{ autocomplete: source }])];
+    return [language, turning(rows), EditorState.languageData.of(() => [{ autocomplete: source }])];
 }
 
 /**

@@ -12,7 +12,8 @@ export interface Watcher {
     progress(done: number, height: number): void;
     /** Pixels of whole shown rows from the row `first` on. */
     show(pixels: ImageData, first: number): void;
-    done(ppm: Uint8Array<ArrayBuffer>, digest: string): void;
+    /** The file, its digest, and the numbers of random vectors before each row. */
+    done(ppm: Uint8Array<ArrayBuffer>, digest: string, vectors: number[]): void;
     fault(fault: Fault): void;
     failed(text: string): void;
 }
@@ -36,7 +37,7 @@ export function render(module: WebAssembly.Module, texts: Texts, watcher: Watche
                 break;
             case 'done':
                 worker.terminate();
-                watcher.done(data.ppm, data.digest);
+                watcher.done(data.ppm, data.digest, data.vectors);
                 break;
             case 'fault':
                 worker.terminate();

@@ -4,7 +4,8 @@
 //     const tint = vec3<real>(1.0, 0.5, 0.2); // color
 import type { Editor } from './editor';
 
-const NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?`;
+/** A number in decimal notation, as a regular expression. */
+export const NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?`;
 
 /** An override constant with a slider. */
 const SLIDER = new RegExp(
@@ -29,7 +30,8 @@ interface Knob {
 /** Returns a number in a form that WGSL takes for f32. */
 const float = (text: string): string => (/[.eE]/.test(text) ? text : `${text}.0`);
 
-const hex = (channel: number): string => Math.round(255 * Math.min(Math.max(channel, 0), 1)).toString(16).padStart(2, '0');
+/** Returns two hexadecimal digits for a channel from 0 to 1. */
+export const hex = (channel: number): string => Math.round(255 * Math.min(Math.max(channel, 0), 1)).toString(16).padStart(2, '0');
 
 /** Returns the knobs of a text. */
 function knobsOf(text: string): Knob[] {

@@ -94,6 +94,7 @@ class Page {
             left: () => this.leave(false),
             unsay: () => this.#unsay(),
             picture: () => this.#picture.pixels,
+            explained: () => this.#picture.explained,
         });
         addEventListener('pagehide', () => this.#keep());
         document.addEventListener('keydown', (event) => {

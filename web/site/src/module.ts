@@ -42,10 +42,10 @@ export interface Row {
     spanishValues: string;
 }
 
-/** The functions that the module calls: with the picture's size, and with the address of each finished row. */
+/** What a picture tells: its size, and each finished row with the number of random vectors up to its end, or NaN. */
 export interface Progress {
     begin(width: number, height: number): void;
-    row(row: number, pixels: Uint8ClampedArray): void;
+    row(row: number, pixels: Uint8ClampedArray, vectors: number): void;
 }
 
 interface Exports {
@@ -109,9 +109,9 @@ export class Renderer {
                 width = pictureWidth;
                 progress?.begin(width, height);
             },
-            row(row: number, address: number) {
+            row(row: number, address: number, vectors: number) {
                 if (exports && progress) {
-                    progress.row(row, new Uint8ClampedArray(exports.memory.buffer, address >>> 0, 4 * width));
+                    progress.row(row, new Uint8ClampedArray(exports.memory.buffer, address >>> 0, 4 * width), vectors);
                 }
             },
         };

@@ -3,6 +3,7 @@ import { render, type Watcher } from './engine';
 import { save } from './files';
 import type { Fault } from './module';
 import { ExactView } from './exact-view';
+import type { Explained } from './explain';
 import { png, read, shown, type Rgb } from './ppm';
 import { erase, paint, put, resize } from './shown';
 import { stepOf } from './step';
@@ -22,7 +23,11 @@ export class Picture {
     readonly #saves = [element<HTMLButtonElement>('save-ppm'), element<HTMLButtonElement>('save-png')];
     readonly #viewer = new Viewer(element('exact-stage'), {
         told: (column, row) => this.#view.told(column, row),
-        clicked: (column, row) => void this.#view.clicked(column, row),
+        clicked: (column, row) => {
+            const step = Number(this.#canvas.dataset.step ?? 1);
+            this.#place = [column * step, row * step];
+            void this.#view.clicked(column, row);
+        },
     });
     readonly #view: ExactView;
     #stop: (() => void) | null = null;
@@ -30,6 +35,9 @@ export class Picture {
     /** Whether the canvas has the picture of the last texts, or a part of it. */
     #isBegun = true;
     #ppm: Uint8Array<ArrayBuffer> | null = null;
+    #vectors: number[] = [];
+    /** The pixel of the picture that was clicked last. */
+    #place: [column: number, row: number] | null = null;
     /** The texts of the picture, also if it is not finished. */
     #texts: Texts | null = null;
 
@@ -72,6 +80,12 @@ export class Picture {
         return this.#ppm && read(this.#ppm);
     }
 
+    /** What explains a pixel of the picture, if it is finished: texts, pixels, and the pixel that was clicked last. */
+    get explained(): Explained | null {
+        const [texts, pixels] = [this.#texts, this.pixels];
+        return texts && pixels && { texts, pixels, vectors: this.#vectors, place: this.#place };
+    }
+
     /** Whether the picture belongs to these texts. Without a picture this holds. */
     isOf(texts: Texts): boolean {
         return this.#texts === null || isSame(this.#texts, texts);
@@ -100,6 +114,7 @@ export class Picture {
     #forget(texts: Texts | null): void {
         this.#texts = texts;
         this.#ppm = null;
+        this.#place = null;
         this.#digest.replaceChildren();
         this.#saves.forEach((button) => (button.disabled = true));
     }
@@ -140,9 +155,9 @@ export class Picture {
                 element('left').textContent = `${Math.floor(100 * share)} %${seconds > 1 ? `, ${say('timeLeft', left)}` : ''}`;
             }),
             show: current((pixels, first) => put(this.#canvas, pixels, first)),
-            done: current((ppm, digest) => {
+            done: current((ppm, digest, vectors) => {
                 this.#end();
-                this.#ppm = ppm;
+                [this.#ppm, this.#vectors] = [ppm, vectors];
                 this.#saves.forEach((button) => (button.disabled = false));
                 const seconds = ((performance.now() - start) / 1000).toFixed(2);
                 this.say(() => `${size()}, ${seconds} ${say('seconds')}`);

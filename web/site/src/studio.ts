@@ -17,6 +17,7 @@ import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
 import { messageOf, say, write } from './words';
+import type { Explained, ExplainView } from './explain';
 
 /** What the views need of the page. */
 export interface Owner {
@@ -33,6 +34,7 @@ export interface Owner {
     unsay(): void;
     /** The exact picture, if it is finished. */
     picture(): Rgb | null;
+    explained(): Explained | null;
 }
 
 /** The parts that exist once a view of the shaders is shown. */
@@ -49,6 +51,7 @@ export class Studio {
     readonly #tabs: Tabs;
     #parts: Promise<Parts> | null = null;
     #made: Parts | null = null;
+    #explain: ExplainView | null = null;
     /** Counts the views of links. */
     #views = 0;
     #device: Device | null = null;
@@ -94,13 +97,16 @@ export class Studio {
     /** Returns what is shown, for a link and for the browser's history. */
     get view(): View {
         const [parts, tab] = [this.#made, this.#tabs.current];
-        return { tab, camera: parts?.live.moved ?? null, pixel: tab === 'pixel-pane' ? parts?.pixel.place ?? null : null };
+        const places = { 'pixel-pane': parts?.pixel.place, 'explain-pane': this.#explain?.place } as Record<string, [number, number]>;
+        return { tab, camera: parts?.live.moved ?? null, pixel: places[tab] ?? null };
     }
 
     /** Shows a view of a link, or of an earlier entry of the browser's history. */
     async show({ tab, camera, pixel }: View): Promise<void> {
         const own = ++this.#views;
-        if (tab !== 'exact' || camera || this.#parts) {
+        if (tab === 'explain-pane' && pixel) {
+            (await this.#explained()).place = pixel;
+        } else if (tab !== 'exact' || camera || this.#parts) {
             this.#parts ??= this.#make();
             const { live, pixel: path } = await this.#parts;
             await this.#read(live);
@@ -135,7 +141,18 @@ export class Studio {
         return this.#reading;
     }
 
+    /** Returns the view that explains a pixel. Its code is loaded when it is needed. */
+    async #explained(): Promise<ExplainView> {
+        const { ExplainView } = await import('./explain');
+        return this.#explain ??= new ExplainView(() => this.owner.explained(), (line) => this.owner.goTo(line));
+    }
+
     async #shown(name: string): Promise<void> {
+        if (name === 'explain-pane') {
+            this.#made && (this.#made.live.isShown = false);
+            await (await this.#explained()).renew();
+            return;
+        }
         if (name === 'exact' && !this.#parts) {
             return;
         }
@@ -164,6 +181,9 @@ export class Studio {
 
     /** Takes a new exact picture, with which a file may be compared. */
     async rendered(): Promise<void> {
+        if (this.#tabs.current === 'explain-pane') {
+            await this.#explain?.renew();
+        }
         await (await this.#parts)?.comparison.renew(this.owner.picture());
     }
 

@@ -21,8 +21,11 @@ const WORDS = {
     share: ['Make a link', 'Crear un enlace'],
     link: ['Link with both texts, changed shaders and the view',
         'Enlace con los dos textos, los sombreadores cambiados y la vista'],
-    help: ['Ctrl+Enter renders. Ctrl+Space shows the lines that are possible. Escape, then Tab, leaves an editor.',
-        'Ctrl+Intro renderiza. Ctrl+Espacio muestra las líneas posibles. Escape y después Tab sale de un editor.'],
+    help: [
+        'Ctrl+Enter renders. Ctrl+Space shows the lines that are possible. Alt and dragging changes a number. Escape, then '
+        + 'Tab, leaves an editor.',
+        'Ctrl+Intro renderiza. Ctrl+Espacio muestra las líneas posibles. Alt y arrastrar cambia un número. Escape y '
+        + 'después Tab sale de un editor.'],
     helpTouch: ['"Render" makes the exact picture. While you type, the lines that are possible are shown.',
         '«Renderizar» calcula la imagen exacta. Mientras escribe, se muestran las líneas posibles.'],
     barEditors: ['Boundary between the editors', 'Límite entre los editores'],
@@ -217,6 +220,14 @@ const WORDS = {
     pixel: ['Pixel', 'Píxel'],
     pixelHelp: ['Click or tap a pixel here, in the live view or in the comparison, or type its place.',
         'Pulse un píxel aquí, en la vista en vivo o en la comparación, o escriba su lugar.'],
+    explain: ['Explain', 'Explicar'],
+    explainHelp: [
+        'How the exact picture computes a pixel, by the steps of the statement. Click the pixel in the picture, or type '
+        + 'its place. Draws are counted from 0 in their stream.',
+        'Cómo calcula la imagen exacta un píxel, según los pasos del enunciado. Pulse el píxel en la imagen o escriba '
+        + 'su lugar. Los números aleatorios se cuentan desde 0 en su secuencia.'],
+    sample: ['Sample', 'Muestra'],
+    color: ['Colour', 'Color'],
     column: ['Column', 'Columna'],
     row: ['Row', 'Fila'],
     side: ['side', 'lado'],
@@ -292,8 +303,11 @@ function grouped(value: string | number): string {
 }
 
 /** Returns the words for `key`, with `values` in the places {0}, {1} and so on. {0|one|many} is one of two words. */
-export function say(key: Key, ...values: (string | number)[]): string {
-    return WORDS[key][place].replace(/\{(\d)(?:\|(.*?)\|(.*?))?\}/g, (_, number, one?: string, many?: string) => {
+export const say = (key: Key, ...values: (string | number)[]): string => filled(WORDS[key], ...values);
+
+/** Returns the one of two texts that is in the page's language, with `values` as {@link say} has them. */
+export function filled(texts: readonly [english: string, spanish: string], ...values: (string | number)[]): string {
+    return texts[place].replace(/\{(\d)(?:\|(.*?)\|(.*?))?\}/g, (_, number, one?: string, many?: string) => {
         const value = values[Number(number)] ?? '';
         return one === undefined ? grouped(value) : (value === 1 ? one : many) ?? '';
     });

@@ -13,7 +13,7 @@ export interface Task {
 export type Message =
     | { kind: 'begin'; width: number; height: number; step: number }
     | { kind: 'rows'; done: number; first: number; pixels: Uint8ClampedArray<ArrayBuffer> }
-    | { kind: 'done'; ppm: Uint8Array<ArrayBuffer>; digest: string }
+    | { kind: 'done'; ppm: Uint8Array<ArrayBuffer>; digest: string; vectors: number[] }
     | { kind: 'fault'; fault: Fault }
     | { kind: 'failed'; text: string };
 
@@ -24,6 +24,8 @@ const send = (message: Message, transferred: Transferable[] = []) => postMessage
 
 /** Collects finished rows, and sends several of them in one message. */
 class Rows {
+    /** The numbers of random vectors before each row. */
+    readonly vectors = [0];
     #width = 0;
     #height = 0;
     #step = 1;
@@ -41,7 +43,8 @@ class Rows {
         send({ kind: 'begin', width, height, step: this.#step });
     }
 
-    row(row: number, pixels: Uint8ClampedArray): void {
+    row(row: number, pixels: Uint8ClampedArray, vectors: number): void {
+        this.vectors.push(vectors);
         if (row % this.#step === 0) {
             this.#add(pixels);
         }
@@ -72,12 +75,13 @@ class Rows {
 }
 
 async function run({ module, config, scene }: Task): Promise<void> {
-    const renderer = await Renderer.create(module, new Rows());
+    const rows = new Rows();
+    const renderer = await Renderer.create(module, rows);
     renderer.write(0, config);
     renderer.write(1, scene);
     const result = renderer.render();
     if (result instanceof Uint8Array) {
-        send({ kind: 'done', ppm: result, digest: renderer.digest() }, [result.buffer]);
+        send({ kind: 'done', ppm: result, digest: renderer.digest(), vectors: rows.vectors }, [result.buffer]);
     } else {
         send({ kind: 'fault', fault: result });
     }

@@ -31,6 +31,47 @@ export const tests = {
         equal(await textOf(page, 'scene'), 'matte: grey .5 .5 .5\nsphere: 0 0 0 4 grey\n', 'the cursor was at the fault');
     },
 
+    async 'numbers change by dragging with Alt, and colours by a picker'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await type(page, 'config', 'image_width: 320\nbackground_dark_color: 0 .5 1');
+        await type(page, 'scene', 'matte: grey 0.5 .5 .5\nsphere: 0 -4 0 4 grey');
+        const drag = async (editor, row, number, pixels) => {
+            const box = await page.locator(`#${editor}-editor .cm-line:nth-child(${row}) .number`).nth(number).boundingBox();
+            const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+            await page.mouse.move(x, y);
+            await page.keyboard.down('Alt');
+            await page.mouse.down();
+            await page.mouse.move(x + pixels / 2, y);
+            await page.mouse.move(x + pixels, y);
+            await page.mouse.up();
+            await page.mouse.move(x, y);
+            await page.keyboard.up('Alt');
+        };
+        const becomes = (editor, text) => page.waitForFunction(([name, expected]) =>
+            JSON.parse(localStorage.getItem('render.texts'))[name] === expected, [editor, text]);
+        await drag('config', 1, 0, -40);
+        await becomes('config', 'image_width: 300\nbackground_dark_color: 0 .5 1');
+        await drag('scene', 2, 1, 60);
+        await becomes('scene', 'matte: grey 0.5 .5 .5\nsphere: 0 -3.70 0 4 grey');
+        equal(await page.inputValue('#scene-editor .square'), '#bababa', 'the light .5 has the byte 186');
+        const pick = (editor, color) => page.evaluate(([name, value]) => {
+            const input = document.querySelector(`#${name}-editor .square`);
+            input.value = value;
+            input.dispatchEvent(new Event('input'));
+        }, [editor, color]);
+        await pick('scene', '#ff8000');
+        // (128 / 255)^2.2 is 0.2195.
+        await becomes('scene', 'matte: grey 1 0.22 0\nsphere: 0 -3.70 0 4 grey');
+        equal(await page.inputValue('#scene-editor .square'), '#ff8000', 'the picked colour');
+        await pick('config', '#000000');
+        await becomes('config', 'image_width: 300\nbackground_dark_color: 0 0 0');
+        await page.click('#scene-editor .cm-content');
+        await page.keyboard.press('Control+z');
+        await becomes('scene', 'matte: grey 0.5 .5 .5\nsphere: 0 -3.70 0 4 grey');
+        await shoot(page, 'squares');
+    },
+
     async 'a picture that cannot be made is an error of the configuration'({ open, url }) {
         const page = await open(url);
         await type(page, 'config', 'camera_target: 0 0 -10\n');

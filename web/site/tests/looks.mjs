@@ -125,7 +125,7 @@ export const tests = {
             await page.selectOption('#language', language);
             const back = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
             equal(back, colorScheme === 'light' ? 'rgb(251, 251, 250)' : 'rgb(23, 24, 27)', colorScheme);
-            for (const [tab, ready] of [['exact', '#digest code'], ['live', '#live-status'], ['compare', '#compare-most-at'], ['pixel', '#pixel-steps .head']]) {
+            for (const [tab, ready] of [['exact', '#digest code'], ['live', '#live-status'], ['compare', '#compare-most-at'], ['pixel', '#pixel-steps .head'], ['explain', '#explain-steps .part']]) {
                 const name = `${tab}-${width}-${colorScheme}-${language}`;
                 await page.click(`#tab-${tab}`);
                 await page.waitForSelector(ready, { state: 'attached' });

@@ -5,6 +5,7 @@
 import { tests as compare } from './compare.mjs';
 import { tests as editing } from './editing.mjs';
 import { tests as exact } from './exact.mjs';
+import { tests as explain } from './explain.mjs';
 import { tests as hostile } from './hostile.mjs';
 import { tests as keeping } from './keeping.mjs';
 import { tests as live } from './live.mjs';
@@ -15,7 +16,7 @@ import { tests as timing } from './timing.mjs';
 import { tests as view } from './view.mjs';
 import { tests as walk } from './walk.mjs';
 
-const all = { ...compare, ...editing, ...exact, ...hostile, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view, ...walk };
+const all = { ...compare, ...editing, ...exact, ...explain, ...hostile, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view, ...walk };
 const [name] = process.argv.slice(2);
 if (name === '--list') {
     console.log(Object.keys(all).join('\n'));

@@ -8,8 +8,8 @@ unsafe extern "C" {
     /// Called before the first row with the size of the picture in pixels.
     pub safe fn begin(width: usize, height: usize);
     /// Called after row number `row`, counted from 0. The row's pixels are at `address`, four bytes each: red, green,
-    /// blue and 255.
-    pub safe fn row(row: usize, address: *const u8);
+    /// blue and 255. Surfaces have taken `vectors` random vectors so far, which is NaN if this is not known.
+    pub safe fn row(row: usize, address: *const u8, vectors: f64);
 }
 
 /// The functions of programs that are no WebAssembly module. They record what they were told, for the tests.
@@ -24,7 +24,7 @@ mod recorded {
         record([width, height]);
     }
 
-    pub fn row(row: usize, address: *const u8) {
+    pub fn row(row: usize, address: *const u8, _: f64) {
         record([row, usize::from(!address.is_null())]);
     }
 

@@ -29,14 +29,17 @@ fn ppm<L: Renderable>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec
     let mut row = Vec::new();
     row.try_reserve_exact(4 * width).map_err(|_| Error::OutOfMemory { what: "the image" })?;
     page::begin(width, height);
+    // A renderer that draws no vectors does not know how many the statement draws.
+    let is_drawn = prepared.scatter_stream == prepared.scatter;
     // The result is always `None`: the caller ends a picture by ending the module.
-    let _ = render_from(prepared, set, &Limits::default(), (0, &[]), &mut image, |rows, image, _| {
+    let _ = render_from(prepared, set, &Limits::default(), (0, &[]), &mut image, |rows, image, streams| {
         row.clear();
         for index in (rows - 1) * width..rows * width {
             let color = image.pixel(index);
             row.extend_from_slice(&[color.red, color.green, color.blue, 255]);
         }
-        page::row(rows - 1, row.as_ptr());
+        let vectors = if is_drawn { streams.scatter_samples() as f64 } else { f64::NAN };
+        page::row(rows - 1, row.as_ptr(), vectors);
         ControlFlow::Continue(())
     })?;
     let short = || Error::OutOfMemory { what: FILE };

@@ -3,6 +3,7 @@
 use cpu::internals::Prepared;
 use cpu::internals::accel::object::{NO_OBJECT, order_of};
 use cpu::internals::accel::stack::Stack;
+use cpu::internals::geometry::ray::facing;
 use cpu::internals::render::surface_hit::SurfaceHit;
 use cpu::internals::simd::portable::Portable;
 use cpu::{Aos, Ray};
@@ -26,9 +27,7 @@ pub fn each(prepared: &Prepared<Aos>, mut add: impl FnMut(Seen)) {
             }
             let surface = SurfaceHit::new(objects, &ray, &hit);
             if start == NO_OBJECT {
-                let outward = surface.outward.unit();
-                let normal = if ray.direction.dot(outward) < 0.0 { outward } else { -outward };
-                let [x, y, z] = normal.to_array();
+                let [x, y, z] = facing(ray.direction, surface.outward.unit()).1.to_array();
                 let distance = hit.lambda * ray.direction.length();
                 seen = [distance, x, y, z, f64::from(order_of(objects, hit.object)), seen[5]];
             }
