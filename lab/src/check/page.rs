@@ -55,9 +55,8 @@ impl Report {
     /// Returns the number of passed cases of each group, in words.
     fn summary(&self, language: Language) -> Vec<Vec<String>> {
         let row = |(group, words): &(Group, Words)| {
-            let [passed, all] = self.passed(*group).map(|count| count.to_string());
-            (all != "0")
-                .then(|| vec![language.say(*words, &[]), language.say(["{} of {}", "{} de {}"], &[&passed, &all])])
+            let counts = self.passed(*group);
+            (counts[1] > 0).then(|| vec![language.say(*words, &[]), html::verdict(counts, language)])
         };
         GROUPS.iter().filter_map(row).collect()
     }

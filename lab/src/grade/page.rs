@@ -24,10 +24,22 @@ const COLUMNS: [Words; 8] = [
     ["messages", "mensajes"],
     ["pictures", "imágenes"],
 ];
+/// The first of the columns with the numbers of passed cases.
+const PASSED: usize = COLUMNS.len() - GROUPS.len();
 const UNITS: [&str; 3] = ["s", "MB", "J"];
 const TIME: Words = ["user time of a picture", "tiempo de usuario de una imagen"];
 const MEMORY: Words = ["memory in MB", "memoria en MB"];
 const NOT_GRADED: Words = ["not graded", "sin calificar"];
+
+impl Row {
+    /// Returns the number of passed cases of all programs and that of all cases, for messages and pictures.
+    fn passed(&self) -> [[usize; 2]; GROUPS.len()] {
+        GROUPS.map(|groups| {
+            let counts = self.programs.iter().map(|graded| graded.passed(groups));
+            counts.fold([0, 0], |sum, counts| [sum[0] + counts[0], sum[1] + counts[1]])
+        })
+    }
+}
 
 impl Grades {
     /// Returns the table of all figures. The first row has the names of the columns.
@@ -48,10 +60,9 @@ impl Grades {
                 points.map_or_else(|| language.say(missing, &[]), |points| localized(format!("{points:.2}"), language))
             };
             let points = row.points.map(|points| rounded(points, missing));
-            let passed = GROUPS.map(|groups| {
-                let counts = row.programs.iter().map(|graded| graded.passed(groups));
-                let [passed, all] = counts.fold([0, 0], |sum, counts| [sum[0] + counts[0], sum[1] + counts[1]]);
-                language.say(["{} of {}", "{} de {}"], &[&passed.to_string(), &all.to_string()])
+            let passed = row.passed().map(|counts| {
+                let [passed, all] = counts.map(|count| count.to_string());
+                language.say(["{} of {}", "{} de {}"], &[&passed, &all])
             });
             let figures = (0..self.scenes.len()).flat_map(|scene| {
                 (0..most).flat_map(move |number| {
@@ -94,7 +105,11 @@ impl Grades {
     /// # Errors
     /// A chart cannot be drawn.
     pub fn page(&self, language: Language, has_pages: bool) -> Result<String, String> {
-        let rows = self.rows(language);
+        let mut rows = self.rows(language);
+        for (cells, row) in rows[1..].iter_mut().zip(&self.teams) {
+            let verdicts = row.passed().map(|counts| html::verdict(counts, language));
+            cells[PASSED..PASSED + verdicts.len()].clone_from_slice(&verdicts);
+        }
         let head: Vec<_> = rows[0].iter().map(String::as_str).collect();
         let title = language.pick(["Points and measurements", "Puntos y medidas"]);
         let mut body = html::table(title, &head, rows[1..].iter().cloned());

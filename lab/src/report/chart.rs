@@ -123,18 +123,35 @@ impl Chart {
         let row = (11 * self.series.len() as u32).max(34);
         let body = if self.rows.is_empty() { 300 } else { 80 + row * self.rows.len() as u32 };
         let mut svg = String::new();
-        {
+        let hints = {
             let root = SVGBackend::with_string(&mut svg, (WIDTH, head + body)).into_drawing_area();
             let (top, bottom) = root.split_vertically(head);
             self.draw_head(&top, &legend).map_err(|error| error.to_string())?;
-            if self.rows.is_empty() { self.draw_lines(&bottom) } else { self.draw_dots(&bottom) }
-                .map_err(|error| error.to_string())?;
+            let drawn = if self.rows.is_empty() { self.draw_lines(&bottom) } else { self.draw_dots(&bottom) };
+            let hints = drawn.map_err(|error| error.to_string())?;
             root.present().map_err(|error| error.to_string())?;
-        }
+            hints
+        };
+        // A browser shows the title of the element below the pointer.
+        let hints: String = hints.iter().map(|((x, y), text)| hint(*x, *y + head as i32, text)).collect();
+        svg = svg.replace("</svg>", &format!("{hints}</svg>"));
         // Without a fixed size, a browser scales the chart to its container. Screen readers read the label aloud.
         let size = format!("width=\"{WIDTH}\" height=\"{}\" ", head + body);
         let label = format!("aria-label=\"{}\" viewBox", escape(&self.title));
         Ok(svg.replacen(&size, "role=\"img\" ", 1).replacen("viewBox", &label, 1))
+    }
+
+    /// Returns the values of a point of a series as words.
+    fn words(&self, series: &Series, point: &Point) -> String {
+        let row = self.rows.get((point.y.round() as usize).wrapping_sub(1));
+        let y = row.cloned().unwrap_or_else(|| format!("{}: {}", self.y.label, (self.y.format)(point.y)));
+        let (format, bounds) = match point.bounds {
+            None => return format!("{}\n{y}\n{}: {}", series.name, self.x.label, (self.x.format)(point.x)),
+            Some(Bounds::Horizontal(low, high)) => (self.x.format, [low, high]),
+            Some(Bounds::Vertical(low, high)) => (self.y.format, [low, high]),
+        };
+        let [low, high] = bounds.map(format);
+        format!("{}\n{y}\n{}: {}\n{low} – {high}", series.name, self.x.label, (self.x.format)(point.x))
     }
 
     /// Returns the position of each entry of the legend: the number of its row, and its left end in pixels.
@@ -151,6 +168,16 @@ impl Chart {
         }
         places
     }
+}
+
+/// Returns an element that is not seen, and that tells `text` where the pointer is near the marker at `x` and `y`.
+fn hint(x: i32, y: i32, text: &str) -> String {
+    let text = text.split('\n').map(escape).collect::<Vec<_>>().join("\n");
+    format!(
+        "<rect x=\"{}\" y=\"{}\" width=\"16\" height=\"16\" opacity=\"0\"><title>{text}</title></rect>\n",
+        x - 8,
+        y - 8
+    )
 }
 
 #[cfg(test)]
@@ -170,6 +197,8 @@ mod tests {
         assert!(svg.starts_with("<svg role=\"img\" aria-label=\"Less &lt; more\" viewBox=\"0 0 480 "), "{svg}");
         assert!(svg.contains("time in s") && svg.contains("a &amp; b") && svg.contains("\n100\n"), "{svg}");
         assert_eq!(svg.matches("<circle").count(), 4, "three points and the legend");
+        let hint = "<title>a &amp; b\ntime in s: 20\ntime in s: 10\n10 – 30</title>";
+        assert!(svg.matches("<title>").count() == 3 && svg.contains(hint), "{svg}");
     }
 
     #[test]

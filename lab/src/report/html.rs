@@ -238,6 +238,19 @@ fn machines(results: &Results, language: Language) -> String {
     table(title, &head.map(|words| language.pick(words)), rows)
 }
 
+/// The signs with which a cell of a table begins that has another colour, each with the class of the cell.
+const SIGNS: [(char, &str); 2] = [('✓', "pass"), ('✗', "fail")];
+
+/// Returns whether all cases are passed, with the number of passed ones and that of all, for a cell of a table.
+pub fn verdict([passed, all]: [usize; 2], language: Language) -> String {
+    let words: Words = match (passed, all) {
+        (_, 0) => ["not checked", "sin comprobar"],
+        _ if passed == all => ["✓ passed: {} of {}", "✓ correcto: {} de {}"],
+        _ => ["✗ failed: {} of {} passed", "✗ con fallos: {} de {} correctos"],
+    };
+    language.say(words, &[&passed.to_string(), &all.to_string()])
+}
+
 /// Returns a table below a heading, or nothing if there are no rows. A cell may have several lines.
 pub fn table(title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let rows: Vec<_> = rows.collect();
@@ -249,7 +262,9 @@ pub fn table(title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>
         let cells = cells.iter().enumerate().map(|(place, cell)| {
             // A column without numbers is aligned to the left. All other columns are aligned to the right.
             let has_numbers = rows.iter().any(|row| row.get(place).is_some_and(is_number));
-            let class = if has_numbers { "" } else { " class=\"t\"" };
+            let sign = SIGNS.iter().find(|(sign, _)| cell.starts_with(*sign)).map(|(_, class)| *class);
+            let classes: Vec<_> = sign.into_iter().chain((!has_numbers).then_some("t")).collect();
+            let class = if classes.is_empty() { String::new() } else { format!(" class=\"{}\"", classes.join(" ")) };
             let lines: Vec<_> = cell.split('\n').map(escape).collect();
             format!("<{tag}{class}>{}</{tag}>", lines.join("<br>"))
         });
@@ -264,6 +279,16 @@ pub fn table(title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>
 mod tests {
     use super::*;
     use crate::bench::results::TimeToError;
+
+    #[test]
+    fn a_verdict_is_a_word_and_a_colour() {
+        let verdicts = [[3, 3], [2, 3], [0, 0]].map(|counts| verdict(counts, Language::English));
+        assert_eq!(verdicts, ["✓ passed: 3 of 3", "✗ failed: 2 of 3 passed", "not checked"]);
+        let table = table("t", &["", ""], verdicts.into_iter().map(|cell| vec!["1".to_owned(), cell]));
+        for cell in ["<td class=\"pass t\">✓ passed", "<td class=\"fail t\">✗ failed", "<td class=\"t\">not"] {
+            assert!(table.contains(cell), "{cell}: {table}");
+        }
+    }
 
     #[test]
     fn a_page_has_contents_that_lead_to_its_headings() {

@@ -12,6 +12,9 @@ const FONT: i32 = 17;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
+/// The pixel coordinates of each marker in its area, and the values of its point as words.
+pub type Hints = Vec<((i32, i32), String)>;
+
 impl Chart {
     pub(super) fn draw_head(&self, area: &Area<'_>, legend: &[(u32, i32)]) -> Result<(), Box<dyn std::error::Error>> {
         let text = |size: i32| ("sans-serif", size).into_font().color(&INK);
@@ -32,7 +35,8 @@ impl Chart {
         Ok(())
     }
 
-    pub(super) fn draw_lines(&self, area: &Area<'_>) -> Result<(), Box<dyn std::error::Error>> {
+    pub(super) fn draw_lines(&self, area: &Area<'_>) -> Result<Hints, Box<dyn std::error::Error>> {
+        let mut hints = Hints::new();
         let ends = || self.series.iter().flat_map(|series| &series.points).flat_map(Point::ends);
         let x = range(ends().map(|(x, _)| x), 1.25);
         let y = range(ends().map(|(_, y)| y), 1.35);
@@ -50,13 +54,16 @@ impl Chart {
                 if point.bounds.is_some() {
                     chart.draw_series([PathElement::new(point.ends(), style.stroke_width(1))])?;
                 }
-                draw_marker(area, series.color, relative(chart.backend_coord(&(point.x, point.y)), area))?;
+                let place = relative(chart.backend_coord(&(point.x, point.y)), area);
+                draw_marker(area, series.color, place)?;
+                hints.push((place, self.words(series, point)));
             }
         }
-        Ok(())
+        Ok(hints)
     }
 
-    pub(super) fn draw_dots(&self, area: &Area<'_>) -> Result<(), Box<dyn std::error::Error>> {
+    pub(super) fn draw_dots(&self, area: &Area<'_>) -> Result<Hints, Box<dyn std::error::Error>> {
+        let mut hints = Hints::new();
         let ends = self.series.iter().flat_map(|series| &series.points).flat_map(Point::ends);
         let x = range(ends.map(|(x, _)| x), 1.15);
         let count = self.rows.len() as f64;
@@ -78,10 +85,12 @@ impl Chart {
                 if shifted.bounds.is_some() {
                     chart.draw_series([PathElement::new(shifted.ends(), color(series).stroke_width(1))])?;
                 }
-                draw_marker(area, series.color, relative(chart.backend_coord(&(shifted.x, shifted.y)), area))?;
+                let place = relative(chart.backend_coord(&(shifted.x, shifted.y)), area);
+                draw_marker(area, series.color, place)?;
+                hints.push((place, self.words(series, point)));
             }
         }
-        Ok(())
+        Ok(hints)
     }
 
     /// Draws the axes and the grid. In a chart of dots the vertical axis has no numbers, because its rows have names.
