@@ -2,9 +2,10 @@
 import { Asked } from './asked';
 import { definitions, nameOf, type Definition } from './definitions';
 import type { Question } from './explaining';
+import { limited } from './limited';
 import type { Rgb } from './ppm';
 import type { Texts } from './store';
-import { filled, messageOf, say, write, type Key } from './words';
+import { filled, messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -133,32 +134,19 @@ export class ExplainView {
         if (place && place !== this.#clicked) {
             this.#clicked = this.place = place;
         }
-        const limited = (index: number, key: Key, size: number, first: number): number => {
-            const input = this.#inputs[index]!;
-            write(input.previousElementSibling as HTMLElement, () => say('range', say(key), size - 1));
-            const value = Math.min(Math.max(Math.floor(Number(input.value || first)) || 0, 0), size - 1);
-            input.value = String(value);
-            return value;
-        };
-        const [column, row] = [limited(0, 'column', width, width >> 1), limited(1, 'row', height, height >> 1)];
+        const [column, row] = [limited('explain-column', 'column', width), limited('explain-row', 'row', height)];
         try {
-            const ask = async (sample: number) => {
-                const numbers: Question['numbers'] = [column, row, sample, vectors[row] ?? NaN];
-                const { life } = await this.#worker.ask({ texts: [texts.config, texts.scene], numbers });
-                return JSON.parse(life) as Life;
-            };
-            const wanted = Math.max(Math.floor(Number(this.#inputs[2]!.value)) || 0, 0);
-            let life = await ask(wanted);
-            if (!life.message && !life.samples) {
-                life = await ask(life.count - 1);
-            }
+            const sample = Math.max(Number(this.#inputs[2]!.value), 0);
+            const numbers: Question['numbers'] = [column, row, sample, vectors[row] ?? NaN];
+            const answer = await this.#worker.ask({ texts: [texts.config, texts.scene], numbers });
+            const life = JSON.parse(answer.life) as Life;
             if (own !== this.#newest) {
                 return;
             }
             if (life.message) {
                 throw new Error(life.message);
             }
-            limited(2, 'sample', life.count, 0);
+            limited('explain-sample', 'sample', life.count, 0);
             this.#objects = definitions(texts.scene).objects;
             const start = 3 * (row * width + column);
             this.#show(life, Array.from(data.subarray(start, start + 3)));

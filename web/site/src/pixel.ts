@@ -5,7 +5,8 @@ import { definitions, nameOf, type Definitions } from './definitions';
 import { plan } from './plan';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { developed, paint } from './shown';
-import { messageOf, say, write, type Key } from './words';
+import { limited } from './limited';
+import { messageOf, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -143,16 +144,6 @@ export class PixelView {
         }
         this.#source = source;
         const { width, height } = source.facts;
-        // The first pixel is that in the middle.
-        const limited = (id: string, key: Key, size: number): number => {
-            const input = element<HTMLInputElement>(id);
-            input.value ||= String(Math.floor(size / 2));
-            write(input.previousElementSibling as HTMLElement, () => say('range', say(key), size - 1));
-            input.max = String(size - 1);
-            const value = Math.min(Math.max(Math.floor(Number(input.value) || 0), 0), size - 1);
-            input.value = String(value);
-            return value;
-        };
         const [row, column] = [limited('pixel-row', 'row', height), limited('pixel-column', 'column', width)];
         const pixel = row * width + column;
         try {

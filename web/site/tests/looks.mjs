@@ -215,7 +215,8 @@ export const tests = {
                 await page.evaluate(() => scrollTo(0, 150));
                 await page.tap('#compare-stage');
                 await page.waitForSelector('#pixel-steps tr');
-                check((await page.locator('.tabs').boundingBox()).y >= 0, 'the start of the next view is in sight');
+                const { y } = await page.locator('.tabs').boundingBox();
+                check(y > -1, `the start of the next view is in sight, at ${y}`);
             }
             equal(await page.evaluate(() => document.documentElement.scrollWidth), 390, `the width of ${tab}`);
             const small = await page.evaluate(() => Array.from(document.querySelectorAll('button, select'))
