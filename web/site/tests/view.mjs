@@ -147,6 +147,7 @@ export const tests = {
             await isSaved(page, 'scene', true);
             equal(readFileSync(scene, 'utf8'), SMALL.scene, 'the new file');
             await type(page, 'config', SMALL.config);
+            await isSaved(page, 'config', false);
             await page.click('#config-save');
             await isSaved(page, 'config', true);
             equal(readFileSync(config, 'utf8'), SMALL.config, 'the corrected file');
