@@ -96,21 +96,22 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// An error of the device or of the mutant's WGSL, so that no check could run.
     pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
-        match self.examine(&mutant.library()?, &mutant.module) {
+        match self.examine(&mutant.library()?, Some(&mutant.module)) {
             // A ray that gives up leaves its pixel unwritten.
             Err(error @ Error::Unwritten { .. }) => Ok(Some(error.to_string())),
             examined => examined,
         }
     }
 
-    /// Returns a description of the first check that notices an error in `library`, or `None` if no check does. Only
-    /// checks whose kernel needs `module` are run.
+    /// Returns a description of the first check that notices an error in `library`, or `None` if no check does. With a
+    /// `module`, only checks whose kernel needs it are run.
     ///
     /// # Errors
     /// An error of the device or of the library's WGSL.
-    pub fn examine(&self, library: &Library, module: &str) -> Result<Option<String>, Error> {
+    pub fn examine(&self, library: &Library, module: Option<&str>) -> Result<Option<String>, Error> {
+        let runs = |kernel: &str| module.map_or(Ok(true), |module| runs(kernel, module));
         for (kernel, cases) in &self.kernels {
-            if runs(kernel.module, module)? {
+            if runs(kernel.module)? {
                 let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
                 if tally.differing > 0 {
                     let Tally { name, differing, cases, .. } = tally;
@@ -118,18 +119,18 @@ impl<'a> Examiner<'a> {
                 }
             }
         }
-        let library = if module == HIERARCHY { &library.clone().in_hierarchy() } else { library };
-        if runs("kernels/rays", module)?
+        let library = if module == Some(HIERARCHY) { &library.clone().in_hierarchy() } else { library };
+        if runs("kernels/rays")?
             && let Some(noticed) = self.examine_rays(library)?
         {
             return Ok(Some(noticed));
         }
-        if runs("kernels/image", module)?
+        if runs("kernels/image")?
             && let Some((case, found)) = self.differing_picture(library)?
         {
             return Ok(Some(format!("picture of {}, {} of {} pixels", case.name, found.differing, found.pixels)));
         }
-        if runs("kernels/samples", module)? || runs("kernels/means", module)? {
+        if runs("kernels/samples")? || runs("kernels/means")? {
             return self.examine_samples(library);
         }
         Ok(None)
