@@ -1,7 +1,5 @@
 //! Reads the configuration and the scene, and applies the settings of `--set`.
 
-pub mod located;
-
 use std::collections::HashSet;
 use std::fs;
 use std::io::{self, BufReader};
@@ -14,8 +12,8 @@ use cpu::internals::input::text::MAX_FILE_BYTES;
 use cpu::{Config, Error, Scene};
 use output::{Options, Output};
 
-use crate::format::faults::{self, MOST_FAULTS};
 use crate::format::hint::{Hint, Kind, Language};
+use crate::format::located;
 use crate::format::recorder::Recorder;
 use crate::{Failure, terminal};
 
@@ -208,8 +206,7 @@ pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure 
     }
 }
 
-/// Reads a file with the function `parse`. An error in a line gets the file name, the line and the column. The errors
-/// of later lines follow, up to [`MOST_FAULTS`].
+/// Reads a file with the function `parse`. The message about wrong lines is that of [`located::read`].
 fn read<T>(
     path: &Path,
     kind: Kind,
@@ -217,28 +214,9 @@ fn read<T>(
 ) -> Result<T, Failure> {
     let path = input(path);
     let file = Input::open(&path, MAX_FILE_BYTES).map_err(|error| Error::from(error).in_file(&path))?;
-    let mut recorder = Recorder::new(BufReader::with_capacity(1 << 16, file));
-    parse(&mut recorder).map_err(|error| {
-        let (mut messages, mut others) = (Vec::new(), 0);
-        faults::each(kind, &mut recorder, &error, |error, recorder| {
-            let message = located::message(error, kind, &path, recorder.last_line(), recorder.names());
-            // If the two files are swapped, each of their lines has this error.
-            let is_of_other = |message: &String| message.contains("a line of the other file");
-            if message.as_ref().is_some_and(is_of_other) && messages.iter().any(is_of_other) {
-                others += 1;
-            } else {
-                messages.extend(message);
-            }
-            messages.len() <= MOST_FAULTS && others <= MOST_FAULTS
-        });
-        if messages.is_empty() {
-            return error.in_file(&path).into();
-        }
-        if messages.len() > MOST_FAULTS {
-            messages[MOST_FAULTS] = format!("these are the first {MOST_FAULTS} errors of the file, and there are more");
-        }
-        messages.join("\n\n").into()
-    })
+    let input = BufReader::with_capacity(1 << 16, file);
+    located::read(input, kind, &path, parse)
+        .map_err(|(error, lines)| lines.map_or_else(|| error.in_file(&path).into(), Failure::from))
 }
 
 fn bare(key: &str) -> &str {

@@ -83,7 +83,8 @@ impl Library {
             // If a text has no line end, the next module would begin in its last line.
             let end = if text.ends_with('\n') { "" } else { "\n" };
             let is_replaced = self.replaced.contains_key(module.name);
-            parts.push(Part { path: path.into_owned(), first_line: line, is_replaced });
+            let own = is_replaced.then_some(module.source);
+            parts.push(Part { path: path.into_owned(), first_line: line, is_replaced, own });
             source.push_str(text);
             source.push_str(end);
             line += text.lines().count();
@@ -125,6 +126,8 @@ struct Part {
     first_line: usize,
     /// Whether the lines come from a replacement. An error is most likely in such lines.
     is_replaced: bool,
+    /// The text of the crate's module that is replaced.
+    own: Option<&'static str>,
 }
 
 impl Composition {
@@ -138,7 +141,7 @@ impl Composition {
     /// Returns a composition of a single text. Messages show `path` as its file.
     #[must_use]
     pub fn of_file(path: &str, source: String, precision: Precision) -> Self {
-        let part = Part { path: path.to_owned(), first_line: 1, is_replaced: true };
+        let part = Part { path: path.to_owned(), first_line: 1, is_replaced: true, own: None };
         let root = "standard input";
         Self { source, precision, root, parts: vec![part], is_lowered: false, allows_transcendental_f64: false }
     }
@@ -162,13 +165,18 @@ impl Composition {
     /// The errors of [`crate::lower::lower_text`].
     pub fn lowered(&self, arithmetic: &Arithmetic) -> Result<Self, Error> {
         let source = lower::lower(self, arithmetic)?;
-        let part = Part { path: format!("{} (lowered)", self.root), first_line: 1, is_replaced: false };
+        let part = Part { path: format!("{} (lowered)", self.root), first_line: 1, is_replaced: false, own: None };
         Ok(Self { source, parts: vec![part], is_lowered: true, ..self.clone() })
     }
 
     /// Returns this composition with the text `source`, whose lines come from the same files, followed by `more`.
     pub(crate) fn changed(&self, source: String, more: &str) -> Self {
-        let part = Part { path: "call trace".to_owned(), first_line: source.lines().count() + 1, is_replaced: false };
+        let part = Part {
+            path: "call trace".to_owned(),
+            first_line: source.lines().count() + 1,
+            is_replaced: false,
+            own: None,
+        };
         let parts = self.parts.iter().cloned().chain([part]).collect();
         Self { source: source + more, parts, ..self.clone() }
     }
@@ -216,14 +224,23 @@ impl Composition {
     /// count from 1.
     #[must_use]
     pub fn origin(&self, line: usize) -> (&str, usize) {
-        let part = self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0]);
+        let part = self.part(line);
         (&part.path, (line + 1).saturating_sub(part.first_line))
     }
 
     /// Whether line number `line` of the composition belongs to a replaced module.
     pub(crate) fn is_replaced(&self, line: usize) -> bool {
-        let part = self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0]);
-        part.is_replaced
+        self.part(line).is_replaced
+    }
+
+    /// Returns the text of the crate's module that is replaced by the module of line number `line`.
+    pub(crate) fn replaced_by(&self, line: usize) -> Option<&'static str> {
+        self.part(line).own
+    }
+
+    /// Returns the part that line number `line` of the composition belongs to.
+    fn part(&self, line: usize) -> &Part {
+        self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0])
     }
 
     /// Returns the lines of all replaced modules, with their numbers in the composition.

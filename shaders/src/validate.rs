@@ -1,7 +1,7 @@
 //! Parses and validates a composition with naga.
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use naga::{AddressSpace, Module, StorageAccess, Type};
+use naga::{AddressSpace, Module, ResourceBinding, StorageAccess, Type};
 
 use crate::{Composition, Diagnostic, Error, Precision, limits, transcendental};
 
@@ -52,6 +52,7 @@ impl Validated {
     pub(crate) fn by_naga(composition: &Composition, capabilities: Capabilities) -> Result<Self, Error> {
         let module = naga::front::wgsl::parse_str(composition.source())
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
+        refuse_foreign(&module, composition)?;
         let info = Validator::new(ValidationFlags::all(), capabilities)
             .validate(&module)
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, &module, composition))))?;
@@ -84,6 +85,26 @@ impl Validated {
     pub fn entry_points(&self) -> Vec<&str> {
         self.module.entry_points.iter().map(|entry| entry.name.as_str()).collect()
     }
+}
+
+/// Refuses a buffer of a module that replaces another one, if the other module does not have it: nothing is bound to
+/// it.
+fn refuse_foreign(module: &Module, composition: &Composition) -> Result<(), Error> {
+    for (handle, variable) in module.global_variables.iter() {
+        let Some(ResourceBinding { group, binding }) = variable.binding else { continue };
+        let span = module.global_variables.get_span(handle);
+        let line = span.location(composition.source()).line_number;
+        let Some(own) = composition.replaced_by(line as usize) else { continue };
+        if group != 0 || !own.contains(&format!("@binding({binding})")) {
+            let message = format!(
+                "the module that this file replaces has no buffer @group({group}) @binding({binding}), so nothing is \
+                 bound to [{}]; use a constant, or an `override` with --set",
+                variable.name.as_deref().unwrap_or_default()
+            );
+            return Err(Error::Invalid(Box::new(Diagnostic::of_span(message, span, None, composition))));
+        }
+    }
+    Ok(())
 }
 
 /// Checks the limits on the text of `composition`, and runs `work` on a thread with a stack of [`limits::STACK_BYTES`],
@@ -138,6 +159,25 @@ mod tests {
         // If a module is composed without one of the modules that it needs, it uses an unknown name, and naga refuses
         // it. So the test above finds a module missing from a list of needs.
         assert!(!is_valid("ray", "", Precision::F32));
+    }
+
+    #[test]
+    fn a_buffer_that_the_replaced_module_lacks_is_shown_at_its_line() {
+        let own = crate::module::find("trace").expect("it exists").source;
+        let said = |more: &str| {
+            let mut library = Library::standard();
+            library.replace("trace", "my.wgsl", format!("{more}{own}")).expect("it exists");
+            let whole = library.compose("kernels/image", Precision::F32).expect("it exists");
+            whole.validate().map(drop).map_err(|error| error.to_string())
+        };
+        assert_eq!(said("// its own buffers\n"), Ok(()));
+        for place in ["@group(0) @binding(9)", "@group(0) @binding(0)", "@group(1) @binding(5)"] {
+            let message = said(&format!("\n{place} var<storage, read> mine: array<u32>;\n")).expect_err(place);
+            assert!(
+                message.starts_with("my.wgsl:2:") && message.contains(&format!("has no buffer {place}")),
+                "{message}"
+            );
+        }
     }
 
     #[test]

@@ -2,8 +2,8 @@
 //!
 //! `cpu` decides which values are valid, and these tables explain it. `render-lab help config` and `help scene` print
 //! the tables, and the page in `web/site` offers them as completions. Error messages use them to point at the wrong
-//! field ([`place`]), and to say what to write instead ([`hint`]). [`refused`] lists wrong lines. Tests check that the
-//! tables agree with the parsers of `cpu`.
+//! field ([`place`]), and to say what to write instead ([`hint`]); [`located`] puts both together. [`refused`] lists
+//! wrong lines. Tests check that the tables agree with the parsers of `cpu`.
 //!
 //! Two features add what several tools share: `digest` computes SHA-256, and `annotate` writes words on pictures.
 
@@ -13,6 +13,7 @@ pub mod annotate;
 pub mod digest;
 pub mod faults;
 pub mod hint;
+pub mod located;
 pub mod place;
 pub mod recorder;
 pub mod refused;

@@ -6,6 +6,8 @@
 use std::path::Path;
 
 use cpu::{Config, Scene};
+use format::hint::Kind;
+use format::located;
 
 use super::args::Options;
 use super::files::{self, UserModule};
@@ -56,17 +58,15 @@ fn parse(paths: [&Path; 2], texts: &[Text; 2]) -> Result<(Config, Scene), Error>
     let [config, scene] =
         texts.each_ref().map(|text| text.as_deref().map_err(|message| Error::Request { message: message.clone() }));
     let (config, scene) = (config?, scene?);
-    // The message for a wrong line has the line, but not the file.
-    let explain = |path: &Path, error: cpu::Error| match error {
-        cpu::Error::Input(_) | cpu::Error::Picture(_) | cpu::Error::OutOfMemory { .. } => error.in_file(path).into(),
-        line => {
-            let text = String::from_utf8_lossy(&line.message_for_terminal()).into_owned();
-            Error::Request { message: format!("{}: {text}", files::shown(path)) }
-        }
-    };
     let checked = |parsed: Config| parsed.check_picture().map(|()| parsed);
-    let parsed = Config::parse(config).and_then(checked).map_err(|error| explain(paths[0], error))?;
-    Ok((parsed, Scene::parse(scene).map_err(|error| explain(paths[1], error))?))
+    let config = located::read(config, Kind::Config, paths[0], |text| Config::parse(text).and_then(checked));
+    let scene = located::read(scene, Kind::Scene, paths[1], |text| Scene::parse(text));
+    Ok((config.map_err(|error| explain(paths[0], error))?, scene.map_err(|error| explain(paths[1], error))?))
+}
+
+/// Returns the error of a file: the message about its wrong lines, if the error belongs to a line.
+fn explain(path: &Path, (error, lines): (cpu::Error, Option<String>)) -> Error {
+    lines.map_or_else(|| error.in_file(path).into(), |message| Error::Request { message })
 }
 
 /// Whether `path` is neither a file nor a folder. Then it is a pipe, a terminal or another device, which is read only
@@ -106,9 +106,11 @@ mod tests {
             let texts = [config, scene].map(|text| Ok(text.to_vec()));
             parse(["c", "s"].map(Path::new), &texts).expect_err("one is wrong").to_string()
         };
-        assert!(parsed(b"gamma: 2,2", b"").starts_with("c: Invalid value for key: [gamma:]\nLine: "));
+        let comma = parsed(b"\ngamma: 2,2\ngama: 1\n", b"");
+        assert!(comma.starts_with("c:2:8: ") && comma.contains("\n2 | gamma: 2,2\n           ^^^\n"), "{comma}");
+        assert!(comma.contains("write a decimal point") && comma.contains("\n\nc:3:1: "), "{comma}");
         assert!(parsed(b"camera_position: 0 0 0", b"").starts_with("Invalid configuration [c]: camera_position"));
-        assert!(parsed(b"", b"sphere: 0").starts_with("s: Invalid sphere parameters\n"));
+        assert!(parsed(b"", b"sphere: 0").starts_with("s:1:10: "), "{}", parsed(b"", b"sphere: 0"));
     }
 
     #[cfg(unix)]

@@ -141,11 +141,11 @@ fn an_unknown_module_is_shown_with_its_place_and_all_known_ones() {
 fn a_module_or_an_option_that_cannot_be_used_is_refused() {
     common::gpu();
     let folder = Folder::new();
-    let taken = "@group(0) @binding(0) var<storage, read> mine: array<u32>;\n".to_owned()
-        + &TEMPLATE.replace("return n * real(0.5)", "return n * real(mine[0])");
+    let buffer = "\n@group(0) @binding(0) var<storage, read> mine: array<u32>;\n";
+    let taken = TEMPLATE.replacen('\n', buffer, 1).replace("return n * real(0.5)", "return n * real(mine[0])");
     for (name, text, options, expected) in [
         ("sphere.wgsl", "fn nothing() {}\n", "", "\nsphere.wgsl:1: stands in for [sphere], and may lack a name"),
-        ("my.wgsl", &taken, "", "my.wgsl:"),
+        ("my.wgsl", &taken, "", "my.wgsl:2:23: the module that this file replaces has no buffer @group(0) @binding(0)"),
         ("my.wgsl", TEMPLATE, "--set loudness=1", "no constant [loudness]; there are: "),
         ("my.wgsl", TEMPLATE, "--pixel 48 0", "--pixel: the picture has 48 x 27 pixels"),
         ("my.wgsl", TEMPLATE, "--integers --as-driver-likes", "'--as-driver-likes'"),
