@@ -70,7 +70,7 @@ fn a_failure_stops_no_test_and_the_last_lines_run_again_what_failed() {
         let said = String::from_utf8(output.stdout).expect("it is text");
         said.split_once(&format!("{name}: FAILED; these commands run it again:\n")).expect("it failed").1.to_owned()
     };
-    let counters = "    cargo test --features counters -p cpu --test counters -- --exact a::b\n";
+    let counters = "    cargo test --features cpu/counters -p cpu --test counters -- --exact a::b\n";
     let example = "    cargo test -p cpu --doc -- --exact 'src/lib.rs - (line 10)'\n";
     assert_eq!(last_lines("tests/utest.sh"), [counters, example].concat());
     assert_eq!(last_lines("tests/ftest.sh"), "    cargo test -p cli --release --test digests\n");
