@@ -95,7 +95,9 @@ fn ground(what: &str, objects: u32) {
     let above: String = row.map(|x| format!("sphere: {} 1 {} .4 g\n", x % 5.0, (x / 5.0).floor())).collect();
     let scene = format!("metal: m .9 .8 .7 4\nrefractive: g 1.5\nsphere: 0 -60 0 60 m\n{above}");
     let config = format!("{COLORS}camera_position: 0 5 -10\n");
-    without(what, &config, &scene, |prepared| prepared.accel.without_isolation());
+    without(what, &config, &scene, |prepared| {
+        prepared.accel.without_isolation();
+    });
 }
 
 /// Compares two ways to quantise: by a table, and by the power function of the gamma correction.

@@ -118,6 +118,13 @@ fn check(project: &Project) -> String {
     table + "\n" + &source("check", &file)
 }
 
+/// Returns the table of what each mechanism gains, as `render-lab bench mechanisms` printed it.
+fn mechanisms(project: &Project) -> String {
+    let file = project.text("docs/measurements/mechanisms.txt");
+    let rows: String = file.lines().filter(|line| line.starts_with('|')).map(|line| format!("{line}\n")).collect();
+    rows + "\n" + &source("mechanisms", &file)
+}
+
 /// Returns the text of a block.
 fn block(project: &Project, name: &str) -> String {
     match name {
@@ -127,6 +134,7 @@ fn block(project: &Project, name: &str) -> String {
         "sets" => sets(project),
         "accuracy" => accuracy::block(project),
         "check" => check(project),
+        "mechanisms" => mechanisms(project),
         _ => panic!("there is no block of figures [{name}]"),
     }
 }

@@ -42,7 +42,7 @@ pub const MOST_WIDE: usize = 200_000;
 pub struct Bvh<B> {
     nodes: Vec<Node<B>>,
     /// The two highest levels of the tree, as one list of boxes.
-    collapsed_root: CollapsedRoot,
+    pub(super) collapsed_root: CollapsedRoot,
     /// For each axis, the part of a plane's move that does not depend on the ray; see [`slab_ray::margins`].
     margins: [f32; 3],
     /// The dominant sphere, which is not in the tree.

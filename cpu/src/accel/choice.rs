@@ -54,6 +54,18 @@ pub enum Accel {
     LargeBvh(Bvh<ByteBoxes>),
 }
 
+/// A structure that [`Accel::of`] can build.
+#[cfg(feature = "internals")]
+#[derive(Clone, Copy, Debug)]
+pub enum Structure {
+    /// [`Accel::FlatFilter`], for up to 64 objects with coordinates of up to 2e7.
+    FlatFilter,
+    /// [`Accel::Bvh`], with or without sphere leaves. `None` leaves this to the builder.
+    Bvh(Option<bool>),
+    /// [`Accel::LargeBvh`].
+    LargeBvh,
+}
+
 impl Accel {
     /// Returns the structure that fits the objects. A [`Bvh`] reorders them, so their numbers change.
     ///
@@ -94,15 +106,39 @@ impl Accel {
         true
     }
 
-    /// Disables the shortcut for isolated objects, to measure what it gains.
+    /// Disables the shortcut for isolated objects, to measure what it gains. Returns false if there was none.
     #[cfg(feature = "internals")]
-    pub fn without_isolation(&mut self) {
+    pub fn without_isolation(&mut self) -> bool {
         match self {
-            Self::EveryObject(_) | Self::SmallScene(_) => {}
-            Self::FlatFilter(filter) => filter.overlapping = None,
-            Self::Bvh(bvh) => bvh.isolated = Default::default(),
-            Self::LargeBvh(bvh) => bvh.isolated = Default::default(),
+            Self::EveryObject(_) | Self::SmallScene(_) => false,
+            Self::FlatFilter(filter) => filter.overlapping.take().is_some(),
+            Self::Bvh(bvh) => !std::mem::take(&mut bvh.isolated).is_empty(),
+            Self::LargeBvh(bvh) => !std::mem::take(&mut bvh.isolated).is_empty(),
         }
+    }
+
+    /// Removes the collapsed root, to measure what it gains. Returns false if there was none.
+    #[cfg(feature = "internals")]
+    pub fn without_collapsed_root(&mut self) -> bool {
+        match self {
+            Self::EveryObject(_) | Self::SmallScene(_) | Self::FlatFilter(_) => false,
+            Self::Bvh(bvh) => bvh.collapsed_root.clear(),
+            Self::LargeBvh(bvh) => bvh.collapsed_root.clear(),
+        }
+    }
+
+    /// Returns another structure than [`Accel::new`] does, to compare the two. It reorders the objects, as a [`Bvh`]
+    /// does.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`] if memory is short.
+    #[cfg(feature = "internals")]
+    pub fn of(structure: Structure, objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
+        Ok(match structure {
+            Structure::FlatFilter => Self::FlatFilter(FlatFilter::new(objects, extent)?),
+            Structure::Bvh(sphere_leaves) => Self::Bvh(Bvh::new(objects, extent, sphere_leaves)?),
+            Structure::LargeBvh => Self::LargeBvh(Bvh::new(objects, extent, None)?),
+        })
     }
 
     /// Returns the closest hit of a ray that starts on the surface of `start_object`, and counts the ray. `stack` is

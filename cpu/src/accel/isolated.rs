@@ -33,6 +33,12 @@ impl Isolated {
         Ok(Self(words))
     }
 
+    /// Whether no object is isolated.
+    #[cfg(feature = "internals")]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.iter().all(|&word| word == 0)
+    }
+
     /// Adds the object with the number `id`, for which the set must have room.
     #[inline(always)]
     pub(crate) fn insert(&mut self, id: ObjectId) {

@@ -90,8 +90,8 @@ impl ExactLambda {
         // with any power.
         let root_order = discriminant.order().map(|order| (order + 1).div_euclid(2));
         let scale = h.order().max(root_order).unwrap_or(0);
-        let h = h.scaled(-scale).to_double_double();
-        let root = discriminant.scaled(-2 * scale).to_double_double().sqrt();
+        let h = h.to_double_double(-scale);
+        let root = discriminant.to_double_double(-2 * scale).sqrt();
         let (sum, root_is_added) = if h.less(DoubleDouble::of(0.0)) { (h - root, false) } else { (h + root, true) };
         // The numerator of one root does not cancel. The other root follows from the product of both, c / a.
         let (quotient, power) = if root_is_added == self.is_larger {

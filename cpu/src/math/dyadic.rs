@@ -63,13 +63,13 @@ impl Dyadic {
     /// `f64` too. The part is truncated to 106 bits, with `0.5 <= |part| < 1`. For zero the result is `(0, 0)`.
     pub(crate) fn to_part_and_power(&self) -> (DoubleDouble, i64) {
         let power = self.order().unwrap_or(0);
-        (self.scaled(-power).to_double_double(), power)
+        (self.to_double_double(-power), power)
     }
 
-    /// Returns the number, truncated to 106 bits.
-    pub(crate) fn to_double_double(&self) -> DoubleDouble {
+    /// Returns the number times `2^power`, truncated to 106 bits.
+    pub(crate) fn to_double_double(&self, power: i64) -> DoubleDouble {
         let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
-        let part = |skipped: i64| power_of_two(self.digits(skipped) as f64, order - 53 - skipped);
+        let part = |skipped: i64| power_of_two(self.digits(skipped) as f64, order - 53 - skipped + power);
         let (high, low) = two_sum(part(0), part(53));
         if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }
     }
@@ -82,13 +82,12 @@ impl Dyadic {
     /// Returns the 53 bits of the magnitude that follow its highest `skipped` bits.
     fn digits(&self, skipped: i64) -> u64 {
         let lowest = self.bits() - skipped - 53;
-        (0..53).filter(|&index| self.bit(lowest + index)).fold(0, |digits, index| digits | 1 << index)
-    }
-
-    /// Whether the bit at `index` of the magnitude is 1. Bits outside of it are 0.
-    fn bit(&self, index: i64) -> bool {
-        let Ok(index) = usize::try_from(index) else { return false };
-        self.magnitude.get(index / 64).is_some_and(|limb| limb >> (index % 64) & 1 == 1)
+        // Bits outside of the magnitude are 0.
+        let limb =
+            |index: i64| usize::try_from(index).map_or(0, |index| self.magnitude.get(index).copied().unwrap_or(0));
+        let (first, shift) = (lowest.div_euclid(64), lowest.rem_euclid(64));
+        let both = u128::from(limb(first + 1)) << 64 | u128::from(limb(first));
+        (both >> shift) as u64 & ((1 << 53) - 1)
     }
 
     /// Returns `self + other`, or `self - other` if `is_difference` is set.
@@ -214,7 +213,7 @@ mod tests {
     }
 
     fn high(number: &Dyadic) -> f64 {
-        number.to_double_double().high
+        number.to_double_double(0).high
     }
 
     #[test]
@@ -260,7 +259,7 @@ mod tests {
     #[test]
     fn rounding_keeps_106_bits() {
         let third = &(&exact(1.0) + &exact(2.0_f64.powi(-100))) * &exact(3.0);
-        let DoubleDouble { high, low } = third.to_double_double();
+        let DoubleDouble { high, low } = third.to_double_double(0);
         assert_eq!((high, low), (3.0, 3.0 * 2.0_f64.powi(-100)));
         assert_eq!(power_of_two(1.5, 3000), f64::INFINITY);
         assert_eq!(power_of_two(1.5, -3000), 0.0);

@@ -34,7 +34,7 @@ pub fn tangent(angle: f64) -> f64 {
 fn rounded(angle: f64, bits: usize) -> Option<f64> {
     let (integer, exponent) = integer_and_exponent(angle);
     let ([sine, cosine], error) = sine_and_cosine(integer, exponent, bits);
-    let candidate = sine.to_double_double().high / cosine.to_double_double().high;
+    let candidate = sine.to_double_double(0).high / cosine.to_double_double(0).high;
     nearest(candidate, |Midpoint { integer, exponent }| {
         // The tangent is above the midpoint if `sine - midpoint cosine` is positive.
         let midpoint = Dyadic::of_limbs(vec![integer], exponent);

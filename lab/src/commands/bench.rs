@@ -9,6 +9,7 @@ use output::Options;
 use crate::bench::diff::{Change, Changes, Times};
 use crate::bench::machine::Machine;
 use crate::bench::matrix::{PARAMETERS, Plan, Task, tasks};
+use crate::bench::mechanisms;
 use crate::bench::results::check::Total;
 use crate::bench::results::{Growth, Results};
 use crate::numbers::above_zero;
@@ -40,6 +41,16 @@ enum What {
     Error {
         #[command(flatten)]
         how: How,
+    },
+    /// What each mechanism of the renderer gains on many scenes, as a table in Markdown
+    #[command(after_help = "Examples:\n  render-lab bench mechanisms >mechanisms.md")]
+    Mechanisms {
+        /// Repeats of each time
+        #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
+        repeats: u16,
+        /// Small pictures, to try it out in minutes
+        #[arg(long)]
+        quick: bool,
     },
     /// All of it
     #[command(after_help = "Examples:\n  render-lab bench all --out docs/report/data/bench.json\n  \
@@ -119,6 +130,9 @@ impl Arguments {
                 how.run(options, all.iter().filter(|task| matches!(task, Task::Scale(name) if is_wanted(name))))
             }
             What::Error { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Error(_)))),
+            What::Mechanisms { repeats, quick } => {
+                terminal::print(mechanisms::table(usize::from(*repeats), *quick)?.trim_end())
+            }
             What::All { part: (part, parts), how } => how.run(options, all.iter().skip(part - 1).step_by(*parts)),
             What::Tasks => {
                 let names: Vec<_> = all.iter().map(ToString::to_string).collect();

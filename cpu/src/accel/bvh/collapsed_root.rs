@@ -103,6 +103,12 @@ impl CollapsedRoot {
         self.rows.is_empty()
     }
 
+    /// Removes all boxes. Returns false if there were none.
+    #[cfg(feature = "internals")]
+    pub(crate) fn clear(&mut self) -> bool {
+        !std::mem::take(&mut self.rows).is_empty()
+    }
+
     /// Returns a bit for each box, which is 1 if the ray hits the box at a lambda of at most `farthest`.
     #[inline(always)]
     pub(crate) fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32) -> u64 {

@@ -21,7 +21,7 @@ const MOST_IN_LANES: usize = 64;
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
-pub(crate) fn targets(objects: &impl Objects, extent: &Extent) -> Result<Vec<Target>, Error> {
+pub fn targets(objects: &impl Objects, extent: &Extent) -> Result<Vec<Target>, Error> {
     let count = if extent.is_ordinary() && count(objects) <= MOST_IN_LANES { count(objects) } else { 0 };
     let mut targets = with_room(count, OBJECTS)?;
     targets.extend((0..count as ObjectId).map(|id| Target::of(objects, id, extent.max_coordinate)));
