@@ -167,7 +167,7 @@ const GENERATED: &[(usize, Arrangement, f64)] = &[
 /// Returns all scenes with their names: bundled ones, those of the course if `RENDER_REFERENCE_DIR` names their folder,
 /// and generated ones, two of them in a room.
 fn all(quick: bool) -> Result<Vec<(String, Config, Scene)>, Failure> {
-    let width = if quick { 48 } else { 160 };
+    let width = if quick { 48 } else { 400 };
     let sized = |config: Config| Config { image_width: width, samples_per_pixel: 4, ..config };
     let mut all: Vec<_> = scenes::NAMES
         .iter()
