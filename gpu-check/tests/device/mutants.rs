@@ -1,5 +1,5 @@
 //! Tests the checks themselves: they must notice every deliberate error in the WGSL and in the arithmetic of f64 by
-//! integers, and report nothing if there is none. With `RENDER_ALL=1` all mutants are tried, which tests/extensive does.
+//! integers, and report nothing if there is none. With `RENDER_ALL=1` all mutants are tried, as in tests/extensive.
 
 mod crafted;
 pub mod examiner;

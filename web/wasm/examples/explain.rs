@@ -34,8 +34,8 @@ pub extern "C" fn room(text: usize, length: usize) -> *mut u8 {
 /// Makes the result the life of a pixel with the events of one sample, and returns the number of its bytes. `vectors`
 /// is the number of random vectors that surfaces take before the pixel's row, or NaN if it is unknown.
 ///
-/// The result has the fields of [`life`] and `count`, the number of all samples. Of a sample beyond them it has the last
-/// one. After an error it has `message` alone, and for a pixel that does not exist it is `null`.
+/// The result has the fields of [`life`] and `count`, the number of all samples. Of a sample beyond them it has the
+/// last one. After an error it has `message` alone, and for a pixel that does not exist it is `null`.
 #[unsafe(no_mangle)]
 pub extern "C" fn explain(column: usize, row: usize, sample: usize, vectors: f64) -> usize {
     let mut state = state();

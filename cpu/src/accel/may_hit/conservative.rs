@@ -13,9 +13,9 @@ use crate::layout::Objects;
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
 /// The margin of the constant term `c` of a quadratic `a lambda^2 - 2 h lambda + c`, relative to the sum of the
-/// magnitudes of the terms of `c` ([`ConservativeQuadratic::size`]). It is `1024 u`: room for about 1,000 roundings, each with a
-/// relative error of at most `u = EPSILON / 2`. The tests and the exact formulas together need a quarter of this, so
-/// rounding never discards an object that the ray hits (docs/margins.md).
+/// magnitudes of the terms of `c` ([`ConservativeQuadratic::size`]). It is `1024 u`: room for about 1,000 roundings,
+/// each with a relative error of at most `u = EPSILON / 2`. The tests and the exact formulas together need a quarter of
+/// this, so rounding never discards an object that the ray hits (docs/margins.md).
 pub const QUADRATIC_MARGIN: f64 = 512.0 * f64::EPSILON;
 
 /// The smallest squared length of a direction for which the tests are valid. With it underflow is negligible, in single
