@@ -110,6 +110,12 @@ impl Grades {
             let verdicts = row.passed().map(|counts| html::verdict(counts, language));
             cells[PASSED..PASSED + verdicts.len()].clone_from_slice(&verdicts);
         }
+        // A column without any figure, such as energy without a meter, leaves its room to the others.
+        let is_told: Vec<_> = (0..rows[0].len()).map(|at| rows[1..].iter().any(|row| !row[at].is_empty())).collect();
+        for row in &mut rows {
+            let mut told = is_told.iter();
+            row.retain(|_| told.next() == Some(&true));
+        }
         let head: Vec<_> = rows[0].iter().map(String::as_str).collect();
         let title = language.pick(["Points and measurements", "Puntos y medidas"]);
         let mut body = html::table(title, &head, rows[1..].iter().cloned());

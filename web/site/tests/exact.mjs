@@ -46,6 +46,8 @@ export const tests = {
         const first = await rowAfter(0);
         const second = await rowAfter(first);
         check(first > 0 && second > first && second < 360, `${first} and then ${second} rows of 360`);
+        // The time is told from the second second on.
+        await page.waitForFunction(() => document.getElementById('left').textContent.includes(','), null, { polling: 50 });
         const left = await page.textContent('#left');
         check(/^\d+ %, [\d,]+ s left$/.test(left), `the share and the time left: ${left}`);
         await shoot(page, 'rows');

@@ -5,10 +5,14 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{Chart, LEFT, LEGEND_ROW, LETTER, Point, Series, TITLE};
+use super::{Chart, LEFT, LEGEND_ROW, LETTER, Point, Series, TITLE, WIDTH};
 use crate::report::style::{GRID, INK, SERIES};
 
 const FONT: i32 = 17;
+/// Largest number of ticks on a horizontal axis.
+const MOST_TICKS: usize = 7;
+/// The margins at the left and at the right, in pixels.
+const MARGINS: i32 = 12 + 36;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
@@ -41,7 +45,7 @@ impl Chart {
         let x = range(ends().map(|(x, _)| x), 1.25);
         let y = range(ends().map(|(_, y)| y), 1.35);
         let mut chart = builder(area, 78).build_cartesian_2d(Logarithmic(x), Logarithmic(y))?;
-        self.draw_mesh(&mut chart)?;
+        self.draw_mesh(&mut chart, MOST_TICKS)?;
         for series in &self.series {
             let style = color(series);
             let path: Vec<_> = series.points.iter().map(|point| (point.x, point.y)).collect();
@@ -70,8 +74,11 @@ impl Chart {
         let longest = self.rows.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         // The names of the report's rows fit in 150 pixels.
         let names = 150.max(LETTER * longest as i32);
-        let mut chart = builder(area, names).build_cartesian_2d(Logarithmic(x), count + 0.5..0.5)?;
-        self.draw_mesh(&mut chart)?;
+        let mut chart = builder(area, names).build_cartesian_2d(Logarithmic(x.clone()), count + 0.5..0.5)?;
+        // Longer names leave less room for the numbers of the axis.
+        let letters = [x.start, x.end].map(|end| (self.x.format)(end).chars().count());
+        let room = (WIDTH as i32 - MARGINS - names) / (LETTER * (letters[0].max(letters[1]) as i32 + 2));
+        self.draw_mesh(&mut chart, room.clamp(2, MOST_TICKS as i32) as usize)?;
         for (index, name) in self.rows.iter().enumerate() {
             let (_, y) = relative(chart.backend_coord(&(1.0, index as f64 + 1.0)), area);
             let style = ("sans-serif", FONT).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Center));
@@ -93,10 +100,11 @@ impl Chart {
         Ok(hints)
     }
 
-    /// Draws the axes and the grid. In a chart of dots the vertical axis has no numbers, because its rows have names.
+    /// Draws the axes and the grid, with at most `most` numbers on the horizontal axis. In a chart of dots the vertical axis has no numbers, because its rows have names.
     fn draw_mesh<X, Y>(
         &self,
         chart: &mut ChartContext<'_, SVGBackend<'_>, Cartesian2d<X, Y>>,
+        most: usize,
     ) -> Result<(), Box<dyn std::error::Error>>
     where
         X: Ranged<ValueType = f64> + ValueFormatter<f64>,
@@ -110,7 +118,7 @@ impl Chart {
             .axis_style(INK.stroke_width(1))
             .bold_line_style(GRID.stroke_width(1))
             .light_line_style(TRANSPARENT)
-            .x_labels(7)
+            .x_labels(most)
             .x_desc(self.x.label)
             .x_label_formatter(&x_format)
             .y_label_formatter(&y_format);
