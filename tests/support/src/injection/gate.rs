@@ -2,7 +2,7 @@
 
 use std::fs::{self, OpenOptions};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
@@ -71,20 +71,21 @@ fn only_child(process: u32) -> Option<u32> {
     fs::read_to_string(format!("/proc/{process}/task/{process}/children")).ok()?.trim().parse().ok()
 }
 
-/// Returns the ID of the thread of `process` that started last, if it waits for the content of the gate: `process` has
-/// `gate` open, and the thread sleeps. Otherwise returns `None`.
+/// Returns the ID of the thread of `process` that started last, if it waits for the content of the gate: it sleeps in a
+/// call whose first argument is a descriptor of `gate`. Otherwise returns `None`.
 fn waiting_thread(process: u32, gate: &Path) -> Option<u32> {
-    let descriptors = fs::read_dir(format!("/proc/{process}/fd")).ok()?;
-    let links = descriptors.filter_map(|entry| fs::read_link(entry.ok()?.path()).ok());
-    let gate: PathBuf = fs::canonicalize(gate).ok()?;
-    if !links.into_iter().any(|link| link == gate) {
-        return None;
-    }
     let tasks = fs::read_dir(format!("/proc/{process}/task")).ok()?;
     let threads = tasks.filter_map(|entry| entry.ok()?.file_name().to_str()?.parse::<u32>().ok());
     let thread = threads.max()?;
     let state = fs::read_to_string(format!("/proc/{process}/task/{thread}/stat")).ok()?;
     // The state follows the program's name in parentheses. The name may contain parentheses too, so the last `)` is
     // used.
-    state.rsplit_once(") ")?.1.starts_with('S').then_some(thread)
+    if !state.rsplit_once(") ")?.1.starts_with('S') {
+        return None;
+    }
+    // The number of the call comes first, and then its arguments.
+    let call = fs::read_to_string(format!("/proc/{process}/task/{thread}/syscall")).ok()?;
+    let descriptor = u64::from_str_radix(call.split(' ').nth(1)?.strip_prefix("0x")?, 16).ok()?;
+    let file = fs::read_link(format!("/proc/{process}/fd/{descriptor}")).ok()?;
+    (file == fs::canonicalize(gate).ok()?).then_some(thread)
 }
