@@ -17,7 +17,7 @@ use test_support::{golden, project_root, trial};
 const REDUCED: &str = "\nimage_width: 160\nsamples_per_pixel: 8\n";
 
 /// Returns the path of Chromium: the file that `CHROMIUM` names, or the usual one of Debian.
-fn chromium() -> PathBuf {
+pub fn chromium() -> PathBuf {
     std::env::var_os("CHROMIUM").map_or_else(|| "/usr/bin/chromium".into(), PathBuf::from)
 }
 
