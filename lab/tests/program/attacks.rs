@@ -122,9 +122,11 @@ fn a_signal_ends_the_command_and_all_that_it_started() {
     let time = format!("time '{both}'");
     for command in [&*time, "check --seconds 999 st/a/render", "grade --seconds 999 st --results r"] {
         for signal in ["INT", "TERM", "HUP"] {
-            // A command in the background ignores SIGINT unless bash runs with job control.
+            // A command in the background ignores SIGINT unless bash runs with job control. If the tests themselves run
+            // in the background, bash cannot undo that, but `env` can.
             let line = format!(
-                "set -m; export TMPDIR=$PWD/tmp; mkdir -p tmp; $lab {command} & \
+                "set -m; export TMPDIR=$PWD/tmp; mkdir -p tmp; \
+                 env --default-signal=INT,TERM,HUP $lab {command} & \
                  until pgrep -x -f '{sleep}' >/dev/null; do sleep 0.02; done; \
                  kill -{signal} $!; wait $!; echo $?; pgrep -x -f '{sleep}'; ls tmp"
             );
