@@ -98,8 +98,8 @@
 //! Ray against closed cylinder (specification, sections 9.2 and 9.3).
 //!
 //! The curved side is part of the infinite cylinder `|(O - C)' + d' lambda|^2 = r^2`. A prime marks the part of a
-//! vector that is perpendicular to the axis. With `a = d'.d'`, `c = (O - C)'.(O - C)' - r^2` and `h = (O - C)'.d'`, half
-//! of the linear coefficient, the roots are `(-h -+ sqrt(h^2 - a c)) / a`. The module of the
+//! vector that is perpendicular to the axis. With `a = d'.d'`, `c = (O - C)'.(O - C)' - r^2` and `h = (O - C)'.d'`,
+//! half of the linear coefficient, the roots are `(-h -+ sqrt(h^2 - a c)) / a`. The module of the
 //! [sphere](crate::geometry::sphere) explains why the formula with `h` gives the bits of the usual formula. A root
 //! counts if its point, measured along the axis, is at most half the height from the centre. The caps are discs in the
 //! planes at both ends ([`cap`]).

@@ -100,7 +100,8 @@ impl Chart {
         Ok(hints)
     }
 
-    /// Draws the axes and the grid, with at most `most` numbers on the horizontal axis. In a chart of dots the vertical axis has no numbers, because its rows have names.
+    /// Draws the axes and the grid, with at most `most` numbers on the horizontal axis. In a chart of dots the vertical
+    /// axis has no numbers, because its rows have names.
     fn draw_mesh<X, Y>(
         &self,
         chart: &mut ChartContext<'_, SVGBackend<'_>, Cartesian2d<X, Y>>,
