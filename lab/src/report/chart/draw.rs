@@ -77,8 +77,9 @@ impl Chart {
         let mut chart = builder(area, names).build_cartesian_2d(Logarithmic(x.clone()), count + 0.5..0.5)?;
         // Longer names leave less room for the numbers of the axis.
         let letters = [x.start, x.end].map(|end| (self.x.format)(end).chars().count());
-        let room = (WIDTH as i32 - MARGINS - names) / (LETTER * (letters[0].max(letters[1]) as i32 + 2));
-        self.draw_mesh(&mut chart, room.clamp(2, MOST_TICKS as i32) as usize)?;
+        // The ends have more letters than the round numbers between them, so these do not touch.
+        let room = (WIDTH as i32 - MARGINS - names) / (LETTER * letters[0].max(letters[1]).max(1) as i32);
+        self.draw_mesh(&mut chart, room.clamp(3, MOST_TICKS as i32) as usize)?;
         for (index, name) in self.rows.iter().enumerate() {
             let (_, y) = relative(chart.backend_coord(&(1.0, index as f64 + 1.0)), area);
             let style = ("sans-serif", FONT).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Center));
