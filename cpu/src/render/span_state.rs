@@ -23,6 +23,7 @@ impl Streams<'_> {
     /// Returns the number of scatter samples that surfaces have taken since row 0. A picture that began later counts
     /// from an unknown number.
     #[must_use]
+    #[cfg(any(feature = "internals", test))]
     pub const fn scatter_samples(&self) -> u64 {
         self.1.taken()
     }

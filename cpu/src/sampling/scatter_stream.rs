@@ -92,6 +92,7 @@ impl ScatterSamples {
 
     /// Returns the number of samples that were taken. It is right only for a stream that has not been
     /// [visited](ScatterSamples::visit) to replace its state.
+    #[cfg(any(feature = "internals", test))]
     pub(crate) const fn taken(&self) -> u64 {
         self.position().wrapping_sub(ROOM as u64)
     }
