@@ -1,12 +1,13 @@
 //! Compares each acceleration structure with the one that intersects every object.
 
 use crate::accel::bvh::{Bvh, MOST_WIDE, farthest_for, sphere_leaf::LEAST_OBJECTS};
-use crate::accel::choice::Accel;
+use crate::accel::choice::{Accel, Structure};
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
 use crate::accel::flat_filter::FlatFilter;
+use crate::accel::may_hit::target::targets;
 use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use crate::accel::stack::Stack;
 use crate::geometry::ray::Ray;
@@ -418,5 +419,41 @@ fn rays_between_thin_shells_hit_the_next_one() {
         }
         let mut objects = parsed(&text);
         agrees_with_plain(&accel(&mut objects), &objects, 100);
+    }
+}
+
+#[test]
+fn structures_that_are_only_measured_agree_with_a_plain_loop() {
+    let extent = Extent { max_coordinate: 240.0, moderate: true, has_tiny: false };
+    let mut without_root = 0;
+    for (structure, count) in [
+        (Structure::FlatFilter, 40),
+        (Structure::Bvh(Some(false)), 300),
+        (Structure::Bvh(Some(true)), 300),
+        (Structure::LargeBvh, 300),
+    ] {
+        let mut objects = objects(count, 1.0, 31);
+        let mut accel = Accel::of(structure, &mut objects, &extent).expect("it fits");
+        agrees_with_plain(&accel, &objects, 300);
+        if accel.without_collapsed_root() {
+            without_root += 1;
+            agrees_with_plain(&accel, &objects, 300);
+            assert!(!accel.without_collapsed_root());
+        }
+    }
+    assert!(without_root > 0, "no structure had a collapsed root");
+}
+
+#[test]
+fn up_to_64_objects_of_ordinary_scenes_are_tested_in_lanes() {
+    let ordinary = Extent { max_coordinate: 240.0, moderate: true, has_tiny: false };
+    for (count, extent, expected) in [
+        (63, ordinary, 64),
+        (64, ordinary, 0),
+        (9, Extent { has_tiny: true, ..ordinary }, 0),
+        (9, Extent { moderate: false, ..ordinary }, 0),
+        (9, Extent { max_coordinate: 2e9, ..ordinary }, 0),
+    ] {
+        assert_eq!(targets(&objects(count, 1.0, 5), &extent).expect("it fits").len(), expected, "{count}, {extent:?}");
     }
 }
