@@ -55,7 +55,9 @@ fn complaint(arguments: &[&str]) -> String {
 /// Runs a line of bash in `folder`. In the line, `$lab` is the path of the program and `$root` that of the project.
 fn bash(folder: &test_support::folder::Folder, line: &str) -> Output {
     let mut bash = test_support::running::bash();
-    bash.current_dir(folder.path()).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
+    // Without this, bash would split a path with blanks.
+    let line = format!("IFS=$'\\n'; {line}");
+    bash.current_dir(folder.path()).args(["-c", &line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
     bash.env("root", test_support::project_root());
     bash.output().expect("bash starts")
 }

@@ -9,7 +9,9 @@ fn bash(folder: &Folder, line: &str) -> Output {
     folder.write("config", "image_width: 16\n");
     fs::copy(project_root().join("scenes/materials/scene.txt"), folder.file("scene")).expect("the folder is writable");
     let mut bash = test_support::running::bash();
-    bash.current_dir(folder).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_shader-lab"));
+    // Without this, bash would split a path with blanks.
+    let line = format!("IFS=$'\\n'; {line}");
+    bash.current_dir(folder).args(["-c", &line]).env("lab", env!("CARGO_BIN_EXE_shader-lab"));
     bash.output().expect("bash starts")
 }
 
