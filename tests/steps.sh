@@ -11,6 +11,8 @@ if [ -z "${STEPS_FAILED:-}" ]; then
     export STEPS_FAILED
     trap 'rm -f "$STEPS_FAILED" "$STEPS_FAILED.log."*' EXIT
 fi
+# The number of failures of the outer script before this one.
+steps_before=$(wc -l <"$STEPS_FAILED")
 
 # Prints, for what `cargo test` printed, the commands that run the failed tests again. Their beginning is $1, such as
 # "cargo test --release".
@@ -54,7 +56,7 @@ step() {
 }
 
 finish() {
-    if [ ! -s "$STEPS_FAILED" ]; then
+    if [ "$(wc -l <"$STEPS_FAILED")" -eq "$steps_before" ]; then
         [ $steps_owner = no ] || echo "$steps_name: 0 failures"
         return
     fi

@@ -76,7 +76,7 @@ impl ScatterSamples {
     /// Takes the next sample. At most [`RESERVE`] samples may be taken between two calls of
     /// [`ScatterSamples::prepare`].
     #[inline(always)]
-    #[expect(clippy::should_implement_trait, reason = "the stream has no end")]
+    #[cfg_attr(feature = "internals", expect(clippy::should_implement_trait, reason = "the stream has no end"))]
     pub fn next(&mut self) -> Vec3 {
         let sample = self.samples.get(self.next).into();
         self.skip(1);

@@ -1,6 +1,6 @@
 //! Exports proofs of margins as text for Gappa, an independent prover of bounds of rounding errors.
 //!
-//! The formulas of `cpu` run over [`Bounded`], which keeps how each number is computed. [`Script`] writes these
+//! The formulas of `cpu` run over [`Bounded`], which keeps how each number is computed. `Script` writes these
 //! operations in Gappa's language, each one with its rounding and without. No bound of our own prover is exported.
 //! What Gappa cannot know is given as a hypothesis: the inequality of Cauchy and Schwarz, and bounds that an earlier
 //! script proves.
