@@ -9,7 +9,7 @@ fn bash_completes_commands_options_and_values_at_every_level() {
     let complete = |words: &[&str]| {
         let (last, before) = (words[words.len() - 1], words[words.len() - 2]);
         let line = format!(
-            "source <($lab completions bash); COMP_WORDS=({}); COMP_CWORD={}; \
+            "source <($lab completions bash); IFS=$' \\t\\n'; COMP_WORDS=({}); COMP_CWORD={}; \
              _render__lab render-lab '{last}' '{before}'; printf '%s\\n' \"${{COMPREPLY[@]}}\"",
             words.join(" "),
             words.len() - 1

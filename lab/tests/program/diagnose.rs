@@ -12,7 +12,7 @@ use crate::{complaint, lab, printed, run};
 fn diagnose(script: &str) -> (Option<i32>, Value) {
     let folder = Folder::new();
     let lab_name = env!("CARGO_BIN_EXE_render-lab");
-    let program = folder.write("program", format!("#!/bin/sh\nlab={lab_name}\n{script}\n"));
+    let program = folder.write("program", format!("#!/bin/sh\nIFS=\nlab='{lab_name}'\n{script}\n"));
     std::fs::set_permissions(&program, PermissionsExt::from_mode(0o755)).expect("it is ours");
     let output = lab(&["diagnose", "--json", "--seconds", "5", &folder.name("program")]).output().expect("it runs");
     let value = serde_json::from_slice(&output.stdout)
