@@ -20,7 +20,7 @@ steps_again() {
     awk -v start="$1" -v quote="'" '
         /^test .* \.\.\. FAILED/ {
             name = $0
-            sub(/^test (\[[^]]*\] )?/, "", name)
+            sub(/^test +(\[[^]]*\] +)?/, "", name)
             sub(/ +\.\.\. FAILED.*/, "", name)
             names = names " " (name ~ /[^A-Za-z0-9_:]/ ? quote name quote : name)
         }
