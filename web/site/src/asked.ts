@@ -15,15 +15,22 @@ export class Asked<Q extends object, A extends { question: number }> {
             this.#waiting.get(data.question)?.answer(data);
             this.#waiting.delete(data.question);
         };
-        this.#worker.onerror = ({ message }) => {
-            const failure = new Error(message || say('noModule', script));
-            this.#failure = failure;
-            this.#waiting.forEach(({ fail }) => fail(failure));
-            this.#waiting.clear();
-        };
+        this.#worker.onerror = ({ message }) => this.#fail(new Error(message || say('noModule', script)));
         if (module) {
             this.#worker.postMessage({ module });
         }
+    }
+
+    #fail(failure: Error): void {
+        this.#failure = failure;
+        this.#waiting.forEach(({ fail }) => fail(failure));
+        this.#waiting.clear();
+    }
+
+    /** Ends the worker. Questions without an answer fail. */
+    end(): void {
+        this.#worker.terminate();
+        this.#fail(new Error(say('cancelled')));
     }
 
     /** Returns the answer to `request`. Throws if the worker fails. */

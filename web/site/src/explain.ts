@@ -44,50 +44,66 @@ const WORDS = {
     differs: ['Bytes {0}; the picture has {1}, because there exact lambdas decide, and here rounding does.',
         'Bytes {0}; la imagen tiene {1}, porque allí deciden las lambdas exactas y aquí el redondeo.'],
     offset: ['offset', 'desplazamiento'],
-    offsetText: ['x = {0}, y = {1}: draws {2} and {3} of the rays', 'x = {0}, y = {1}: números {2} y {3} de los rayos'],
+    offsetText: ['x = {0}, y = {1}: numbers {2} and {3} of ray_rng_seed',
+        'x = {0}, y = {1}: números {2} y {3} de ray_rng_seed'],
     target: ['Q', 'Q'],
     ray: ['ray', 'rayo'],
-    rayText: ['{0} of at most {1}', '{0} de {1} como máximo'],
+    rayText: ['{0} of at most {1}: depth {2}', '{0} de {1} como máximo: profundidad {2}'],
     from: ['from', 'desde'],
     along: ['along', 'dirección'],
     sphere: ['sphere', 'esfera'],
     side: ['side', 'lado'],
     top: ['upper base', 'base superior'],
     bottom: ['lower base', 'base inferior'],
-    counts: ['counts', 'cuenta'],
-    tooNear: ['does not count: it is below 1e-3', 'no cuenta: es menor que 1e-3'],
-    outsideRadius: ['does not count: it is outside of the radius', 'no cuenta: está fuera del radio'],
-    beyondBases: ['does not count: it is beyond the bases', 'no cuenta: está más allá de las bases'],
-    smallerCounts: ['does not count: the smaller root does', 'no cuenta: cuenta la raíz menor'],
+    isCandidate: ['is a candidate', 'es candidata'],
+    notCandidate: ['does not count: {0}', 'no cuenta: {0}'],
+    tooNear: ['it is below 1e-3', 'es menor que 1e-3'],
+    outsideRadius: ["its point is farther from the base's centre than the radius",
+        'su punto dista del centro de la base más que el radio'],
+    beyondBases: ['its point is farther along the axis than half the height',
+        'su punto dista a lo largo del eje más que la mitad de la altura'],
+    smallerCounts: ['the smaller root is a candidate', 'la raíz menor es candidata'],
     nearest: ['nearest', 'más cercano'],
     nearestText: ['object {0}, {1}, at lambda {2}', 'objeto {0}, {1}, con lambda {2}'],
     point: ['point', 'punto'],
     normalAt: ['normal', 'normal'],
-    draws: ['draws', 'números'],
-    drawsText: ['{0}: draws {1} to {2} of the materials', '{0}: números {1} a {2} de los materiales'],
+    outward: ['{0}, outward: the ray comes from outside', '{0}, hacia fuera: el rayo viene de fuera'],
+    turned: ['{0}, turned round: the ray comes from inside', '{0}, invertida: el rayo viene de dentro'],
+    draws: ['draws', 'sorteos'],
+    drawsText: ['{0}: {1} to {2} of material_rng_seed', '{0}: {1} a {2} de material_rng_seed'],
     vector: ['vector', 'vector'],
-    addedToNormal: ['is added to the normal', 'se suma a la normal'],
-    addedToReflected: ['is added to the reflected unit direction', 'se suma a la dirección reflejada unitaria'],
+    addedToNormal: ['{0} is added to the normal', '{0} se suma a la normal'],
+    addedToReflected: ['{0} is added to the reflected unit direction',
+        '{0} se suma a la dirección reflejada unitaria'],
+    rho: ["rho'", "rho'"],
+    enters: ['is 1 / rho: the ray enters', 'es 1 / rho: el rayo entra'],
+    leaves: ['is rho: the ray leaves', 'es rho: el rayo sale'],
+    isReflected: ['{0}; it is reflected', '{0}; se refleja'],
+    isRefracted: ['{0}; it is refracted', '{0}; se refracta'],
     matte: ['matte', 'mate'],
     metal: ['metal', 'metal'],
     refractive: ['refractive', 'refractante'],
     sendsText: ['sends a ray along {0}', 'envía un rayo en la dirección {0}'],
-    reflectance: ['reflectance', 'reflectancia'],
-    end: ['end', 'final'],
-    endDepth: ['black: the depth is used up', 'negro: la profundidad está agotada'],
-    endBackground: ['the background: the ray hits nothing', 'el fondo: el rayo no toca nada'],
     colour: ['colour', 'color'],
+    reflectanceText: ['of that ray is multiplied by the reflectance {0}',
+        'de ese rayo se multiplica por la reflectancia {0}'],
+    colourText: ['of the sample, times all reflectances: {0}', 'de la muestra, por todas las reflectancias: {0}'],
+    end: ['end', 'final'],
+    endDepth: ['{0}, black: the depth is used up', '{0}, negro: la profundidad está agotada'],
+    endBackground: ['{0}, the background along the last ray, which hits nothing',
+        '{0}, el fondo en la dirección del último rayo, que no toca nada'],
     moreSteps: ['…', '…'],
     moreStepsText: ['Only the first {0} steps are shown.', 'Solo se muestran los {0} primeros pasos.'],
     allSamples: ['all samples', 'todas las muestras'],
     mean: ['mean', 'media'],
     scaled: ['scaled', 'escalado'],
     bytes: ['bytes', 'bytes'],
+    bytesText: ['{0}: truncated', '{0}: truncados'],
 } satisfies Record<string, [english: string, spanish: string]>;
 
-/** The parts of objects, and why a lambda does not count. */
+/** The parts of objects, and why a lambda does not count, as `literal` names them (`cli/literal/src/intersect.rs`). */
 const PHRASES: Record<string, keyof typeof WORDS> = {
-    'sphere': 'sphere', 'side': 'side', 'upper base': 'top', 'lower base': 'bottom', '': 'counts',
+    'sphere': 'sphere', 'side': 'side', 'upper base': 'top', 'lower base': 'bottom',
     'it is below 1e-3': 'tooNear', 'it is outside of the radius': 'outsideRadius',
     'it is beyond the bases': 'beyondBases', 'the smaller root counts': 'smallerCounts',
 };
@@ -103,13 +119,29 @@ const at = (vector: number[]): string => `(${vector.join(', ')})`;
 export class ExplainView {
     readonly #table = element('explain-steps');
     readonly #inputs = ['column', 'row', 'sample'].map((name) => element<HTMLInputElement>(`explain-${name}`));
-    readonly #worker = new Asked<Omit<Question, 'question'>, { question: number; life: string }>('explaining.js');
+    readonly #cancel = element<HTMLButtonElement>('explain-cancel');
+    /** The worker. Another question ends one that is busy, and takes a new one. The button is shown meanwhile. */
+    #worker: Asked<Omit<Question, 'question'>, { question: number; life: string }> | null = null;
     #newest = 0;
     #clicked: Explained['place'] = null;
     #objects: Definition[] = [];
 
     constructor(private readonly find: () => Explained | null, private readonly goTo: (line: number) => void) {
         this.#inputs.forEach((input) => input.addEventListener('change', () => void this.renew()));
+        this.#cancel.addEventListener('click', () => {
+            this.#stop();
+            write(element('explain-said'), () => say('cancelled'));
+        });
+    }
+
+    /** Cancels a question without an answer, and returns the number of the next one. */
+    #stop(): number {
+        if (!this.#cancel.hidden) {
+            this.#worker?.end();
+            this.#worker = null;
+            this.#cancel.hidden = true;
+        }
+        return ++this.#newest;
     }
 
     /** The column and the row of the pixel. */
@@ -123,7 +155,7 @@ export class ExplainView {
 
     /** Explains the chosen pixel of the picture, which may be new. A click into the picture has chosen another pixel. */
     async renew(): Promise<void> {
-        const own = ++this.#newest;
+        const own = this.#stop();
         const found = this.find();
         this.#table.replaceChildren();
         write(element('explain-said'), () => (found ? say('busy') : tell('waits')));
@@ -138,11 +170,11 @@ export class ExplainView {
         try {
             const sample = Math.max(Number(this.#inputs[2]!.value), 0);
             const numbers: Question['numbers'] = [column, row, sample, vectors[row] ?? NaN];
+            this.#worker ??= new Asked('explaining.js');
+            this.#cancel.hidden = false;
             const answer = await this.#worker.ask({ texts: [texts.config, texts.scene], numbers });
             const life = JSON.parse(answer.life) as Life;
-            if (own !== this.#newest) {
-                return;
-            }
+            this.#cancel.hidden = true;
             if (life.message) {
                 throw new Error(life.message);
             }
@@ -152,6 +184,7 @@ export class ExplainView {
             this.#show(life, Array.from(data.subarray(start, start + 3)));
         } catch (error) {
             if (own === this.#newest) {
+                this.#cancel.hidden = true;
                 write(element('explain-said'), () => messageOf(error));
             }
         }
@@ -169,12 +202,12 @@ export class ExplainView {
         this.#add('allSamples', () => '', 'part');
         this.#add('mean', () => at(mean));
         this.#add('scaled', () => `${at(scaled)} = 255 × ${tell('mean')}^(1 / ${gamma})`);
-        this.#add('bytes', () => bytes.join(' '));
+        this.#add('bytes', () => tell('bytesText', bytes.join(' ')));
     }
 
     /** Adds the rows of a step. `depth` is the number of rays that a sample may send. */
     #tell(step: Step, depth: number): void {
-        const part = () => tell(PHRASES[step.part] ?? 'sphere');
+        const phrase = (name: string) => tell(PHRASES[name] as keyof typeof WORDS);
         switch (step.event) {
             case 'sample': {
                 const { place, offset: [x, y] } = step;
@@ -185,31 +218,36 @@ export class ExplainView {
                 break;
             }
             case 'ray':
-                this.#add('ray', () => tell('rayText', depth - step.depth + 1, depth), 'part');
+                this.#add('ray', () => tell('rayText', depth - step.depth + 1, depth, step.depth), 'part');
                 this.#add('from', () => at(step.origin));
                 this.#add('along', () => at(step.direction));
                 break;
-            case 'candidate':
-                this.#add(step.object, () => `${part()}: lambda ${step.lambda} ${tell(PHRASES[step.fault] ?? 'counts')}`);
+            case 'candidate': {
+                const verdict = () => (step.fault ? tell('notCandidate', phrase(step.fault)) : tell('isCandidate'));
+                this.#add(step.object, () => `${phrase(step.part)}: lambda ${step.lambda} ${verdict()}`);
                 break;
+            }
             case 'hit': {
-                const { draws, material, place } = step;
-                this.#add('nearest', () => tell('nearestText', step.object, part(), String(step.lambda)));
+                const { draws, material, place, front, normal, direction } = step;
+                this.#add('nearest', () => tell('nearestText', step.object, phrase(step.part), String(step.lambda)));
                 this.#add('point', () => at(step.point));
-                this.#add('normalAt', () => `${at(step.normal)}, ${say(step.front ? 'outside' : 'inside')}`);
+                this.#add('normalAt', () => tell(front ? 'outward' : 'turned', at(normal)));
                 if (draws.length > 0) {
                     this.#add('draws', () => tell('drawsText', draws.join(', '), place, place + draws.length - 1));
                 }
-                if (material !== 'refractive') {
-                    this.#add('vector', () => `${at(step.vector)} ${tell(material === 'matte' ? 'addedToNormal' : 'addedToReflected')}`);
+                if (material === 'refractive') {
+                    const outwards = direction.reduce((sum, part, axis) => sum + part * (normal[axis] ?? 0), 0);
+                    this.#add('rho', () => tell(outwards > 0 ? 'isReflected' : 'isRefracted', tell(front ? 'enters' : 'leaves')));
+                } else {
+                    this.#add('vector', () => tell(material === 'matte' ? 'addedToNormal' : 'addedToReflected', at(step.vector)));
                 }
-                this.#add(material, () => tell('sendsText', at(step.direction)));
-                this.#add('reflectance', () => at(step.reflectance));
+                this.#add(material, () => tell('sendsText', at(direction)));
+                this.#add('colour', () => tell('reflectanceText', at(step.reflectance)));
                 break;
             }
             case 'end':
-                this.#add('end', () => `${at(step.end)}, ${tell(step.reason === 'depth' ? 'endDepth' : 'endBackground')}`);
-                this.#add('colour', () => at(step.color));
+                this.#add('end', () => tell(step.reason === 'depth' ? 'endDepth' : 'endBackground', at(step.end)));
+                this.#add('colour', () => tell('colourText', at(step.color)));
         }
     }
 

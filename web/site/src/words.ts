@@ -101,7 +101,7 @@ const WORDS = {
     unreachable: ['render-lab view does not answer. What you type is kept here.',
         'render-lab view no responde. Lo que escribe se guarda aquí.'],
     views: ['Views', 'Vistas'],
-    liveView: ['Live view', 'Vista en vivo'],
+    liveView: ['Live view', 'En vivo'],
     gpuOpening: ['Opening WebGPU…', 'Abriendo WebGPU…'],
     gpuMissing: ['This browser has no WebGPU.', 'Este navegador no tiene WebGPU.'],
     gpuInsecure: ['A browser offers WebGPU only to pages from this machine or by HTTPS.',
@@ -223,9 +223,9 @@ const WORDS = {
     explain: ['Explain', 'Explicar'],
     explainHelp: [
         'How the exact picture computes a pixel, by the steps of the statement. Click the pixel in the picture, or type '
-        + 'its place. Draws are counted from 0 in their stream.',
+        + 'its place. A lambda counts in lengths of the direction; an object that the line of a ray misses is left out.',
         'Cómo calcula la imagen exacta un píxel, según los pasos del enunciado. Pulse el píxel en la imagen o escriba '
-        + 'su lugar. Los números aleatorios se cuentan desde 0 en su secuencia.'],
+        + 'su lugar. Una lambda cuenta en longitudes de la dirección; falta un objeto que la recta del rayo no toca.'],
     sample: ['Sample', 'Muestra'],
     color: ['Colour', 'Color'],
     column: ['Column', 'Columna'],
