@@ -12,7 +12,7 @@
 //! | dyadic | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!
 //! Uses [`geometry`](crate::geometry), [`math`](crate::math) and [`simd`](crate::simd). Begin with [`sphere`], then
-//! [`error_bound`].
+//! [`error_bound`], or with [`cylinder`], whose ladder names the next file.
 //!
 //! "Right" means right for the numbers of the scene file and of the ray, taken as exact. The sphere is
 //! `|C - O - d lambda| = r`. The cylinder has the height `|axis|` and lies around the line through its centre along
@@ -26,8 +26,8 @@ pub mod compensated_roots;
 pub mod cylinder;
 pub mod cylinder_compensated;
 pub mod cylinder_decision;
-pub(crate) mod cylinder_exact;
-pub mod cylinder_filter;
+pub mod cylinder_lanes;
+pub mod cylinder_plain;
 pub mod error_bound;
 pub(crate) mod exact_lambda;
 pub(crate) mod exact_vector;

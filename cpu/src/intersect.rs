@@ -14,9 +14,9 @@ mod tests {
     //! Tests each step of the exact intersections alone.
 
     use super::{CylinderPart, CylinderRecord, SphereRecord};
-    use crate::exact::cylinder::SideLanes;
-    use crate::exact::cylinder_filter::is_long;
-    use crate::exact::cylinder_filter::{PlainCaps, PlainSide};
+    use crate::exact::cylinder_lanes::SideLanes;
+    use crate::exact::cylinder_plain::is_long;
+    use crate::exact::cylinder_plain::{PlainCaps, PlainSide};
     use crate::exact::error_bound::{Decision, in_scale};
     use crate::exact::{cylinder, sphere};
     use crate::{geometry::ray::Ray, math::vec3::Vec3};

@@ -106,7 +106,7 @@ pub fn render_from<L: Renderable>(
         let mut words = words.iter();
         state.streams().visit(|word| *word = words.next().copied().unwrap_or_default());
     }
-    L::run(set, Picture { state, accumulator, first_row, target: Target::Image(image, &mut after_row) })
+    L::run(set, PictureKernel { state, accumulator, first_row, target: Sink::Image(image, &mut after_row) })
 }
 
 /// Renders the prepared scene within `limits`. Calls `pixel` for every pixel, with its index and its mean colour before
@@ -122,7 +122,7 @@ pub fn render_linear<L: Renderable>(
     mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<Option<Ended>, Error> {
     let (state, accumulator) = (SpanState::new(prepared, set, limits)?, Accumulator::new(prepared.samples));
-    L::run(set, Picture { state, accumulator, first_row: 0, target: Target::Means(&mut pixel) })
+    L::run(set, PictureKernel { state, accumulator, first_row: 0, target: Sink::Means(&mut pixel) })
 }
 
 /// A layout for which the renderer is compiled. The kernel is large: it exists for each instruction set and
@@ -133,14 +133,14 @@ pub trait Renderable: Layout + Sized {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    fn run(set: InstructionSet, picture: Picture<'_, Self>) -> Result<Option<Ended>, Error>;
+    fn run(set: InstructionSet, picture: PictureKernel<'_, Self>) -> Result<Option<Ended>, Error>;
 }
 
 macro_rules! renderable {
     ($($layout:ty)+) => {
         $(impl Renderable for $layout {
             #[inline(never)]
-            fn run(set: InstructionSet, picture: Picture<'_, Self>) -> Result<Option<Ended>, Error> {
+            fn run(set: InstructionSet, picture: PictureKernel<'_, Self>) -> Result<Option<Ended>, Error> {
                 set.run(picture)
             }
         })+
@@ -149,7 +149,7 @@ macro_rules! renderable {
 renderable!(Aos Soa);
 
 /// The destination of the pixels.
-enum Target<'a, I> {
+enum Sink<'a, I> {
     /// An image, which gets the bytes of the pixels, and the function to call after each row.
     Image(&'a mut I, &'a mut dyn FnMut(usize, &I, &mut Streams<'_>) -> ControlFlow<()>),
     /// A function, which gets the means of the pixels. Then every mean is computed, even if bounds would give its
@@ -158,14 +158,14 @@ enum Target<'a, I> {
 }
 
 /// A kernel that renders the picture from row `first_row` on, row by row.
-pub struct Picture<'a, L: Layout> {
+pub struct PictureKernel<'a, L: Layout> {
     state: SpanState<'a, L>,
     accumulator: Accumulator,
     first_row: usize,
-    target: Target<'a, L::Image>,
+    target: Sink<'a, L::Image>,
 }
 
-impl<L: Layout> Kernel for Picture<'_, L> {
+impl<L: Layout> Kernel for PictureKernel<'_, L> {
     type Output = Result<Option<Ended>, Error>;
 
     #[inline(always)]
@@ -180,7 +180,7 @@ impl<L: Layout> Kernel for Picture<'_, L> {
                     return Ok(Some(ended));
                 }
             }
-            if let Target::Image(image, after_row) = &mut self.target
+            if let Sink::Image(image, after_row) = &mut self.target
                 && after_row(row + 1, image, &mut self.state.streams()).is_break()
             {
                 return Ok(Some(Ended::Stopped));
@@ -190,14 +190,14 @@ impl<L: Layout> Kernel for Picture<'_, L> {
     }
 }
 
-impl<L: Layout> Picture<'_, L> {
+impl<L: Layout> PictureKernel<'_, L> {
     /// Renders a span of a row.
     fn span<S: Simd>(&mut self, simd: S, span: &Span) {
         let Self { state, target, .. } = self;
         let (prepared, candidates) = (state.prepared, &mut state.candidates);
         candidates.begin_span(prepared, state.row, span);
         let is_background = candidates.are_culled && candidates.span.is_empty();
-        if is_background && span.is_whole(prepared.samples) && matches!(target, Target::Image(..)) {
+        if is_background && span.is_whole(prepared.samples) && matches!(target, Sink::Image(..)) {
             self.background_span(simd, span);
         } else {
             simd.run(DrawSamples(state, span));
@@ -213,7 +213,7 @@ impl<L: Layout> Picture<'_, L> {
         while done < span.width() {
             let known = simd.run(FindBytes { state: &mut self.state, span, done });
             add(Counter::BackgroundPixels, (known - done) as u64);
-            if let Target::Image(image, _) = &mut self.target {
+            if let Sink::Image(image, _) = &mut self.target {
                 for at in done..known {
                     let [red, green, blue] = self.state.background_pixels.bytes[at];
                     image.set_pixel(first + at, Rgb { red, green, blue });
@@ -241,11 +241,11 @@ impl<L: Layout> Picture<'_, L> {
         }
         let (first, quantizer) = (state.row * state.prepared.size.width(), &state.prepared.quantizer);
         accumulator.add(span, &state.batch, |column, mean| match target {
-            Target::Image(image, _) => {
+            Sink::Image(image, _) => {
                 let [red, green, blue] = mean.to_array().map(|channel| quantizer.quantize(channel));
                 image.set_pixel(first + column, Rgb { red, green, blue });
             }
-            Target::Means(pixel) => pixel(first + column, mean),
+            Sink::Means(pixel) => pixel(first + column, mean),
         });
     }
 }

@@ -77,7 +77,7 @@ impl Accel {
             Self::EveryObject(EveryObject)
         } else if is_small {
             Self::SmallScene(SmallScene::new(objects, extent))
-        } else if count(objects) <= flat_filter::MOST
+        } else if count(objects) <= flat_filter::MOST_OBJECTS
             && !extent.has_tiny
             && extent.max_coordinate <= flat_filter::MAX_COORDINATE
             && DominantSphere::of(objects).0.is_some()

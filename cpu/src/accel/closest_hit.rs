@@ -1,4 +1,8 @@
 //! The closest hit found so far, for one ray. `render/hit_lanes.rs` has the closest hits of several rays at once.
+//!
+//! The first half decides which of two hits is closer: [`ClosestHit::update`] by the computed lambdas, and if they are
+//! near to each other, [`is_exactly_closer`] by the exact ones. The next file to read is [`exact::order`], which
+//! compares lambdas, and the last one is [`tie`], for equal lambdas. The second half intersects objects.
 
 use std::cmp::Ordering;
 
@@ -18,6 +22,38 @@ pub struct ClosestHit {
     pub object: ObjectId,
     /// The part of a cylinder that is hit. It is the side for a sphere.
     pub part: CylinderPart,
+}
+
+impl ClosestHit {
+    /// The value before any hit. Every hit replaces it, even one whose lambda is infinite.
+    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NO_OBJECT, part: CylinderPart::Side };
+
+    /// Whether any object is hit.
+    #[inline(always)]
+    pub const fn is_hit(&self) -> bool {
+        self.object != NO_OBJECT
+    }
+
+    /// Replaces the hit by `other`, which must be a hit of the same ray, if that one is closer.
+    #[inline(always)]
+    pub(crate) fn update<O: Objects>(&mut self, objects: &O, ray: &Ray, other: Self) {
+        debug_assert!(other.is_hit());
+        if is_certainly_closer(other.lambda, self.lambda)
+            || !is_certainly_closer(self.lambda, other.lambda) && is_exactly_closer(objects, *ray, other, *self)
+        {
+            *self = other;
+        }
+    }
+
+    /// Returns the surface that is hit, as the exact comparison of two hits needs it.
+    fn surface<O: Objects>(&self, objects: &O) -> Surface {
+        match ObjectRef::of(objects, self.object) {
+            ObjectRef::Sphere(index) => Surface::Sphere(objects.sphere(index).record),
+            ObjectRef::Cylinder(index) => {
+                Surface::Cylinder(objects.cylinder(index).record, objects.axis(index), self.part)
+            }
+        }
+    }
 }
 
 /// Whether a hit of a ray is closer than another one, by their exact lambdas and the [rule for
@@ -40,36 +76,6 @@ pub(crate) fn is_exactly_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestH
 }
 
 impl ClosestHit {
-    /// The value before any hit. Every hit replaces it, even one whose lambda is infinite.
-    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NO_OBJECT, part: CylinderPart::Side };
-
-    /// Whether any object is hit.
-    #[inline(always)]
-    pub const fn is_hit(&self) -> bool {
-        self.object != NO_OBJECT
-    }
-
-    /// Returns the surface that is hit, as the exact comparison of two hits needs it.
-    fn surface<O: Objects>(&self, objects: &O) -> Surface {
-        match ObjectRef::of(objects, self.object) {
-            ObjectRef::Sphere(index) => Surface::Sphere(objects.sphere(index).record),
-            ObjectRef::Cylinder(index) => {
-                Surface::Cylinder(objects.cylinder(index).record, objects.axis(index), self.part)
-            }
-        }
-    }
-
-    /// Replaces the hit by `other`, which must be a hit of the same ray, if that one is closer.
-    #[inline(always)]
-    pub(crate) fn update<O: Objects>(&mut self, objects: &O, ray: &Ray, other: Self) {
-        debug_assert!(other.is_hit());
-        if is_certainly_closer(other.lambda, self.lambda)
-            || !is_certainly_closer(self.lambda, other.lambda) && is_exactly_closer(objects, *ray, other, *self)
-        {
-            *self = other;
-        }
-    }
-
     /// Intersects the object with the number `id`, and updates the closest hit.
     #[inline(always)]
     pub(crate) fn intersect<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {

@@ -27,7 +27,7 @@ impl Extent {
 
     /// Returns the extent of a scene with its camera.
     pub fn new(objects: &impl Objects, camera: &Camera, materials: &[Material]) -> Self {
-        let place = magnitude(camera.position);
+        let place = largest_magnitude(camera.position);
         let mut ids = 0..count(objects) as ObjectId;
         let max_coordinate = ids.clone().map(|id| reach(objects, id)).fold(place, f64::max);
         let has_tiny = ids.any(|id| is_tiny(objects, id));
@@ -51,7 +51,7 @@ impl Extent {
 /// Returns a bound of the magnitudes of an object's coordinates, in scene units.
 pub(crate) fn reach(objects: &impl Objects, id: ObjectId) -> f64 {
     let (center, radius) = bounding_sphere(objects, id);
-    magnitude(center) + radius
+    largest_magnitude(center) + radius
 }
 
 /// Whether the radius or half height of an object is so small that conservative tests might underflow.
@@ -67,7 +67,7 @@ pub(crate) fn is_tiny(objects: &impl Objects, id: ObjectId) -> bool {
 }
 
 /// Returns the largest magnitude of a coordinate.
-fn magnitude(vector: Vec3) -> f64 {
+fn largest_magnitude(vector: Vec3) -> f64 {
     vector.x.abs().max(vector.y.abs()).max(vector.z.abs())
 }
 

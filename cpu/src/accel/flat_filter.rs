@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// Maximum number of objects in a [`FlatFilter`]. Each object of a kind has one bit in a `u64`.
-pub const MOST: usize = u64::BITS as usize;
+pub const MOST_OBJECTS: usize = u64::BITS as usize;
 
 /// A cylinder is slender if its bounding sphere's radius is more than this multiple of its own radius.
 const SLENDER: f64 = 2.0;

@@ -7,7 +7,7 @@ use crate::accel::{dominant_sphere::DominantSphere, extent::Extent, extent::reac
 use crate::layout::Objects;
 
 /// Maximum number of giants among the objects that do not reach beyond [`Extent::LARGEST`].
-const MOST: usize = 8;
+const MOST_GIANTS: usize = 8;
 
 /// Giants reach at least this many times as far as all other objects. With this ratio, boxes are moved by a hundredth
 /// of the other objects' extent.
@@ -17,11 +17,11 @@ const GAP: f64 = 1e4;
 /// giant, because it is not in the tree anyway.
 pub(crate) fn giants_beyond(objects: &impl Objects, dominant: DominantSphere, extent: &Extent) -> Option<f64> {
     // The largest numbers, in descending order.
-    let mut farthest = [0.0; MOST + 1];
+    let mut farthest = [0.0; MOST_GIANTS + 1];
     for id in (0..count(objects) as ObjectId).filter(|&id| !dominant.is(id)) {
         let reach = reach(objects, id);
-        if reach > farthest[MOST] {
-            farthest[MOST] = reach;
+        if reach > farthest[MOST_GIANTS] {
+            farthest[MOST_GIANTS] = reach;
             farthest.sort_unstable_by(|left, right| right.total_cmp(left));
         }
     }

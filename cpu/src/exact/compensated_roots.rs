@@ -111,7 +111,7 @@ impl<T: Rounding> Quadratic<T> {
     pub fn leaves(&self) -> T::Mask {
         let (backward, size) = (self.h.less(T::of(0.0)), self.h.abs());
         let h_is_accurate = self.terms_of_h.less(size * T::of(CONDITION_LIMIT));
-        backward & h_is_accurate & (self.c.abs() + self.error_of_c()).less(size * least_lambda())
+        backward & h_is_accurate & (self.c.abs() + self.error_of_c()).less(size * lowered_least_lambda())
     }
 
     /// Returns what is certain about the roots with this discriminant, for any number of lanes.
@@ -125,7 +125,7 @@ impl<T: Rounding> Quadratic<T> {
         let accurate = h_is_accurate & root_is_accurate & size.less(T::of(OVERFLOW));
         let error_of_c = self.error_of_c();
         let c_is_accurate = (error_of_c * T::of(1.0 / (ACCURACY_OF_C * T::UNIT_ROUNDOFF))).less(self.c.abs());
-        let least = least_lambda::<T>();
+        let least = lowered_least_lambda::<T>();
         // A zero `h` counts as positive: a ray from the middle has two roots of the same size.
         let (backward, zero) = (self.h.less(T::of(0.0)), T::of(0.0));
         let signed_c = T::select(backward, -self.c, self.c);
@@ -161,7 +161,7 @@ pub(crate) fn difference_of_squares<T: Rounding>((q, q_error): (Vec3<T>, Vec3<T>
 /// Returns [`LAMBDA_MIN`], lowered by more than the error of a lambda. So if a computed lambda is below it, the exact
 /// one is below [`LAMBDA_MIN`].
 #[inline(always)]
-fn least_lambda<T: Rounding>() -> T {
+fn lowered_least_lambda<T: Rounding>() -> T {
     T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * SPHERE_BOUND.lambda_error())
 }
 

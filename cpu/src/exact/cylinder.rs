@@ -1,23 +1,33 @@
-//! Exact intersection of ray and closed cylinder. [`crate::geometry::cylinder`] has the plain formulas.
+//! Exact intersection of ray and closed cylinder: a ladder of three steps. A step is taken only if the step before it
+//! is uncertain.
 //!
-//! The quadratic has an error bound. Two decisions have margins: whether a point of the side is between the caps, and
-//! whether a point of a cap's plane is on the disc. Each margin covers the error of lambda, converted to a length, and
-//! the rounding of the points. Two other decisions have bounds of their own: whether a cap's plane is parallel to the
-//! ray, and whether it is too near. No lambdas of two parts are compared, because their order follows from the shape
-//! (`exact/cylinder_decision.rs`).
+//! 1. [`filtered`]: [plain](crate::exact::cylinder_plain) formulas with a bound of their rounding errors.
+//! 2. [`compensated`]: [formulas](crate::exact::cylinder_compensated) in which less cancels.
+//! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is below, because it says what is decided.
 //!
-//! [`filtered`] serves one ray. [`SideLanes`] intersects several rays or cylinders at once, without a branch.
+//! In the first two steps [`decide`] decides, and its file is the one to read next. Then read the formulas of step 1.
+//! Those of step 2 give the same kinds of facts.
+//!
+//! Let `O + lambda d` be the ray, `C` the cylinder's centre, `V` the axis of the scene file, and `q = O - C`. The
+//! formulas of step 3 are multiplied by `V.V`, so that they need no unit vector:
+//!
+//! - the side is `a lambda^2 - 2 h lambda + c = 0` with `a = |d x V|^2`, `h = -(q x V).(d x V)` and
+//!   `c = |q x V|^2 - r^2 V.V`;
+//! - a point `P` is between the caps if `|(P - C).V| <= V.V / 2`;
+//! - the plane of the top cap is `(P - C).V = V.V / 2`.
+
+use std::cmp::Ordering;
 
 use crate::counters::{Counter, add};
 use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
-use crate::exact::cylinder_decision::{Hit, decide, with_caps};
-use crate::exact::cylinder_filter::{
-    CapFormulas, Crossing, PlainCaps, PlainSide, SideFacts, SideFormulas, is_inside, is_long,
-};
-use crate::exact::{cylinder_exact, error_bound::Decision, error_bound::in_scale, exact_vector::NotFinite};
-use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
-use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
-use crate::simd::{SimdF64, fused::run_fused};
+use crate::exact::cylinder_decision::{CylinderHit, decide, is_inside, with_caps};
+use crate::exact::cylinder_plain::{PlainCaps, PlainSide, is_long};
+use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
+use crate::exact::exact_vector::{Exact3, Exactly, NotFinite, exact_least_lambda, to_dyadic};
+use crate::exact::{error_bound::Decision, error_bound::in_scale};
+use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
+use crate::math::{dyadic::Dyadic, rounding::Rounding, vec3::Vec3};
+use crate::simd::fused::run_fused;
 
 /// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
 /// misses all three. Of parts at the same lambda, the first in this order counts. [`CylinderRecord::intersect`] follows
@@ -53,7 +63,7 @@ fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
 /// Computes the plain formulas in the arithmetic `T`. Returns `Certain(Some((lambda, part)))` for a hit,
 /// `Certain(None)` for a miss, and `Uncertain` if rounding may have changed a decision.
 #[inline(always)]
-pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
+pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<CylinderHit<T>> {
     decide(record, ray, &PlainSide::new(record, &record.seen_from(ray.origin), ray, is_long(record)), &PlainCaps)
 }
 
@@ -73,8 +83,8 @@ pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -
 
 /// Returns the hit by the [compensated](crate::exact::cylinder_compensated) formulas, if rounding certainly has not
 /// changed it.
-pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<Hit<f64>> {
-    run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<f64>> {
+pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<CylinderHit<f64>> {
+    run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<CylinderHit<f64>> {
         let caps = CompensatedCaps(*axis);
         // If a cylinder is not long, most uncertain rays from inside are uncertain only because of a cap.
         if !is_long(record) && is_inside(&record.seen_from(ray.origin)) && in_scale(ray.direction.dot(ray.direction)) {
@@ -93,118 +103,113 @@ pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     add(Counter::Fallbacks, 1);
-    cylinder_exact::intersect(record, *axis, ray).unwrap_or_else(|NotFinite| record.intersect(ray))
+    closest_exactly(record, *axis, ray).unwrap_or_else(|NotFinite| record.intersect(ray))
 }
 
-/// The hits of several rays or cylinders at once, one in each lane.
-#[derive(Clone, Copy, Debug)]
-pub struct CylinderHits<T: Real> {
-    /// The lambda of the hit, or infinity if the ray misses the cylinder. It has no meaning in a lane that is not
-    /// `certain`.
-    pub lambda: T,
-    /// The lanes whose hit is on the top cap, if there is a hit.
-    pub top: T::Mask,
-    /// The lanes whose hit is on the bottom cap, if there is a hit.
-    pub bottom: T::Mask,
-    /// The lanes whose result is certain. The other lanes need the next step: the compensated formulas, or after them
-    /// [`precise`].
-    pub certain: T::Mask,
+/// Returns the rounded lambda and the part of the ray's hit with the cylinder, or `None` if it misses. `axis` is the
+/// axis of the scene file, and its length is the cylinder's height. The error says that an input is not finite.
+fn closest_exactly(record: &CylinderRecord, axis: Vec3, ray: &Ray) -> Exactly<(f64, CylinderPart)> {
+    let inputs = Inputs::new(record, axis, ray)?;
+    let parts = [inputs.side(), inputs.cap(false)?, inputs.cap(true)?];
+    Ok(closest_part(parts).map(|(lambda, part)| (lambda.rounded(), part)))
 }
 
-/// The hits of several rays or cylinders as far as the side alone decides them. Most rays need no test of the caps.
-pub struct SideLanes<T: Real> {
-    entry: Crossing<T>,
-    exit: Crossing<T>,
-    /// The lanes whose ray certainly misses the cylinder.
-    nothing: T::Mask,
-    /// The lanes whose ray certainly starts between the caps' planes and hits the side from inside.
-    through: T::Mask,
-    /// The lanes whose ray certainly starts inside the infinite cylinder.
-    inside: T::Mask,
-    /// The lanes that the side alone does not decide.
-    pub open: T::Mask,
+/// The inputs of the formulas of side and caps as exact numbers: a ray, a cylinder, and the products that both formulas
+/// use.
+struct Inputs {
+    /// `d`: the ray's direction.
+    direction: Exact3,
+    /// `q`: the vector from the cylinder's centre to the ray's origin.
+    from_center: Exact3,
+    /// `V`: the axis of the scene file, which is as long as the cylinder is high.
+    axis: Exact3,
+    radius_squared: Dyadic,
+    /// Half of `V.V`.
+    half: Dyadic,
+    /// `d.V`.
+    slope: Dyadic,
+    /// `q.V`.
+    height: Dyadic,
+    /// [`exact_least_lambda`].
+    least: Dyadic,
 }
 
-impl<V: SimdF64> CylinderHits<V> {
-    /// Returns the number of the part of each hit.
-    #[inline(always)]
-    pub(crate) fn part(&self) -> V {
-        let over = V::select(self.top, CylinderPart::Top.number(), CylinderPart::Side.number());
-        V::select(self.bottom, CylinderPart::Bottom.number(), over)
-    }
-}
-
-impl<V: SimdF64> SideLanes<V> {
-    /// Returns the hits of all lanes. The caps are tested only if a lane in `bits` is [open](Self::open), because for
-    /// most groups of rays the side alone decides. So an open lane that is not in `bits` may stay uncertain.
-    #[inline(always)]
-    pub(crate) fn with_needed_caps(
-        &self,
-        record: &CylinderRecord<V>,
-        ray: &Ray<V>,
-        caps: &impl CapFormulas<V>,
-        bits: u32,
-    ) -> CylinderHits<V> {
-        if V::bits(self.open) & bits != 0 { self.with_caps(record, ray, caps) } else { self.without_caps() }
-    }
-}
-
-impl<T: Rounding> SideLanes<T> {
-    /// Intersects the rays with the side, by its plain or its compensated formulas.
-    #[inline(always)]
-    pub fn new(side: &impl SideFormulas<T>) -> Self {
-        let (entry, exit) = (side.crossing(false), side.crossing(true));
-        let SideFacts { misses, inside, .. } = side.facts();
-        let nothing = misses | (entry.fails() & entry.passes_by(&exit));
-        let through = entry.behind & exit.straight & !nothing;
-        Self { entry, exit, nothing, through, inside, open: !(nothing | entry.hits | through) }
+impl Inputs {
+    fn new(&CylinderRecord { center, radius, .. }: &CylinderRecord, axis: Vec3, ray: &Ray) -> Result<Self, NotFinite> {
+        let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
+        let from_center = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
+        let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), from_center.dot(&axis));
+        let (radius_squared, least) = (to_dyadic(radius)?.squared(), exact_least_lambda()?);
+        Ok(Self { direction, from_center, axis, radius_squared, half, slope, height, least })
     }
 
-    /// The lanes in which it certainly is decided where the ray crosses the side. Caps may still be open.
-    #[inline(always)]
-    fn is_certain(&self) -> T::Mask {
-        !self.open | (self.entry.fails() & (self.exit.hits | self.exit.fails()))
+    /// Returns the side's lambda, or `None` if the ray misses the side.
+    fn side(&self) -> Option<ExactLambda> {
+        let length_squared = self.half.scaled(1);
+        let flat = |product: Dyadic, along: Dyadic| &(&product * &length_squared) - &along;
+        let a = flat(self.direction.dot(&self.direction), self.slope.squared());
+        let h = flat(self.from_center.dot(&self.direction), &self.height * &self.slope);
+        let c = flat(&self.from_center.dot(&self.from_center) - &self.radius_squared, self.height.squared());
+        ExactQuadratic::with_roots(a, -&h, c)?.smallest_root(|root| self.side_counts(root))
     }
 
-    /// Returns the hits by the side alone. Lanes that are [open](Self::open) are not `certain`.
-    #[inline(always)]
-    pub(crate) fn without_caps(&self) -> CylinderHits<T> {
-        let none = T::empty_mask();
-        let lambda = T::select(self.through, self.exit.lambda, self.entry.lambda);
-        CylinderHits {
-            lambda: T::select(self.nothing, T::of(f64::INFINITY), lambda),
-            top: none,
-            bottom: none,
-            certain: self.nothing | self.entry.hits | self.through,
+    /// Whether a root is in range, and its point is between the caps' planes.
+    fn side_counts(&self, root: &ExactLambda) -> bool {
+        let Self { half, slope, height, least, .. } = self;
+        root.is_at_least(least)
+            && root.is_linear_form_nonnegative(&(half - height), &-slope)
+            && root.is_linear_form_nonnegative(&(half + height), slope)
+    }
+
+    /// Returns the lambda of a cap's plane as numerator and denominator. The denominator is not negative.
+    fn plane(&self, is_bottom: bool) -> (Dyadic, Dyadic) {
+        let Self { half, slope, height, .. } = self;
+        let signed_half = if is_bottom { -half } else { half.clone() };
+        let numerator = &signed_half - height;
+        match slope.sign() {
+            Ordering::Less => (-&numerator, -slope),
+            _ => (numerator, slope.clone()),
         }
     }
 
-    /// Intersects the rays with the caps too, and returns the hits.
-    #[inline(always)]
-    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>, caps: &impl CapFormulas<T>) -> CylinderHits<T> {
-        let Self { entry, exit, nothing, through, inside, open } = *self;
-        let down = ray.direction.dot(record.axis).less(T::of(0.0));
-        let (near, far) =
-            (Vec3::select(down, record.top, record.bottom), Vec3::select(down, record.bottom, record.top));
-        let facing = caps.plane(record, ray, near, down).disc(record, ray);
-        let other = caps.plane(record, ray, far, !down).disc(record, ray);
-        let by_facing = open & facing.hits;
-        let by_exit = through | (open & !facing.hits & exit.hits);
-        let by_other = open & !facing.hits & !exit.hits & other.hits;
-        let mut lambda = T::select(by_other, other.lambda, T::of(f64::INFINITY));
-        lambda = T::select(by_exit, exit.lambda, lambda);
-        lambda = T::select(by_facing, facing.lambda, lambda);
-        lambda = T::select(entry.hits & !nothing, entry.lambda, lambda);
-        let side_is_certain = self.is_certain();
-        let by_cap = facing.hits | (facing.fails & other.hits);
-        let by_side = facing.fails & (exit.hits | other.fails);
-        CylinderHits {
-            lambda,
-            top: (by_facing & down) | (by_other & !down),
-            bottom: (by_facing & !down) | (by_other & down),
-            certain: !open | (by_cap & (side_is_certain | inside)) | (by_side & side_is_certain),
+    /// Returns a cap's lambda, or `None` if the ray misses the cap. The rule is that of [`crate::geometry::cap`].
+    fn cap(&self, is_bottom: bool) -> Exactly<ExactLambda> {
+        let Self { direction, from_center, axis, radius_squared, half, slope, least, .. } = self;
+        let parallel = &to_dyadic(PARALLEL)?.squared() * &half.scaled(1);
+        if (&slope.squared() - &parallel).sign() == Ordering::Less {
+            return Ok(None);
         }
+        let (numerator, denominator) = self.plane(is_bottom);
+        if (&numerator - &(least * &denominator)).sign() == Ordering::Less {
+            return Ok(None);
+        }
+        // `point` is the vector from the cap's centre to the ray's point, times the denominator.
+        let to_cap = axis.times(&to_dyadic(if is_bottom { -0.5 } else { 0.5 })?);
+        let point = from_center.minus(&to_cap).times(&denominator).plus(&direction.times(&numerator));
+        let outside = &point.dot(&point) - &(radius_squared * &denominator.squared());
+        Ok((outside.sign() != Ordering::Greater).then(|| ExactLambda::fraction(numerator, denominator)))
     }
+}
+
+/// Returns lambda and name of the closest part, or `None` if no part is hit. The parts come in the order side, top,
+/// bottom. Of parts at the same lambda the first counts, because a cap does not replace what is at the same lambda
+/// ([`crate::geometry::tie`]).
+fn closest_part(parts: [Option<ExactLambda>; 3]) -> Option<(ExactLambda, CylinderPart)> {
+    let names = [CylinderPart::Side, CylinderPart::Top, CylinderPart::Bottom];
+    // Of equal elements, `min_by` returns the first.
+    let hits = parts.into_iter().zip(names).filter_map(|(lambda, part)| Some((lambda?, part)));
+    hits.min_by(|(left, _), (right, _)| left.compare(right))
+}
+
+/// Returns the exact lambda of the ray's hit with a part of the cylinder, which it must hit. The other parameters and
+/// the error are those of [`closest_exactly`].
+pub(crate) fn exact_lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Exactly<ExactLambda> {
+    let inputs = Inputs::new(record, axis, ray)?;
+    if part == CylinderPart::Side {
+        return Ok(inputs.side());
+    }
+    let (numerator, denominator) = inputs.plane(part == CylinderPart::Bottom);
+    Ok(Some(ExactLambda::fraction(numerator, denominator)))
 }
 
 #[cfg(test)]

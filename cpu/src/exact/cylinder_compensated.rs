@@ -7,15 +7,15 @@
 //! across the axis at once. Its components are differences of two products, which Kahan's algorithm computes with a
 //! relative error of 2 u (Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate
 //! computation of 2 x 2 determinants", Math. Comp. 82, 2013). So the errors are relative to the parts across the axis.
-//! The equation is multiplied by `V.V`, as in `exact/cylinder_exact.rs`: with `q = (O - C) x V` and `p = d x V` it has
+//! The equation is multiplied by `V.V`, as in `exact/cylinder.rs`: with `q = (O - C) x V` and `p = d x V` it has
 //! `a = p.p`, `h = -q.p` and `c = q.q - r^2 V.V`. By Lagrange's identity the discriminant equals
 //! `V.V (a r^2 - ((O - C).p)^2)`, whose terms do not grow with the distance along the axis.
 
 use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
-use crate::exact::cylinder_filter::{CapFormulas, Crossing, Plane, SideFacts, SideFormulas, is_inside, magnitude};
+use crate::exact::cylinder_decision::{CapFormulas, CapPlane, Crossing, SideFacts, SideFormulas, is_inside, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
-use crate::math::error_free::{cross, cross_with_error, difference, dot_with_error, two_product};
+use crate::math::error_free::{accurate_cross, cross_with_error, dot_with_error, two_product, vector_difference};
 use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// Covers the errors of a cap's lambda and of its point that are not those of the distance and of the slope, in units
@@ -31,7 +31,7 @@ pub const SHARE_IN_C: f64 = 4.0;
 pub const SHARE_OF_REACH: f64 = f64::EPSILON;
 
 /// The quadratic of a ray and the side of a cylinder.
-pub struct Terms<T: Rounding> {
+pub struct SideTerms<T: Rounding> {
     /// The coefficients.
     pub quadratic: Quadratic<T>,
     /// The discriminant by Lagrange's identity.
@@ -42,13 +42,13 @@ pub struct Terms<T: Rounding> {
     in_scale: T::Mask,
 }
 
-impl<T: Rounding> Terms<T> {
+impl<T: Rounding> SideTerms<T> {
     /// Returns the quadratic. `axis` is the axis of the scene file.
     #[inline(always)]
     pub fn new(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self {
-        let (from_center, error) = difference(ray.origin, record.center);
+        let (from_center, error) = vector_difference(ray.origin, record.center);
         let (q, rest) = cross_with_error((from_center, error), axis);
-        let p = cross(ray.direction, axis);
+        let p = accurate_cross(ray.direction, axis);
         let (axis_squared, distance_squared) = (axis.dot(axis), from_center.dot(from_center));
         let a = p.dot(p);
         let (c, squares) = difference_of_squares((q, rest), rim(record.radius, axis));
@@ -71,7 +71,7 @@ impl<T: Rounding> Terms<T> {
 pub struct CompensatedSide<'a, T: Rounding> {
     record: &'a CylinderRecord<T>,
     ray: &'a Ray<T>,
-    terms: Terms<T>,
+    terms: SideTerms<T>,
     /// What is certain about the two roots, if the numbers are in scale.
     roots: Roots<T>,
     facts: SideFacts<T>,
@@ -83,7 +83,7 @@ impl<'a, T: Rounding> CompensatedSide<'a, T> {
     /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file.
     #[inline(always)]
     pub fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>) -> Self {
-        let terms = Terms::new(record, axis, ray);
+        let terms = SideTerms::new(record, axis, ray);
         let (near, far) = (terms.quadratic.near(), &terms.far);
         let is_near = near.size.less(far.size);
         let [value, size] = [(near.value, far.value), (near.size, far.size)].map(|(a, b)| T::select(is_near, a, b));
@@ -146,21 +146,21 @@ pub fn plane<T: Rounding>(
     ray: &Ray<T>,
     center: Vec3<T>,
     to_cap: Vec3<T>,
-) -> Plane<T> {
-    let (from_middle, error) = difference(record.center + record.center, ray.origin + ray.origin);
-    let (twice, more) = difference(from_middle, -to_cap);
+) -> CapPlane<T> {
+    let (from_middle, error) = vector_difference(record.center + record.center, ray.origin + ray.origin);
+    let (twice, more) = vector_difference(from_middle, -to_cap);
     let (error, two) = (error + more, T::of(2.0));
     let (sum, sum_error) = dot_with_error(twice, axis);
     let to_plane = (sum + (sum_error + error.dot(axis))) / (record.half_height * (two + two));
-    let size = to_plane.abs() + Plane::size(record, center - ray.origin) * T::of(SHARE_OF_SIZE);
-    let plane = Plane::at(record, ray, center, (to_plane, size));
+    let size = to_plane.abs() + CapPlane::size(record, center - ray.origin) * T::of(SHARE_OF_SIZE);
+    let plane = CapPlane::at(record, ray, center, (to_plane, size));
     // The errors of the distance and of the slope, twice each.
     let error = size / to_plane.abs() * T::of(32.0 * T::UNIT_ROUNDOFF)
         + magnitude(ray.direction) / plane.slope.abs() * T::of(16.0 * T::UNIT_ROUNDOFF);
     let error = error + T::of(ERROR_OF_CAP * T::UNIT_ROUNDOFF);
     // The square of a short axis may underflow.
     let in_scale = in_scale(axis.dot(axis));
-    Plane { error, fails: plane.fails & in_scale, accurate: plane.accurate & in_scale, ..plane }
+    CapPlane { error, fails: plane.fails & in_scale, accurate: plane.accurate & in_scale, ..plane }
 }
 
 /// The caps by the compensated formula. This holds the axis of the scene file.
@@ -168,7 +168,7 @@ pub struct CompensatedCaps<T>(pub Vec3<T>);
 
 impl<T: Rounding> CapFormulas<T> for CompensatedCaps<T> {
     #[inline(always)]
-    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> Plane<T> {
+    fn plane(&self, record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, is_top: T::Mask) -> CapPlane<T> {
         plane(record, self.0, ray, center, Vec3::select(is_top, self.0, -self.0))
     }
 }

@@ -142,7 +142,7 @@ impl<T: Rounding> ErrorBound<T> {
     /// Returns a lower bound of the exact lambda of the root `numerator / a`, with a relative error below 2^-50. It is
     /// negative infinity if no bound is known.
     #[inline(always)]
-    pub(crate) fn least_lambda(&self, a: T, numerator: T, root: T) -> T {
+    pub(crate) fn lower_bound_of_lambda(&self, a: T, numerator: T, root: T) -> T {
         let least = (numerator - self.error / root) / a;
         // A number that overflows makes this -inf or NaN.
         T::select(T::of(f64::NEG_INFINITY).less(least), least, T::of(f64::NEG_INFINITY))

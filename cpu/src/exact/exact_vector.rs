@@ -48,6 +48,6 @@ pub(crate) fn to_dyadic(value: f64) -> Result<Dyadic, NotFinite> {
 }
 
 /// Returns the smallest lambda of a hit that counts, without rounding. See [`HALF_STEP`].
-pub(crate) fn least_lambda() -> Result<Dyadic, NotFinite> {
+pub(crate) fn exact_least_lambda() -> Result<Dyadic, NotFinite> {
     Ok(&to_dyadic(LAMBDA_MIN)? - &to_dyadic(HALF_STEP)?)
 }

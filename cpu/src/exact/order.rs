@@ -1,4 +1,5 @@
-//! Decides which of two hits of a ray is closer: the one with the smaller exact lambda.
+//! Decides which of two hits of a ray is closer: the one with the smaller exact lambda. This is the second file of the
+//! answer that `accel/closest_hit.rs` begins.
 //!
 //! The computed lambdas have errors, so they decide only if they are further apart than their errors
 //! ([`is_certainly_closer`]). If they are not, [`compare`] takes these steps:
@@ -18,7 +19,7 @@ use std::cmp::Ordering;
 
 use crate::counters::{Counter, add};
 use crate::exact::{
-    cylinder_compensated, cylinder_exact, cylinder_filter::CYLINDER_BOUND, cylinder_filter::magnitude as magnitude_of,
+    cylinder, cylinder_compensated, cylinder_decision::CYLINDER_BOUND, cylinder_decision::magnitude,
     error_bound::UNDERFLOW, exact_lambda::ExactLambda, exact_vector::Exactly, sphere_compensated, sphere_exact,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
@@ -77,6 +78,57 @@ pub(crate) fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     Some(left?.compare(&right?))
 }
 
+/// A point, or a vector, of numbers with 106 bits.
+type Wide3 = Vec3<DoubleDouble>;
+
+/// A cap of a cylinder.
+struct Cap {
+    /// Twice the centre, without a rounding error. A coordinate has no meaning if its sum overflows.
+    twice_center: Wide3,
+    /// The cylinder's axis in the scene file.
+    axis: Vec3,
+}
+
+impl Cap {
+    /// Whether both caps certainly are in one plane.
+    fn is_in_plane_of(&self, other: &Self) -> bool {
+        let (normal, apart) = (normal(self.axis), self.twice_center - other.twice_center);
+        let is_zero = |component: DoubleDouble, factor: f64| component.high == 0.0 || factor == 0.0;
+        let is_across = is_zero(apart.x, normal.x) && is_zero(apart.y, normal.y) && is_zero(apart.z, normal.z);
+        is_across && normal == self::normal(other.axis)
+    }
+}
+
+/// Bounds the error of the difference of two products of dot products, relative to the sizes of their terms: 2^-90.
+/// Axes that a scene file may have, of 1e-161 and more, do not make the rounding errors of these products underflow.
+pub const ERROR_OF_CAPS: f64 = f64::from_bits((1023 - 90) << 52);
+
+/// Compares the lambdas of a ray's hits on two caps. The result is `None` if it is uncertain.
+fn compare_caps(ray: &Ray, left: &Cap, right: &Cap) -> Option<Ordering> {
+    if left.is_in_plane_of(right) {
+        return Some(Ordering::Equal);
+    }
+    run_fused!(|ray: &Ray, left: &Cap, right: &Cap| -> Option<Ordering> {
+        // A lambda is the quotient of the magnitudes of two dot products, the distance and the slope.
+        let (origin, direction) =
+            ((ray.origin + ray.origin).map(DoubleDouble::of), ray.direction.map(DoubleDouble::of));
+        let (distance, size) = dot_magnitude(left.twice_center - origin, left.axis);
+        let (slope, size_of_slope) = dot_magnitude(direction, left.axis);
+        let (other_distance, other_size) = dot_magnitude(right.twice_center - origin, right.axis);
+        let (other_slope, other_size_of_slope) = dot_magnitude(direction, right.axis);
+        let difference = (distance * other_slope - other_distance * slope).high;
+        let size = size * other_size_of_slope + other_size * size_of_slope;
+        (difference.abs() > size * ERROR_OF_CAPS + UNDERFLOW).then(|| difference.total_cmp(&0.0))
+    })
+}
+
+/// Returns the magnitude of the dot product of a vector and an axis, and the sum of the magnitudes of its terms.
+#[inline(always)]
+fn dot_magnitude(vector: Wide3, axis: Vec3) -> (DoubleDouble, f64) {
+    let Vec3 { x, y, z } = vector.attenuate(axis.map(DoubleDouble::of));
+    ((x + y + z).abs(), x.high.abs() + y.high.abs() + z.high.abs())
+}
+
 /// Compares the lambdas of a ray's hits on two spheres with one centre, or on the sides of two cylinders around one
 /// axis. The result is `None` for other surfaces, and if it is uncertain whether the ray enters or leaves a surface.
 ///
@@ -120,57 +172,6 @@ fn normal(axis: Vec3) -> Vec3 {
     }
 }
 
-/// A point, or a vector, of numbers with 106 bits.
-type Wide3 = Vec3<DoubleDouble>;
-
-/// A cap of a cylinder.
-struct Cap {
-    /// Twice the centre, without a rounding error. A coordinate has no meaning if its sum overflows.
-    twice_center: Wide3,
-    /// The cylinder's axis in the scene file.
-    axis: Vec3,
-}
-
-impl Cap {
-    /// Whether both caps certainly are in one plane.
-    fn is_in_plane_of(&self, other: &Self) -> bool {
-        let (normal, apart) = (normal(self.axis), self.twice_center - other.twice_center);
-        let is_zero = |component: DoubleDouble, factor: f64| component.high == 0.0 || factor == 0.0;
-        let is_across = is_zero(apart.x, normal.x) && is_zero(apart.y, normal.y) && is_zero(apart.z, normal.z);
-        is_across && normal == self::normal(other.axis)
-    }
-}
-
-/// Bounds the error of the difference of two products of dot products, relative to the sizes of their terms: 2^-90.
-/// Axes that a scene file may have, of 1e-161 and more, do not make the rounding errors of these products underflow.
-pub const ERROR_OF_CAPS: f64 = f64::from_bits((1023 - 90) << 52);
-
-/// Compares the lambdas of a ray's hits on two caps. The result is `None` if it is uncertain.
-fn compare_caps(ray: &Ray, left: &Cap, right: &Cap) -> Option<Ordering> {
-    if left.is_in_plane_of(right) {
-        return Some(Ordering::Equal);
-    }
-    run_fused!(|ray: &Ray, left: &Cap, right: &Cap| -> Option<Ordering> {
-        // A lambda is the quotient of the magnitudes of two dot products, the distance and the slope.
-        let (origin, direction) =
-            ((ray.origin + ray.origin).map(DoubleDouble::of), ray.direction.map(DoubleDouble::of));
-        let (distance, size) = magnitude(left.twice_center - origin, left.axis);
-        let (slope, size_of_slope) = magnitude(direction, left.axis);
-        let (other_distance, other_size) = magnitude(right.twice_center - origin, right.axis);
-        let (other_slope, other_size_of_slope) = magnitude(direction, right.axis);
-        let difference = (distance * other_slope - other_distance * slope).high;
-        let size = size * other_size_of_slope + other_size * size_of_slope;
-        (difference.abs() > size * ERROR_OF_CAPS + UNDERFLOW).then(|| difference.total_cmp(&0.0))
-    })
-}
-
-/// Returns the magnitude of the dot product of a vector and an axis, and the sum of the magnitudes of its terms.
-#[inline(always)]
-fn magnitude(vector: Wide3, axis: Vec3) -> (DoubleDouble, f64) {
-    let Vec3 { x, y, z } = vector.attenuate(axis.map(DoubleDouble::of));
-    ((x + y + z).abs(), x.high.abs() + y.high.abs() + z.high.abs())
-}
-
 impl Surface {
     /// Whether the ray certainly leaves the surface, a sphere or a side, at `lambda`, where it hits it. The result is
     /// `None` if it may touch the surface.
@@ -184,7 +185,7 @@ impl Surface {
         };
         let (to_origin, way) = (ray.origin - center, ray.direction * lambda);
         let outward = (to_origin + way).perpendicular_to(axis).dot(ray.direction);
-        let size = magnitude_of(ray.direction) * (magnitude_of(to_origin) + magnitude_of(way));
+        let size = magnitude(ray.direction) * (magnitude(to_origin) + magnitude(way));
         let is_certain = size * CYLINDER_BOUND.lambda_error() + UNDERFLOW < outward.abs();
         (is_certain && size < f64::INFINITY).then_some(outward > 0.0)
     }
@@ -222,7 +223,7 @@ impl Surface {
     fn exact_lambda(&self, ray: &Ray) -> Exactly<ExactLambda> {
         match self {
             Self::Sphere(record) => sphere_exact::lambda(record, ray),
-            Self::Cylinder(record, axis, part) => cylinder_exact::lambda(record, *axis, ray, *part),
+            Self::Cylinder(record, axis, part) => cylinder::exact_lambda(record, *axis, ray, *part),
         }
     }
 }

@@ -3,12 +3,13 @@
 //! and rays that pass a small and far sphere.
 //!
 //! By Lagrange's identity the discriminant equals `a r^2 - |(C - O) x d|^2`. If the ray passes near the sphere, both
-//! terms are about `a r^2`, however far away the sphere is. Kahan's algorithm computes the [cross product](cross).
+//! terms are about `a r^2`, however far away the sphere is. Kahan's algorithm computes the [cross
+//! product](accurate_cross).
 
 use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
 use crate::exact::{error_bound::Decision, error_bound::in_scale, sphere_filter::SphereHits};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
-use crate::math::error_free::{cross, difference, two_product};
+use crate::math::error_free::{accurate_cross, two_product, vector_difference};
 use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// The share of `a (|C - O|^2 + r^2)` in the terms of `a r^2 - |(C - O) x d|^2`, 2^-90. It covers errors of second
@@ -17,34 +18,34 @@ pub const SHARE_OF_DISTANCE: f64 = f64::from_bits((1023 - 90) << 52);
 
 /// The terms of a ray and a sphere from which both discriminants are computed.
 #[derive(Clone, Copy, Debug)]
-pub struct Terms<T> {
+pub struct SphereTerms<T> {
     direction: Vec3<T>,
     /// `C - O`, rounded, and the rounding error.
-    r_c: Vec3<T>,
+    to_center: Vec3<T>,
     error: Vec3<T>,
     radius_squared: T,
     /// The coefficients.
     pub quadratic: Quadratic<T>,
 }
 
-impl<T: Rounding> Terms<T> {
+impl<T: Rounding> SphereTerms<T> {
     /// Returns the terms.
     #[inline(always)]
     pub fn new(record: &SphereRecord<T>, ray: &Ray<T>) -> Self {
         let direction = ray.direction;
         let a = direction.dot(direction);
-        let (r_c, error) = difference(record.center, ray.origin);
-        let (c, squares) = difference_of_squares((r_c, error), two_product(record.radius, record.radius));
-        let h = direction.dot(r_c);
+        let (to_center, error) = vector_difference(record.center, ray.origin);
+        let (c, squares) = difference_of_squares((to_center, error), two_product(record.radius, record.radius));
+        let h = direction.dot(to_center);
         let quadratic = Quadratic { a, h, c, terms_of_c: squares, terms_of_h: (a * squares).sqrt() };
-        Self { direction, r_c, error, radius_squared: record.radius_squared, quadratic }
+        Self { direction, to_center, error, radius_squared: record.radius_squared, quadratic }
     }
 
     /// Returns `a r^2 - |(C - O) x d|^2`, which is accurate if the ray starts far away.
     #[inline(always)]
     pub fn far(&self) -> Discriminant<T> {
         let Quadratic { a, terms_of_c, .. } = self.quadratic;
-        let across = cross(self.r_c, self.direction) + cross(self.error, self.direction);
+        let across = accurate_cross(self.to_center, self.direction) + accurate_cross(self.error, self.direction);
         let (of_radius, of_distance) = (a * self.radius_squared, across.dot(across));
         let size = of_radius + (of_distance + a * terms_of_c * T::of(SHARE_OF_DISTANCE));
         Discriminant { value: of_radius - of_distance, size }
@@ -66,9 +67,9 @@ impl<T: Rounding> Terms<T> {
     }
 }
 
-impl Terms<f64> {
-    /// Returns the hit with this discriminant. The result is that of [`Terms::hits`] with branches, which take fewer
-    /// instructions.
+impl SphereTerms<f64> {
+    /// Returns the hit with this discriminant. The result is that of [`SphereTerms::hits`] with branches, which take
+    /// fewer instructions.
     #[inline(always)]
     fn hit(&self, discriminant: Discriminant<f64>) -> Decision<Option<f64>> {
         let Quadratic { a, h, c, .. } = self.quadratic;
@@ -101,7 +102,7 @@ impl Terms<f64> {
 /// Returns the hit of one ray, or `None` for a miss, if rounding certainly has not changed it.
 #[inline(always)]
 pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
-    let terms = Terms::new(record, ray);
+    let terms = SphereTerms::new(record, ray);
     if in_scale(terms.quadratic.a) && terms.quadratic.leaves() {
         return Decision::Certain(None);
     }
@@ -114,7 +115,7 @@ pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
 /// Returns the lambda of the ray's hit, with twice the bound of its error, or `None` if that is uncertain.
 #[inline(always)]
 pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
-    let terms = Terms::new(record, ray);
+    let terms = SphereTerms::new(record, ray);
     let (near, far) = (terms.quadratic.near(), terms.far());
     let roots = terms.quadratic.roots(if near.size < far.size { near } else { far });
     let [small, large] = roots.magnitudes(&terms.quadratic);
@@ -269,10 +270,10 @@ mod tests {
                 )
             };
             let record = SphereRecord::new(at(0), S::F64::load(&values[9]));
-            let terms = Terms::new(&record, &Ray { origin: at(3), direction: at(6) });
+            let terms = SphereTerms::new(&record, &Ray { origin: at(3), direction: at(6) });
             let both = [terms.hits(terms.quadratic.near()), terms.hits(terms.far())];
             for (lane, (record, ray)) in cases.iter().enumerate() {
-                let terms = Terms::new(record, ray);
+                let terms = SphereTerms::new(record, ray);
                 for (lanes, one) in both.iter().zip([terms.hit(terms.quadratic.near()), terms.hit(terms.far())]) {
                     let mut lambdas = [0.0; 8];
                     lanes.lambda.store(&mut lambdas);

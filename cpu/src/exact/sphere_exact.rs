@@ -4,17 +4,17 @@
 //! result of every comparison are exact. Only for the root itself they are rounded, to 106 bits each.
 
 use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
-use crate::exact::exact_vector::{Exact3, Exactly, least_lambda, to_dyadic};
+use crate::exact::exact_vector::{Exact3, Exactly, exact_least_lambda, to_dyadic};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 
 /// Returns the exact lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
 /// not finite.
 pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Exactly<ExactLambda> {
     let direction = Exact3::new(ray.direction)?;
-    let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
-    let c = &r_c.dot(&r_c) - &to_dyadic(record.radius)?.squared();
-    let least = least_lambda()?;
-    let quadratic = ExactQuadratic::with_roots(direction.dot(&direction), direction.dot(&r_c), c);
+    let to_center = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
+    let c = &to_center.dot(&to_center) - &to_dyadic(record.radius)?.squared();
+    let least = exact_least_lambda()?;
+    let quadratic = ExactQuadratic::with_roots(direction.dot(&direction), direction.dot(&to_center), c);
     Ok(quadratic.and_then(|quadratic| quadratic.smallest_root(|root| root.is_at_least(&least))))
 }
 

@@ -25,7 +25,8 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>
 /// Computes the plain formula as [`filtered`] does.
 ///
 /// # Errors
-/// If the plain formula is uncertain, the error is a [lower bound](ErrorBound::least_lambda) of the hit's lambda.
+/// If the plain formula is uncertain, the error is a [lower bound](ErrorBound::lower_bound_of_lambda) of the hit's
+/// lambda.
 #[inline(always)]
 pub fn filtered_or_least<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Result<Option<T>, T> {
     let a = ray.direction.dot(ray.direction);
@@ -51,7 +52,7 @@ pub fn filtered_or_least<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray
         (true, _) => Ok(Some(far.lambda)),
         // If the larger root is below the smallest lambda, the smaller root is too.
         (_, true) => Ok(None),
-        _ => Err(bound.least_lambda(a, if near_fails { h + root } else { h - root }, root)),
+        _ => Err(bound.lower_bound_of_lambda(a, if near_fails { h + root } else { h - root }, root)),
     }
 }
 

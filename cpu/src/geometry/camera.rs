@@ -46,7 +46,7 @@ impl Camera {
     pub fn new(config: &Config, size: Size) -> Result<Self, Picture> {
         // The computed cross product of parallel vectors may not be zero. It may be a rounding error of a few units in
         // the last place of the product of their lengths.
-        const PARALLEL: f64 = 4.0 * f64::EPSILON;
+        const PARALLEL_TO_NORTH: f64 = 4.0 * f64::EPSILON;
 
         let (position, target) = (config.camera_position, config.camera_target);
         let north = scaled(config.camera_north);
@@ -64,7 +64,7 @@ impl Camera {
         let window_width = window_height * (width / height);
         let backward = focal.unit();
         let right = north.cross(backward);
-        if right.length() <= PARALLEL * north.length() {
+        if right.length() <= PARALLEL_TO_NORTH * north.length() {
             return Err(Picture::NorthParallel);
         }
         let u = right.unit();

@@ -2,7 +2,7 @@
 //!
 //! Lambda is `(center - origin) . axis / (direction . axis)`. The ray hits the cap if three conditions hold: the
 //! magnitude of that divisor is at least 1e-8, lambda is at least 1e-3, and the point is at most the radius from
-//! `center`. The programs use the exact counterpart of this rule, `exact/cylinder_filter.rs`. They call [`intersect`]
+//! `center`. The programs use the exact counterpart of this rule, `exact/cylinder_decision.rs`. They call [`intersect`]
 //! only for numbers that are not finite. The reference has a literal copy in `cap` of `reference/nearest.rs`, and WGSL
 //! has one in `cylinder_cap` of `cylinder.wgsl`.
 //!

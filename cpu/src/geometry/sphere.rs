@@ -23,7 +23,7 @@ pub struct SphereRecord<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereView<T = f64> {
     /// The vector from the rays' origin to the sphere's centre.
-    pub r_c: Vec3<T>,
+    pub to_center: Vec3<T>,
     /// `r_c.r_c - r^2`, which is negative if the origin is inside the sphere.
     pub c: T,
     /// `r_c.r_c + r^2`.
@@ -35,12 +35,12 @@ impl<T: Real> SphereView<T> {
     /// `a = direction . direction`.
     #[inline(always)]
     pub fn quadratic(&self, direction: Vec3<T>, a: T) -> (T, T) {
-        let h = direction.dot(self.r_c);
+        let h = direction.dot(self.to_center);
         (h, h * h - a * self.c)
     }
 }
 
-broadcast!(SphereView: r_c; c, squares);
+broadcast!(SphereView: to_center; c, squares);
 broadcast!(SphereRecord: center; radius, radius_squared);
 
 impl<T: Real> SphereRecord<T> {
@@ -53,10 +53,10 @@ impl<T: Real> SphereRecord<T> {
     /// Returns the terms of the formula that are constant for all rays from `origin`.
     #[inline(always)]
     pub fn seen_from(&self, origin: Vec3<T>) -> SphereView<T> {
-        let r_c = self.center - origin;
-        let distance_squared = r_c.dot(r_c);
+        let to_center = self.center - origin;
+        let distance_squared = to_center.dot(to_center);
         let (c, squares) = (distance_squared - self.radius_squared, distance_squared + self.radius_squared);
-        SphereView { r_c, c, squares }
+        SphereView { to_center, c, squares }
     }
 
     /// Returns the normal that points out of the sphere at `point`, a point on its surface. The length is one.

@@ -6,7 +6,7 @@
 //! are caps, the first one counts.
 //!
 //! Hits on several objects are found in any order, so their [ranks](rank) are compared, by `accel/closest_hit.rs`. Two
-//! parts of a cylinder have the same lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides
+//! parts of a cylinder have the same lambda only on its edge, and `closest_part` in `exact/cylinder.rs` decides
 //! there. Elsewhere there is no tie, so `exact/cylinder.rs` finds the part without this rule. The reference has a
 //! literal copy of this rule in `is_nearer` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`. The plain
 //! formulas in WGSL and their twins compare computed lambdas (`is_closer`).

@@ -154,13 +154,13 @@ fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
 }
 
 /// The room on both sides of a boundary, in units of the boundary, for a gamma near 0.
-pub const SLACK: f64 = 16.0 * f64::EPSILON;
+pub const ROOM_FOR_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Returns the room, and the boundary `root^gamma` moved down and up by the room.
 #[inline]
 pub fn around<T: Power>(root: T, gamma: T) -> (T, [T; 2]) {
     let (one, boundary) = (T::of(1.0), root.power(gamma));
-    let room = T::of(SLACK) * (one + gamma);
+    let room = T::of(ROOM_FOR_ROUNDING) * (one + gamma);
     (room, [boundary * (one - room), boundary * (one + room)])
 }
 

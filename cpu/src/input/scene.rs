@@ -80,21 +80,25 @@ pub struct Parser {
 struct Entity {
     tag: &'static str,
     name: &'static str,
-    read: fn(&mut Tokens<'_>) -> Option<Item>,
+    read: fn(&mut Tokens<'_>) -> Option<Element>,
 }
 
 /// The material or the shape that a line describes.
-enum Item {
+enum Element {
     Material(Material),
     Shape(Shape),
 }
 
 const ENTITIES: [Entity; 5] = [
-    Entity { tag: "sphere:", name: "sphere", read: |tokens| sphere(tokens).map(Item::Shape) },
-    Entity { tag: "cylinder:", name: "cylinder", read: |tokens| cylinder(tokens).map(Item::Shape) },
-    Entity { tag: "matte:", name: "matte material", read: |tokens| matte(tokens).map(Item::Material) },
-    Entity { tag: "metal:", name: "metal material", read: |tokens| metal(tokens).map(Item::Material) },
-    Entity { tag: "refractive:", name: "refractive material", read: |tokens| refractive(tokens).map(Item::Material) },
+    Entity { tag: "sphere:", name: "sphere", read: |tokens| sphere(tokens).map(Element::Shape) },
+    Entity { tag: "cylinder:", name: "cylinder", read: |tokens| cylinder(tokens).map(Element::Shape) },
+    Entity { tag: "matte:", name: "matte material", read: |tokens| matte(tokens).map(Element::Material) },
+    Entity { tag: "metal:", name: "metal material", read: |tokens| metal(tokens).map(Element::Material) },
+    Entity {
+        tag: "refractive:",
+        name: "refractive material",
+        read: |tokens| refractive(tokens).map(Element::Material),
+    },
 ];
 
 /// Reads a number above 0.
@@ -154,11 +158,11 @@ impl Parser {
     }
 
     /// Adds an item with its name to the scene: a material under its own name, an object under that of its material.
-    fn add(&mut self, name: &[u8], item: Item, line: &[u8]) -> Result<(), Error> {
+    fn add(&mut self, name: &[u8], item: Element, line: &[u8]) -> Result<(), Error> {
         let known = self.names.get(name).copied();
         match (item, known) {
-            (Item::Material(_), Some(_)) => Err(Error::MaterialExists { name: name.to_vec(), line: line.to_vec() }),
-            (Item::Material(material), None) => {
+            (Element::Material(_), Some(_)) => Err(Error::MaterialExists { name: name.to_vec(), line: line.to_vec() }),
+            (Element::Material(material), None) => {
                 self.name_bytes += name.len();
                 if self.name_bytes > MAX_NAME_BYTES {
                     return Err(too_many_names(self.line).into());
@@ -173,8 +177,8 @@ impl Parser {
                 self.names.insert(owned, id);
                 Ok(())
             }
-            (Item::Shape(_), None) => Err(Error::MaterialNotFound { name: name.to_vec(), line: line.to_vec() }),
-            (Item::Shape(shape), Some(material)) => {
+            (Element::Shape(_), None) => Err(Error::MaterialNotFound { name: name.to_vec(), line: line.to_vec() }),
+            (Element::Shape(shape), Some(material)) => {
                 push(&mut self.scene.objects, Object { shape, material }, "the objects")
             }
         }
@@ -191,7 +195,7 @@ impl Entity {
     /// Reads a line after its tag. Returns the material's name on the line, and what the line describes. The name
     /// stands before the parameters of a material and after those of an object. `None` means that a token is missing or
     /// invalid.
-    fn read_named<'a>(&self, tokens: &mut Tokens<'a>) -> Option<(&'a [u8], Item)> {
+    fn read_named<'a>(&self, tokens: &mut Tokens<'a>) -> Option<(&'a [u8], Element)> {
         let first = if self.name.ends_with("material") { Some(tokens.next()?) } else { None };
         let item = (self.read)(tokens)?;
         Some((first.or_else(|| tokens.next())?, item))

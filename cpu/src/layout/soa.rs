@@ -59,13 +59,13 @@ fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
 /// file and of their materials. The squared radius and a cylinder's caps are not stored. They are computed again by the
 /// formulas of the records.
 #[derive(Clone, Debug)]
-struct Kind<const N: usize> {
+struct ColumnsOf<const N: usize> {
     numbers: [Vec<f64>; N],
     order: Vec<u32>,
     material: Vec<MaterialId>,
 }
 
-impl<const N: usize> Kind<N> {
+impl<const N: usize> ColumnsOf<N> {
     /// Returns empty arrays with room for `count` objects.
     fn with_room(count: usize) -> Result<Self, Error> {
         let mut numbers = [const { Vec::new() }; N];
@@ -96,16 +96,16 @@ impl<const N: usize> Kind<N> {
 #[derive(Clone, Debug)]
 pub struct SoaObjects {
     /// The numbers are centre and radius.
-    spheres: Kind<4>,
+    spheres: ColumnsOf<4>,
     /// The numbers are centre, radius, axis of length one and half height. Then follows the axis as in the scene file,
     /// which only the compensated and exact formulas need.
-    cylinders: Kind<11>,
+    cylinders: ColumnsOf<11>,
 }
 
 impl Objects for SoaObjects {
     fn build(scene: &Scene) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = count_kinds(scene)?;
-        let (mut spheres, mut cylinders) = (Kind::with_room(sphere_count)?, Kind::with_room(cylinder_count)?);
+        let (mut spheres, mut cylinders) = (ColumnsOf::with_room(sphere_count)?, ColumnsOf::with_room(cylinder_count)?);
         for sphere in layout::spheres(scene) {
             let SphereRecord { center, radius, .. } = sphere.record;
             spheres.push([center.x, center.y, center.z, radius], &sphere);
@@ -128,7 +128,7 @@ impl Objects for SoaObjects {
 
     #[inline(always)]
     fn sphere(&self, index: usize) -> Placed<SphereRecord> {
-        let Kind { numbers: [x, y, z, radius], order, material } = &self.spheres;
+        let ColumnsOf { numbers: [x, y, z, radius], order, material } = &self.spheres;
         let record = SphereRecord::new(Vec3::new(x[index], y[index], z[index]), at(radius, index));
         Placed { record, order: at(order, index), material: at(material, index) }
     }
@@ -143,7 +143,7 @@ impl Objects for SoaObjects {
 
     #[inline(always)]
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
-        let Kind { numbers: [x, y, z, radius, axis_x, axis_y, axis_z, half_height, ..], order, material } =
+        let ColumnsOf { numbers: [x, y, z, radius, axis_x, axis_y, axis_z, half_height, ..], order, material } =
             &self.cylinders;
         let center = Vec3::new(x[index], y[index], z[index]);
         let axis = Vec3::new(axis_x[index], axis_y[index], axis_z[index]);

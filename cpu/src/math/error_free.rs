@@ -21,7 +21,7 @@ pub fn two_product<T: Rounding>(a: T, b: T) -> (T, T) {
 
 /// Returns `a - b`, rounded, and the rounding error.
 #[inline(always)]
-pub fn difference<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
+pub fn vector_difference<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
     (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
 }
@@ -38,7 +38,7 @@ pub(crate) fn dot_with_error<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> (T, T) {
 
 /// Returns the cross product. The relative error of each component is at most 2 u.
 #[inline(always)]
-pub fn cross<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+pub fn accurate_cross<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     Vec3::new(
         difference_of_products(a.y, b.z, a.z, b.y),
         difference_of_products(a.z, b.x, a.x, b.z),
@@ -50,7 +50,7 @@ pub fn cross<T: Rounding>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
 /// rounding errors, and of the part of `a_error`.
 #[inline(always)]
 pub fn cross_with_error<T: Rounding>((a, a_error): (Vec3<T>, Vec3<T>), b: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
-    let more = cross(a_error, b);
+    let more = accurate_cross(a_error, b);
     let x = difference_with_error([a.y, b.z, a.z, b.y], more.x);
     let y = difference_with_error([a.z, b.x, a.x, b.z], more.y);
     let z = difference_with_error([a.x, b.y, a.y, b.x], more.z);

@@ -108,10 +108,10 @@ impl<T: Real> Vec3<T> {
     /// cannot hold 2^600. So in `f32` no vector is scaled, and the squared length of a short vector underflows.
     #[inline(always)]
     pub fn unit_and_length(self) -> (Self, T) {
-        const SCALE: f64 = f64::from_bits((1023 + 600) << 52);
+        const SCALE_OF_SHORT: f64 = f64::from_bits((1023 + 600) << 52);
         const INVERSE: f64 = f64::from_bits((1023 - 600) << 52);
         let is_short = self.dot(self).less(T::of(INVERSE));
-        let scaled = self * T::select(is_short, T::of(SCALE), T::of(1.0));
+        let scaled = self * T::select(is_short, T::of(SCALE_OF_SHORT), T::of(1.0));
         let length = scaled.length();
         (scaled / length, length * T::select(is_short, T::of(INVERSE), T::of(1.0)))
     }

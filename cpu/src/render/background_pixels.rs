@@ -92,7 +92,7 @@ impl BackgroundPixels {
         let (camera, row) = (prepared.camera.lanes(), V::of(row as f64));
         let reach = PixelReach::new(&prepared.camera, &prepared.ray_error).lanes();
         for at in (0..span.width()).step_by(V::LANES) {
-            let column = V::of((span.first + at) as f64) + V::load(&LANES);
+            let column = V::of((span.first + at) as f64) + V::load(&LANE_NUMBERS);
             let derivative = DerivativeBound::new(&camera, row, column, reach);
             self.derivatives.store(at, derivative.numbers());
             self.intervals.store(at, intervals(prepared, derivative.anywhere(), self.rounding));
@@ -155,7 +155,7 @@ fn sum(values: &[f64]) -> f64 {
 }
 
 /// The distance of each lane from the first.
-const LANES: [f64; MOST_LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+const LANE_NUMBERS: [f64; MOST_LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 #[cfg(test)]
 mod tests {

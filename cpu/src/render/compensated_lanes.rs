@@ -1,16 +1,17 @@
 //! Intersects the rays with a cylinder for which the plain formulas are uncertain, several at once.
 
 use crate::counters::{Counter, add};
-use crate::exact::cylinder::{SideLanes, precise};
+use crate::exact::cylinder::precise;
 use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
+use crate::exact::cylinder_lanes::SideLanes;
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderRecord, ray::Ray};
 use crate::math::{real::Real as _, vec3::Vec3};
-use crate::render::lane_by_lane::{for_each_lane, precise_lane_by_lane};
+use crate::render::lane_by_lane::{for_each_lane, replace_lane_by_lane};
 use crate::simd::{Kernel, MOST_LANES, Simd, SimdF64, columns::Columns, instruction_set::InstructionSet};
 
 /// A cylinder and its axis in the scene file.
-pub type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
+pub type CylinderAndAxis<'a> = (&'a CylinderRecord, &'a Vec3);
 
 /// The origin and the direction of several rays, and lambda and part of their hits.
 type Lanes = Columns<8, MOST_LANES>;
@@ -19,7 +20,12 @@ type Lanes = Columns<8, MOST_LANES>;
 /// formulas or, if these are uncertain too, from dyadic arithmetic, and lambda is NaN for a miss. All other lanes keep
 /// the given values.
 #[inline(always)]
-pub(crate) fn uncertain_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncertain: u32, cylinder: Cylinder) -> (V, V) {
+pub(crate) fn uncertain_cylinder<V: SimdF64>(
+    ray: &Ray<V>,
+    hits: (V, V),
+    uncertain: u32,
+    cylinder: CylinderAndAxis,
+) -> (V, V) {
     let Ray { origin: o, direction: d } = *ray;
     let mut lanes = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, hits.0, hits.1]);
     replace_uncertain(&mut lanes, uncertain, cylinder);
@@ -31,10 +37,10 @@ pub(crate) fn uncertain_cylinder<V: SimdF64>(ray: &Ray<V>, hits: (V, V), uncerta
 /// keeps its registers.
 #[cold]
 #[inline(never)]
-fn replace_uncertain(lanes: &mut Lanes, uncertain: u32, cylinder: Cylinder) {
+fn replace_uncertain(lanes: &mut Lanes, uncertain: u32, cylinder: CylinderAndAxis) {
     let left = InstructionSet::fused().run(Compensated { lanes, uncertain, cylinder });
     add(Counter::Compensated, u64::from((uncertain & !left).count_ones()));
-    precise_lane_by_lane(lanes, left, &|ray| precise(cylinder.0, cylinder.1, ray));
+    replace_lane_by_lane(lanes, left, &|ray| precise(cylinder.0, cylinder.1, ray));
 }
 
 /// A kernel that intersects the rays of the `uncertain` lanes by the compensated formulas. It returns the lanes that
@@ -42,7 +48,7 @@ fn replace_uncertain(lanes: &mut Lanes, uncertain: u32, cylinder: Cylinder) {
 struct Compensated<'a> {
     lanes: &'a mut Lanes,
     uncertain: u32,
-    cylinder: Cylinder<'a>,
+    cylinder: CylinderAndAxis<'a>,
 }
 
 impl Kernel for Compensated<'_> {

@@ -70,7 +70,7 @@ impl Outline {
             }
         };
         let center = center - prepared.camera.position;
-        let margin = margin(prepared.ray_error.turn, center.length(), radius, half_height);
+        let margin = margin_of_object(prepared.ray_error.turn, center.length(), radius, half_height);
         Self { id, center, axis, half_height, radius, margin }
     }
 
@@ -178,7 +178,7 @@ pub fn is_beyond<T: Real>(normal: Vec3<T>, center: Vec3<T>, extent: T, margin: T
 
 /// Returns the margin of an object at this distance from the camera, for a turn of its rays.
 #[inline(always)]
-pub fn margin<T: Real>(turn: T, distance: T, radius: T, half_height: T) -> T {
+pub fn margin_of_object<T: Real>(turn: T, distance: T, radius: T, half_height: T) -> T {
     T::of(TURNS) * turn * (distance + radius + half_height)
 }
 

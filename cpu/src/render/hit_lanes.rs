@@ -1,12 +1,12 @@
 //! The closest hits of several rays, which are found at once.
 
-use crate::exact::cylinder::SideLanes;
-use crate::exact::cylinder_filter::{PlainCaps, PlainSide, is_long};
-use crate::render::compensated_lanes::{Cylinder, uncertain_cylinder};
-use crate::render::{lane_by_lane::closer_of_near, lane_by_lane::precise, lane_numbers::ObjectNumber};
+use crate::exact::cylinder_lanes::SideLanes;
+use crate::exact::cylinder_plain::{PlainCaps, PlainSide, is_long};
+use crate::render::compensated_lanes::{CylinderAndAxis, uncertain_cylinder};
+use crate::render::{lane_by_lane::closer_of_near, lane_by_lane::lane_by_lane, lane_numbers::ObjectNumber};
 use crate::{
     accel::closest_hit::is_exactly_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
-    exact::error_bound::in_scale, exact::order::is_certainly_closer, exact::sphere_compensated::Terms,
+    exact::error_bound::in_scale, exact::order::is_certainly_closer, exact::sphere_compensated::SphereTerms,
     geometry::cylinder::CylinderPart, geometry::cylinder::CylinderView, geometry::ray::Ray,
     geometry::sphere::SphereRecord, geometry::sphere::SphereView, layout::Objects, simd::SimdF64,
 };
@@ -148,9 +148,9 @@ impl<V: SimdF64> HitLanes<V> {
         if uncertain != 0 {
             if is_far(view.squares, uncertain) {
                 let intersect = |ray: &Ray| Some((exact::sphere::intersect(record, ray)?, CylinderPart::Side));
-                return self.update(id, precise(ray, hits, uncertain, &intersect), certain, rays);
+                return self.update(id, lane_by_lane(ray, hits, uncertain, &intersect), certain, rays);
             }
-            let terms = Terms::new(&record.lanes(), ray);
+            let terms = SphereTerms::new(&record.lanes(), ray);
             let near = terms.hits(terms.quadratic.near());
             hits.0 = V::select(certain, hits.0, near.lambda);
             certain = certain | near.certain;
@@ -163,7 +163,7 @@ impl<V: SimdF64> HitLanes<V> {
             add(Counter::Compensated, u64::from((uncertain & !still_uncertain).count_ones()));
             if still_uncertain != 0 {
                 let intersect = |ray: &Ray| Some((exact::sphere::precise(record, ray)?, CylinderPart::Side));
-                hits = precise(ray, hits, still_uncertain, &intersect);
+                hits = lane_by_lane(ray, hits, still_uncertain, &intersect);
             }
         }
         self.update(id, hits, certain, rays);
@@ -175,7 +175,7 @@ impl<V: SimdF64> HitLanes<V> {
     pub(crate) fn intersect_cylinder<O: Objects>(
         &mut self,
         id: ObjectId,
-        cylinder: Cylinder,
+        cylinder: CylinderAndAxis,
         view: &CylinderView<V>,
         rays: &Rays<V, O>,
     ) {
@@ -191,7 +191,7 @@ impl<V: SimdF64> HitLanes<V> {
     pub(crate) fn filtered_cylinder<O: Objects>(
         &mut self,
         id: ObjectId,
-        cylinder: Cylinder,
+        cylinder: CylinderAndAxis,
         view: &CylinderView<V>,
         rays: &Rays<V, O>,
     ) {
@@ -205,7 +205,7 @@ impl<V: SimdF64> HitLanes<V> {
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
             hits = if is_far(view.squares, uncertain) {
-                precise(ray, hits, uncertain, &|ray| exact::cylinder::intersect(record, axis, ray))
+                lane_by_lane(ray, hits, uncertain, &|ray| exact::cylinder::intersect(record, axis, ray))
             } else {
                 uncertain_cylinder(ray, hits, uncertain, cylinder)
             };

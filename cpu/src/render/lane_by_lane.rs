@@ -11,28 +11,28 @@ use crate::{
 
 /// A function that intersects one ray precisely with an object. It returns lambda and the part of a cylinder, or `None`
 /// for a miss.
-type Intersect<'a> = &'a dyn Fn(&Ray) -> Option<(f64, CylinderPart)>;
+type IntersectAlone<'a> = &'a dyn Fn(&Ray) -> Option<(f64, CylinderPart)>;
 
 /// Returns lambda and part of each lane. In the lanes whose bits are set in `uncertain` they come from `intersect`,
 /// where lambda is NaN for a miss. All other lanes keep the given values.
 #[inline(always)]
-pub(crate) fn precise<V: SimdF64>(
+pub(crate) fn lane_by_lane<V: SimdF64>(
     ray: &Ray<V>,
     (lambda, part): (V, V),
     uncertain: u32,
-    intersect: Intersect<'_>,
+    intersect: IntersectAlone<'_>,
 ) -> (V, V) {
     let Ray { origin: o, direction: d } = *ray;
     let mut lanes = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, lambda, part]);
-    precise_lane_by_lane(&mut lanes, uncertain, intersect);
+    replace_lane_by_lane(&mut lanes, uncertain, intersect);
     let [.., lambda, part] = lanes.load(0);
     (lambda, part)
 }
 
-/// Replaces lambda and part of the lanes whose bits are set in `uncertain`, as [`precise`] does.
+/// Replaces lambda and part of the lanes whose bits are set in `uncertain`, as [`lane_by_lane`] does.
 #[cold]
 #[inline(never)]
-pub(crate) fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, intersect: Intersect<'_>) {
+pub(crate) fn replace_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, intersect: IntersectAlone<'_>) {
     for_each_lane(uncertain, |lane| {
         let [x, y, z, dx, dy, dz, ..] = lanes.get(lane);
         let ray = Ray { origin: [x, y, z].into(), direction: [dx, dy, dz].into() };

@@ -19,7 +19,7 @@ const MADE: usize = 512;
 /// Number of samples that can always be taken after [`ScatterSamples::prepare`].
 pub const RESERVE: usize = 12;
 /// Number of places for samples: those for old samples, then those for new ones.
-const ROOM: usize = PLACES_FOR_OLD + MADE;
+const HELD_SAMPLES: usize = PLACES_FOR_OLD + MADE;
 
 /// The scatter samples, in order. In the statement's convention a sample is three random numbers in `[0, 1)`. In the
 /// published convention it is a vector of length one, and in deterministic mode a null vector.
@@ -31,7 +31,7 @@ pub struct ScatterSamples {
     set: InstructionSet,
     generator: BlockUniform,
     draws: [f64; DRAWS_OF_SCATTER_SAMPLE * MADE],
-    samples: Columns<DRAWS_OF_SCATTER_SAMPLE, ROOM>,
+    samples: Columns<DRAWS_OF_SCATTER_SAMPLE, HELD_SAMPLES>,
     /// Index of the next sample.
     next: usize,
     /// Number of the stream's samples that came before index 0, plus a constant.
@@ -42,7 +42,7 @@ impl ScatterSamples {
     /// Returns the stream of the given convention, with a generator that starts from `seed`. No sample is made yet.
     pub fn new(convention: Scatter, seed: u64, set: InstructionSet) -> Self {
         let (generator, draws) = (BlockUniform::new(seed), [0.0; DRAWS_OF_SCATTER_SAMPLE * MADE]);
-        Self { convention, set, generator, draws, samples: Columns::ZERO, next: ROOM, before: 0 }
+        Self { convention, set, generator, draws, samples: Columns::ZERO, next: HELD_SAMPLES, before: 0 }
     }
 
     /// Calls `visit` with each word of the stream's state: of the generator, and of the samples that are made.
@@ -50,7 +50,7 @@ impl ScatterSamples {
         self.generator.visit(visit);
         let mut next = self.next as u64;
         visit(&mut next);
-        self.next = ROOM.min(next as usize);
+        self.next = HELD_SAMPLES.min(next as usize);
         for number in self.samples.0.as_flattened_mut() {
             let mut bits = number.to_bits();
             visit(&mut bits);
@@ -61,7 +61,7 @@ impl ScatterSamples {
     /// Makes new samples if fewer than [`RESERVE`] are left.
     #[inline(always)]
     pub fn prepare(&mut self) {
-        if self.next > ROOM - RESERVE {
+        if self.next > HELD_SAMPLES - RESERVE {
             self.make();
         }
     }
@@ -94,7 +94,7 @@ impl ScatterSamples {
     /// [visited](ScatterSamples::visit) to replace its state.
     #[cfg(any(feature = "internals", test))]
     pub(crate) const fn taken(&self) -> u64 {
-        self.position().wrapping_sub(ROOM as u64)
+        self.position().wrapping_sub(HELD_SAMPLES as u64)
     }
 
     /// Returns the next samples, one in each lane. None of them is taken.
@@ -120,9 +120,9 @@ impl Kernel for Make<'_> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let ScatterSamples { convention, generator, draws, samples, next, before, .. } = self.0;
-        let kept = ROOM - *next;
+        let kept = HELD_SAMPLES - *next;
         for column in &mut samples.0 {
-            column.copy_within(ROOM - kept.., PLACES_FOR_OLD - kept);
+            column.copy_within(HELD_SAMPLES - kept.., PLACES_FOR_OLD - kept);
         }
         *next = PLACES_FOR_OLD - kept;
         *before = before.wrapping_add(MADE as u64);

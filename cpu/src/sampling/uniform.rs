@@ -42,9 +42,9 @@ impl Uniform {
 /// Converts a word of the generator to a number in `[0, 1)`.
 #[inline(always)]
 pub fn canonical(word: u64) -> f64 {
-    const SCALE: f64 = 1.0 / 18_446_744_073_709_551_616.0;
+    const WORD_SCALE: f64 = 1.0 / 18_446_744_073_709_551_616.0;
     // The product with 2^-64 is exact, and so it has the bits of the quotient by 2^64.
-    (word as f64 * SCALE).min(BELOW_ONE)
+    (word as f64 * WORD_SCALE).min(BELOW_ONE)
 }
 
 #[cfg(test)]

@@ -115,9 +115,9 @@ impl SimdF64 for F64 {
 /// The lanes of a comparison as bits, lane 0 lowest.
 #[inline(always)]
 fn bits(mask: uint32x4_t) -> u32 {
-    const BITS: [u32; 4] = [1, 2, 4, 8];
+    const BIT_OF_LANE: [u32; 4] = [1, 2, 4, 8];
     // SAFETY: as in `intrinsics`; four numbers are at the pointer.
-    unsafe { vaddvq_u32(vandq_u32(mask, vld1q_u32(BITS.as_ptr()))) }
+    unsafe { vaddvq_u32(vandq_u32(mask, vld1q_u32(BIT_OF_LANE.as_ptr()))) }
 }
 
 impl SimdF32 for F32 {

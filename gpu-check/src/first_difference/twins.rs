@@ -49,10 +49,10 @@ pub fn twin<T: Float>(name: &str) -> Option<Twin<T>> {
         "sphere_new" | "sphere_load" => |_, mut of| sphere(&SphereRecord::new(of.vector(), of.number())),
         "sphere_seen_from" => |_, mut of| {
             let view = of.sphere().seen_from(of.vector());
-            join([vector(view.r_c), number(view.c)])
+            join([vector(view.to_center), number(view.c)])
         },
         "sphere_quadratic" => |_, mut of| {
-            let view = SphereView { r_c: of.vector(), c: of.number(), squares: T::of(0.0) };
+            let view = SphereView { to_center: of.vector(), c: of.number(), squares: T::of(0.0) };
             let (h, discriminant) = view.quadratic(of.vector(), of.number());
             join([number(h), number(discriminant)])
         },

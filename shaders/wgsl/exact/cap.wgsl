@@ -1,4 +1,4 @@
-// A cap of a cylinder with its error bound; twin of the cap in cpu/src/exact/cylinder_filter.rs.
+// A cap of a cylinder with its error bound; twin of the cap in cpu/src/exact/cylinder_decision.rs.
 
 // Plane: the plane of a cap and one ray, with what is certain before lambda is computed.
 struct ExactPlane {

@@ -1,4 +1,4 @@
-// The side of a cylinder with its error bound; twin of the side in cpu/src/exact/cylinder_filter.rs.
+// The side of a cylinder with its error bound; twin of the side in cpu/src/exact/cylinder_plain.rs.
 
 // LIMITS: the error constant 192 times 2^-53, the reciprocal of the condition limit 65,536, and 10^-3 times one minus
 // and plus 256 * 65,536 * 2^-53.

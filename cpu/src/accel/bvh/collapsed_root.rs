@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// Maximum number of boxes in the collapsed root. The test of the boxes returns a `u64` with one bit for each of them.
-pub const MOST: usize = 64;
+pub const MOST_BOXES: usize = 64;
 
 /// The least number of `f32` lanes with which the collapsed root saves time: with four lanes its test of all boxes
 /// takes longer than the visits that it saves (docs/experiments.md, row "collapsed root").
@@ -26,7 +26,7 @@ pub const LEAST_LANES: usize = 8;
 /// if a single node can hold all these boxes.
 pub(crate) fn planned(objects: usize) -> Option<usize> {
     let mut nodes = objects.div_ceil(WIDTH);
-    while nodes > MOST {
+    while nodes > MOST_BOXES {
         nodes = nodes.div_ceil(WIDTH);
     }
     (nodes > WIDTH).then_some(nodes)
@@ -34,7 +34,7 @@ pub(crate) fn planned(objects: usize) -> Option<usize> {
 
 /// The boxes of the tree's second level in one list, sorted along an axis. For each child of the root, the list has the
 /// boxes of that child's children. The list has the box of the child itself if the child is an object, if it has an
-/// object among its children, or if the list would have more than [`MOST`] boxes.
+/// object among its children, or if the list would have more than [`MOST_BOXES`] boxes.
 #[derive(Debug)]
 pub struct CollapsedRoot {
     /// The boxes, 16 in each entry. The list is empty if no collapsed root is [`planned`]. The traversal then begins at
@@ -43,7 +43,7 @@ pub struct CollapsedRoot {
     /// Bit `i` is 1 if there is a box `i`.
     occupied: u64,
     /// The index of the node to which each box leads.
-    nodes: [u32; MOST],
+    nodes: [u32; MOST_BOXES],
     /// The axis along which the boxes are sorted: 0 for x, 1 for y, 2 for z.
     axis: usize,
 }
@@ -55,18 +55,18 @@ impl CollapsedRoot {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub(crate) fn new<B: Boxes>(nodes: &mut Vec<Node<B>>, objects: usize) -> Result<Self, Error> {
-        let mut root = Self { rows: Vec::new(), occupied: 0, nodes: [0; MOST], axis: 0 };
+        let mut root = Self { rows: Vec::new(), occupied: 0, nodes: [0; MOST_BOXES], axis: 0 };
         if planned(objects).is_none() {
             return Ok(root);
         }
-        let mut boxes = with_room(MOST, HIERARCHY)?;
+        let mut boxes = with_room(MOST_BOXES, HIERARCHY)?;
         // The length of the list if each child that is still to come adds its own box.
         let mut count = nodes.first().map_or(0, |root| root.children().count());
         for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
             let node = (child.kind == Kind::Node).then(|| &nodes[child.number as usize]);
             // The number of boxes that the list has more if a node's children replace it.
             let added = |node: &Node<B>| node.children().count() - 1;
-            match node.filter(|node| node.has_only_nodes() && count + added(node) <= MOST) {
+            match node.filter(|node| node.has_only_nodes() && count + added(node) <= MOST_BOXES) {
                 Some(node) => {
                     count += added(node);
                     boxes.extend(node.children());
@@ -78,8 +78,8 @@ impl CollapsedRoot {
         root.axis = all.longest_axis();
         let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(root.axis);
         boxes.sort_unstable_by(|left, right| middle(left).total_cmp(&middle(right)));
-        root.occupied = u64::MAX >> (MOST - boxes.len());
-        root.rows = with_room(MOST / WIDTH, HIERARCHY)?;
+        root.occupied = u64::MAX >> (MOST_BOXES - boxes.len());
+        root.rows = with_room(MOST_BOXES / WIDTH, HIERARCHY)?;
         for row in boxes.chunks(WIDTH) {
             let mut bounds = [Bounds::EMPTY; WIDTH];
             for (to, (from, _)) in bounds.iter_mut().zip(row) {
@@ -114,7 +114,7 @@ impl CollapsedRoot {
     pub(crate) fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32) -> u64 {
         add(Counter::NodeVisits, self.rows.len() as u64);
         let mut bits = 0;
-        for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
+        for (place, row) in self.rows.iter().enumerate().take(MOST_BOXES / WIDTH) {
             let hit = row.intersect(slab_ray, farthest, &mut [0.0; WIDTH]);
             bits |= u64::from(hit) << (place * WIDTH);
         }
@@ -174,7 +174,7 @@ mod tests {
             if let Some(planned) = planned(count) {
                 // A child of the root with few objects gets two children, even if one was planned. If they exceed the
                 // room, some children of the root stay in the list.
-                let most = (planned + 4).clamp(2 * WIDTH, MOST);
+                let most = (planned + 4).clamp(2 * WIDTH, MOST_BOXES);
                 assert!((planned / 2..=most).contains(&children), "{children} children, {planned} planned");
             }
             let below = |&index: &u32| objects(&nodes, &nodes[index as usize]);
@@ -205,11 +205,11 @@ mod tests {
         let mut nodes = build::<ByteBoxes>(bounds.len(), bounds.len(), items, Some(true)).expect("it fits").nodes;
         let grandchildren = |(_, child): (Bounds, Child)| nodes[child.number as usize].children().count();
         let all: usize = nodes[0].children().map(grandchildren).sum();
-        assert_eq!((bounds.len(), planned(bounds.len())), (1024, Some(MOST)));
-        assert!(all > MOST, "{all} grandchildren would fit");
+        assert_eq!((bounds.len(), planned(bounds.len())), (1024, Some(MOST_BOXES)));
+        assert!(all > MOST_BOXES, "{all} grandchildren would fit");
         let row = CollapsedRoot::new(&mut nodes, bounds.len()).expect("it fits");
         let count = boxes_of(&row).count();
-        assert!((MOST - 6..=MOST).contains(&count), "{count} boxes");
+        assert!((MOST_BOXES - 6..=MOST_BOXES).contains(&count), "{count} boxes");
         let mut reached: Vec<_> =
             row.nodes[..count].iter().flat_map(|&index| objects(&nodes, &nodes[index as usize])).collect();
         reached.sort_unstable();
@@ -235,6 +235,8 @@ mod tests {
     fn as_many_are_planned_as_leave_no_level_below_half_empty() {
         assert_eq!([0, 256, 257, 1000, 1024].map(planned), [None, None, Some(17), Some(63), Some(64)]);
         assert_eq!([1025, 4096, 4097, 10_000].map(planned), [None, None, Some(17), Some(40)]);
-        assert!((1..2_000_000).step_by(997).filter_map(planned).all(|planned| (WIDTH + 1..=MOST).contains(&planned)));
+        assert!(
+            (1..2_000_000).step_by(997).filter_map(planned).all(|planned| (WIDTH + 1..=MOST_BOXES).contains(&planned))
+        );
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn save_time(objects: usize, half_areas: f64, half_area: f32) -> bool
 }
 
 /// The part of a box's largest coordinate by which the radius is enlarged: `16 u`.
-const ENLARGEMENT: f64 = 8.0 * f32::EPSILON as f64;
+const RADIUS_ENLARGEMENT: f64 = 8.0 * f32::EPSILON as f64;
 
 /// A bounding sphere of a sphere, in scene units.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +49,7 @@ impl BoundingSphere {
         let largest = most(|low, high| low.abs().max(high.abs()));
         Self {
             center: [0, 1, 2].map(|axis| (low[axis] + high[axis]) / 2.0),
-            radius: most(|low, high| (high - low) / 2.0) + ENLARGEMENT * largest,
+            radius: most(|low, high| (high - low) / 2.0) + RADIUS_ENLARGEMENT * largest,
         }
     }
 

@@ -14,7 +14,7 @@ use cpu::internals::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf}
 use cpu::internals::accel::bvh::sphere_ray::{SphereRay, cross, enlargement, unit};
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::accel::may_hit::conservative::LEAST_LENGTH_SQUARED;
-use cpu::internals::exact::cylinder_filter::CYLINDER_BOUND;
+use cpu::internals::exact::cylinder_decision::CYLINDER_BOUND;
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::math::real::Real;
 use cpu::internals::simd::SimdF32;

@@ -5,7 +5,7 @@
 //! terms in `u^2`. All logarithms and errors are sums of multiples of 1, of gamma and of its reciprocal. So
 //! what the room must be, relative to `1 + gamma`, is largest for the smallest or for the largest gamma.
 
-use cpu::internals::image::quantize::{Power, SLACK, around, scaled};
+use cpu::internals::image::quantize::{Power, ROOM_FOR_ROUNDING, around, scaled};
 
 use super::row::{Row, U};
 use super::ruled::{Ruled, Rules};
@@ -34,7 +34,7 @@ impl Rules for Number {
         Self::new(value.ln(), 0.0)
     }
     fn times(self, other: Self) -> Self {
-        let is_room = self.log == SLACK.ln();
+        let is_room = self.log == ROOM_FOR_ROUNDING.ln();
         let (log, error) = (self.log + other.log, self.error + other.error + 1.0);
         Self { log, error, moved: self.moved + other.moved, is_room }
     }

@@ -5,12 +5,12 @@
 use cpu::Ray;
 use cpu::internals::exact::compensated_roots::{self, ACCURACY_OF_C, CONDITION_LIMIT, Discriminant, ERROR_OF_C};
 use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
-use cpu::internals::exact::cylinder_filter::LEAST_EXTENT;
+use cpu::internals::exact::cylinder_decision::LEAST_EXTENT;
 use cpu::internals::exact::error_bound::{LONGEST, SHORTEST, UNDERFLOW};
-use cpu::internals::exact::sphere_compensated::{self, Terms};
+use cpu::internals::exact::sphere_compensated::{self, SphereTerms};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
-use cpu::internals::math::error_free::{self, cross, cross_with_error};
+use cpu::internals::math::error_free::{self, accurate_cross, cross_with_error};
 use cpu::internals::math::real::Real as _;
 
 use super::bounded::{Bounded, Operation, begin, compared, forget_later};
@@ -57,12 +57,12 @@ fn origin(of: impl Fn(u8) -> Polynomial) -> [(Variable, Polynomial); 3] {
 }
 
 /// Runs the formulas of a sphere. Returns them with the ray, and the inputs of [`Signed`].
-fn sphere() -> (Ray<Bounded>, Terms<Bounded>, [(Variable, Polynomial); 3]) {
+fn sphere() -> (Ray<Bounded>, SphereTerms<Bounded>, [(Variable, Polynomial); 3]) {
     let (ray, center) = (ray(), Bounded::vector(CENTER, 0.0));
     is(center + -ray.origin, TO_CENTER);
     let record = SphereRecord::new(center, Bounded::number(RADIUS, 0.0));
     let inputs = origin(|axis| difference(&component(CENTER, axis), &component(TO_CENTER, axis)));
-    (ray, Terms::new(&record, &ray), inputs)
+    (ray, SphereTerms::new(&record, &ray), inputs)
 }
 
 /// Returns the operands of a difference of two products.
@@ -320,12 +320,12 @@ pub fn leaves(of_h: f64) -> Row {
 fn far_discriminant() -> ([f64; 2], Log) {
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     let (ray, center) = (ray(), Bounded::vector(CENTER, 0.0));
-    let (to_center, rounded_off) = error_free::difference(center, ray.origin);
+    let (to_center, rounded_off) = error_free::vector_difference(center, ray.origin);
     is(to_center, TO_CENTER);
     let inputs = origin(|axis| difference(&component(CENTER, axis), &component(TO_CENTER, axis)));
     let known = known_cross(DIRECTION);
     let mut signed = Signed::new(&inputs, &known);
-    let across = cross(to_center, ray.direction) + cross(rounded_off, ray.direction);
+    let across = accurate_cross(to_center, ray.direction) + accurate_cross(rounded_off, ray.direction);
     for (number, known) in across.to_array().into_iter().zip(&known) {
         assume_known(&mut signed, number, known);
     }
@@ -365,9 +365,9 @@ fn relative_in(number: Bounded, share: f64, sizes: &[Polynomial]) -> f64 {
 ///
 /// The errors of `d x V` are those of Kahan's algorithm (the head of the module in `cpu` names the article). Where it
 /// computes `(O - C) x V`, the operands have errors too, so it is treated like other formulas.
-fn side() -> (impl Fn() -> cylinder_compensated::Terms<Bounded>, [Polynomial; 2]) {
+fn side() -> (impl Fn() -> cylinder_compensated::SideTerms<Bounded>, [Polynomial; 2]) {
     let (ray, record, axis) = (ray(), record(), Bounded::vector(FILE_AXIS, 0.0));
-    let (from_center, rounded_off) = error_free::difference(ray.origin, record.center);
+    let (from_center, rounded_off) = error_free::vector_difference(ray.origin, record.center);
     is(from_center, TO_CENTER);
     let inputs = origin(|axis| component(CENTER, axis).plus(&component(TO_CENTER, axis)));
     let mut known = known_cross(FILE_AXIS).to_vec();
@@ -384,11 +384,11 @@ fn side() -> (impl Fn() -> cylinder_compensated::Terms<Bounded>, [Polynomial; 2]
         signed.rename(number, &known.1);
         assume_known(&mut signed, whole, &(known.1.clone(), known.1.clone()));
     }
-    for (axis, number) in (0..).zip(cross(ray.direction, axis).to_array()) {
+    for (axis, number) in (0..).zip(accurate_cross(ray.direction, axis).to_array()) {
         number.assume_relative(component(DIRECTION_CROSS, axis), 2.0);
         signed.take(number, &component(DIRECTION_CROSS, axis), 2.0);
     }
-    let run = move || cylinder_compensated::Terms::new(&record, axis, &ray);
+    let run = move || cylinder_compensated::SideTerms::new(&record, axis, &ray);
     let [exact, error] = signed.of(run().quadratic.c);
     assert_eq!(exact, known[3].0, "c has another formula");
     let [exact, of_aside] = signed.of(aside(&run()));
@@ -397,7 +397,7 @@ fn side() -> (impl Fn() -> cylinder_compensated::Terms<Bounded>, [Polynomial; 2]
 }
 
 /// Returns the number `(O - C).p`.
-fn aside(terms: &cylinder_compensated::Terms<Bounded>) -> Bounded {
+fn aside(terms: &cylinder_compensated::SideTerms<Bounded>) -> Bounded {
     let Operation::Product(_, rest) = terms.far.value.operation() else { panic!("it is no product") };
     let Operation::Difference(_, square) = rest.operation() else { panic!("it is no difference") };
     let Operation::Product(aside, same) = square.operation() else { panic!("it is no product") };

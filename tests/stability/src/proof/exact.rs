@@ -1,9 +1,10 @@
 //! The margins of the exact intersections: quadratics of spheres and cylinders, and the planes of caps.
 
 use cpu::internals::exact::compensated_roots::{ACCURACY_OF_C, CONDITION_LIMIT, ERROR_OF_C, ERROR_OF_ROOT};
-use cpu::internals::exact::cylinder::SideLanes;
 use cpu::internals::exact::cylinder_compensated::ERROR_OF_CAP;
-use cpu::internals::exact::cylinder_filter::{self, PlainSide, SHARE_OF_WHOLE};
+use cpu::internals::exact::cylinder_decision::CYLINDER_BOUND;
+use cpu::internals::exact::cylinder_lanes::SideLanes;
+use cpu::internals::exact::cylinder_plain::{PlainSide, SHARE_OF_WHOLE, STEEPNESS};
 use cpu::internals::exact::error_bound::{BoundConstants, HEADROOM, NUMERATOR_WEIGHT, UNDERFLOW};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
@@ -24,7 +25,7 @@ use super::row::{
 #[must_use]
 pub fn rows() -> Vec<Row> {
     let sphere = quadratic(sphere_filter::SPHERE_BOUND, "exact/sphere_filter.rs", sphere);
-    let cylinder = quadratic(cylinder_filter::CYLINDER_BOUND, "exact/cylinder_filter.rs", || cylinder(false));
+    let cylinder = quadratic(CYLINDER_BOUND, "exact/cylinder_decision.rs", || cylinder(false));
     let [sphere_lambda, side_lambda] = [sphere.lambda(0.0), cylinder.lambda(cylinder.a / 2.0 * 2.0_f64.sqrt())];
     let mut rows = Vec::new();
     for (quadratic, lambda, names) in [
@@ -62,7 +63,7 @@ pub fn rows() -> Vec<Row> {
     rows.extend(side_range);
     rows.push(compensated::plane());
     // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
-    let steep = cylinder_filter::STEEPNESS.sqrt() * cylinder.constants.condition_limit;
+    let steep = STEEPNESS.sqrt() * cylinder.constants.condition_limit;
     let of_a =
         |what, of: &QuadraticErrors, need| Row::new(what, of.file, [of.constants.lambda_error() / U, need], "u a");
     let in_lanes = [DISCRIMINANT_ERROR / U, cylinder.discriminant];
@@ -90,14 +91,14 @@ pub fn rows() -> Vec<Row> {
 
 /// Returns the row of `c`, which shows that a ray starts inside an infinite cylinder.
 fn inside() -> Row {
-    let margin = cylinder_filter::CYLINDER_BOUND.error_of_size();
+    let margin = CYLINDER_BOUND.error_of_size();
     begin(Arithmetic::F64, margin);
     let [_, _, c, _] = cylinder(false);
     let pairs = compared();
     let [error, _] = pairs.iter().find(|pair| pair[1] == -c).expect("the code compares it");
     let size = squared(TO_CENTER).plus(&squared(RADIUS));
     let (constant, need) = (added(*error, &size, margin, U), IN_SCALE.relative(&c.bounds().error, &size, margin));
-    Row::new("c of a cylinder", "exact/cylinder_filter.rs", [constant, need], "u (q + R^2)")
+    Row::new("c of a cylinder", "exact/cylinder_decision.rs", [constant, need], "u (q + R^2)")
 }
 
 /// The family of `S`; see [`long_cylinder`].
@@ -111,7 +112,7 @@ const LONG: u8 = DERIVED + 10;
 /// |d'| S` and `n^2 <= 2 |d'|^2 S^2`, the argument is that of [`QuadraticErrors`] with `m` in place of `M`. For lambda,
 /// `n^2 Ea / a` is at most `2 Ea S^2`. All terms are at most a multiple of `m`.
 fn long_cylinder(of_a: f64) -> [Row; 3] {
-    let constants = cylinder_filter::CYLINDER_BOUND;
+    let constants = CYLINDER_BOUND;
     let margin = constants.error_of_size();
     begin(Arithmetic::F64, margin);
     let run = || {
@@ -143,7 +144,7 @@ fn long_cylinder(of_a: f64) -> [Row; 3] {
     ];
     let [of_h, of_c, of_discriminant] = needs.map(|error| relative_to_long(&error));
     let lambda = (of_a + 2.0_f64.sqrt() * of_h + of_c / 2.0 + 2.5) * constants.condition_limit + 2.0;
-    let row = |what, constant, need, unit| Row::new(what, "exact/cylinder_filter.rs", [constant, need], unit);
+    let row = |what, constant, need, unit| Row::new(what, "exact/cylinder_decision.rs", [constant, need], unit);
     [
         row("discriminant of a long cylinder", constant, of_discriminant, "u m"),
         row("numerator of a long side's root", constant, of_discriminant + 1.0 + of_h + 2.0, "u m / sqrt(D)"),

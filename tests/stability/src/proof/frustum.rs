@@ -4,7 +4,7 @@ use cpu::internals::accel::bounds::{extent_of_cylinder, extent_of_disc};
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::geometry::camera::Camera;
 use cpu::internals::math::real::Real;
-use cpu::internals::render::frustum::{TURNS, half_space, is_beyond, margin, margin_of_box, to_window};
+use cpu::internals::render::frustum::{TURNS, half_space, is_beyond, margin_of_box, margin_of_object, to_window};
 use cpu::internals::render::ray_error::ROUNDINGS;
 
 use super::bounded::{Bounded, MARGIN, begin, compared};
@@ -75,7 +75,7 @@ fn of_comparisons() -> [f64; 2] {
     // The computed extent of a disc is at least the exact one (row "boxes of the BVH"), which is at most 1.
     extent_of_disc(normal.dot(axis)).assume_relative(Polynomial::constant(1.0), 0.0);
     let extent = extent_of_cylinder(normal.dot(axis), half_height, radius);
-    let of_object = margin(turn, distance, radius, half_height);
+    let of_object = margin_of_object(turn, distance, radius, half_height);
     _ = is_beyond(normal, center, radius + half_height, of_object) & is_beyond(normal, center, extent, of_object);
     let of_object = sum(&[TO_CENTER, RADIUS, HALF_HEIGHT].map(length));
     // The vector to a corner of a box is rounded like that to a centre.

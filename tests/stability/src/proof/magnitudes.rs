@@ -8,7 +8,8 @@
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::accel::may_hit::conservative::{ConservativeRay, QUADRATIC_MARGIN as SHARE};
 use cpu::internals::accel::may_hit::filter_ray::MAX_COORDINATE;
-use cpu::internals::exact::cylinder_filter::{CYLINDER_BOUND, LEAST_SIZE, Plane, STEEPNESS};
+use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane};
+use cpu::internals::exact::cylinder_plain::{LEAST_SIZE, STEEPNESS};
 use cpu::internals::exact::error_bound::{HEADROOM, LONGEST, OVERFLOW, SHORTEST, UNDERFLOW};
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::render::hit_lanes::LARGEST_SQUARES;
@@ -123,7 +124,7 @@ fn sphere() -> Row {
 /// is certain.
 fn side() -> Row {
     let share = 0.5 / (STEEPNESS * CYLINDER_BOUND.condition_limit.powi(2));
-    quadratic("largest number of a side", "exact/cylinder_filter.rs", share, || exact::cylinder(false))
+    quadratic("largest number of a side", "exact/cylinder_decision.rs", share, || exact::cylinder(false))
 }
 
 /// Returns the row of a cap, for coordinates up to 2^480. Farther hits are no hits: the radius is smaller, because the
@@ -132,7 +133,7 @@ fn cap() -> Row {
     begin(Arithmetic::F64, f64::NAN);
     let (ray, record) = (ray(), record());
     is(record.top - ray.origin, TO_CENTER);
-    let plane = Plane::new(&record, &ray, record.top);
+    let plane = CapPlane::new(&record, &ray, record.top);
     _ = plane.disc(&record, &ray);
     let slope = ray.direction.dot(record.axis);
     // A slope that is accurate exceeds `|d|_1 / (8 k)`.
@@ -141,7 +142,7 @@ fn cap() -> Row {
         (corner(direction, 480.0, 480.0), [(slope, [least, f64::INFINITY])])
     });
     let corners = corners.each_ref().map(|(corner, known)| (&corner[..], &known[..]));
-    row("largest number of a cap", "exact/cylinder_filter.rs", &corners)
+    row("largest number of a cap", "exact/cylinder_decision.rs", &corners)
 }
 
 /// Returns the row of the constant that covers underflow in a discriminant, in bits above the smallest number, 2^-1074.
@@ -162,7 +163,7 @@ fn underflow() -> Row {
 fn long_side() -> Row {
     let need = LONGEST.log2() - (LEAST_SIZE * LEAST_SIZE / 2.0).log2();
     let logs = [-f64::MIN_POSITIVE.log2(), need];
-    Row::new("underflow of a long side", "exact/cylinder_filter.rs", logs, "log2")
+    Row::new("underflow of a long side", "exact/cylinder_plain.rs", logs, "log2")
 }
 
 /// The lengths in a scene with this largest coordinate `L`. No two points are farther apart than `3.5 L`. So a ray with

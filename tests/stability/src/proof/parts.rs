@@ -4,8 +4,9 @@ use std::slice;
 
 use cpu::Vec3;
 use cpu::internals::accel::isolated::SEPARATION;
-use cpu::internals::exact::cylinder::SideLanes;
-use cpu::internals::exact::cylinder_filter::{CYLINDER_BOUND, LEAST_EXTENT, PlainSide, Plane};
+use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane, LEAST_EXTENT};
+use cpu::internals::exact::cylinder_lanes::SideLanes;
+use cpu::internals::exact::cylinder_plain::PlainSide;
 use cpu::internals::exact::order::{ERROR_OF_CAPS, is_certainly_closer};
 use cpu::internals::geometry::{cylinder::CylinderRecord, ray::LAMBDA_MIN};
 use cpu::internals::math::real::Real;
@@ -18,7 +19,7 @@ use super::row::{
     IN_SCALE, Row, U, added, components, factors, family::*, is, length, ray, relative_to_sizes, sum, uses_of_margin,
 };
 
-const FILE: &str = "exact/cylinder_filter.rs";
+const FILE: &str = "exact/cylinder_decision.rs";
 
 /// The family of an accurate lambda.
 const LAMBDA: u8 = DERIVED;
@@ -110,7 +111,7 @@ fn least_added(count: usize, size: &Polynomial, margin: f64) -> f64 {
 fn slope() -> [f64; 2] {
     begin(Arithmetic::F64, 8.0 * U);
     let (ray, record) = (ray(), record());
-    _ = Plane::new(&record, &ray, record.top);
+    _ = CapPlane::new(&record, &ray, record.top);
     // The slope is compared with the limit of parallel rays from both sides, and with the distance of the plane.
     assert_eq!(uses_of_margin(), 3, "the code compares the slope");
     let ([[steep, _], [parallel, _], [_, behind]], size) = (first(0), components(DIRECTION));
@@ -133,7 +134,7 @@ fn plane(of_slope: f64) -> ([f64; 2], f64) {
         begin(Arithmetic::F64, margin);
         let (ray, record) = (ray(), record());
         is(record.top - ray.origin, TO_CENTER);
-        _ = Plane::new(&record, &ray, record.top);
+        _ = CapPlane::new(&record, &ray, record.top);
         first::<1>(2)
     };
     // A vector's length is at most the sum of its components' magnitudes.
@@ -218,7 +219,7 @@ fn disc(of_cap: f64) -> [[f64; 2]; 2] {
         accepted(lambda, of_cap);
         let point = (ray.at(lambda) - record.top).x.raw().error;
         let rounding = length(RADIUS).scaled(Bounded::vector(FILE_AXIS, 0.0).length().raw().relative);
-        let plane = Plane::new(&record, &ray, record.top);
+        let plane = CapPlane::new(&record, &ray, record.top);
         let from = compared().len() + 1;
         _ = plane.disc(&record, &ray);
         let [[_, within]] = first(from);

@@ -2,8 +2,8 @@
 //! formulas.
 
 use cpu::internals::exact::{
-    cylinder::SideLanes, cylinder_compensated::CompensatedCaps, cylinder_compensated::CompensatedSide,
-    cylinder_filter::PlainCaps, cylinder_filter::PlainSide, cylinder_filter::is_long, error_bound::in_scale,
+    cylinder_compensated::CompensatedCaps, cylinder_compensated::CompensatedSide, cylinder_lanes::SideLanes,
+    cylinder_plain::PlainCaps, cylinder_plain::PlainSide, cylinder_plain::is_long, error_bound::in_scale,
 };
 use cpu::internals::simd::portable::Portable;
 use cpu::internals::simd::{Simd, SimdF64};

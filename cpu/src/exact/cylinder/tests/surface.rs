@@ -3,7 +3,8 @@
 //! the least lambda. The tests try each order, and in each order all sets of facts that may be certain.
 
 use crate::exact::cylinder::*;
-use crate::exact::cylinder_filter::Plane;
+use crate::exact::cylinder_decision::{CapFormulas, CapPlane, Crossing, CylinderHit, SideFacts, SideFormulas};
+use crate::exact::cylinder_lanes::SideLanes;
 use crate::geometry::ray::LAMBDA_MIN;
 
 /// Values on both sides of the ray's origin and of the least lambda, and these two. Four lambdas find room in each gap.
@@ -75,7 +76,7 @@ impl Order {
 
     /// Returns the hit that the definition gives: of all points of the surface in range the first, and of equal ones
     /// that of the side.
-    fn expected(&self) -> Hit<f64> {
+    fn expected(&self) -> CylinderHit<f64> {
         let Self { line, side, caps, upward, skipped } = *self;
         let within = |[enters, leaves]: [f64; 2], lambda: f64| enters <= lambda && lambda <= leaves;
         let on_side = side.into_iter().filter(|&lambda| line == Line::Crosses && within(caps, lambda));
@@ -149,13 +150,13 @@ impl SideFormulas<f64> for Known<'_> {
 }
 
 impl CapFormulas<f64> for Known<'_> {
-    fn plane(&self, _: &CylinderRecord, ray: &Ray, center: Vec3, is_top: bool) -> Plane<f64> {
+    fn plane(&self, _: &CylinderRecord, ray: &Ray, center: Vec3, is_top: bool) -> CapPlane<f64> {
         let Self(order, facts) = self;
         let place = usize::from(is_top == order.upward);
         let (lambda, known, slope) = (order.caps[place], facts.caps[place], ray.direction.z);
         let fails = known && (order.skipped || lambda < LAMBDA_MIN);
         let steep = known && !order.skipped;
-        Plane { center, to_plane: lambda * slope, slope, fails, steep, accurate: steep, error: 0.0 }
+        CapPlane { center, to_plane: lambda * slope, slope, fails, steep, accurate: steep, error: 0.0 }
     }
 }
 
@@ -170,7 +171,7 @@ fn no_order_of_surfaces_is_decided_wrongly() {
             let order = Order { line, side, caps, upward: number & 1 != 0, skipped: number & 2 != 0 };
             let ((record, ray), expected) = (order.objects(), order.expected());
             orders += 1;
-            let is_right = |hit: Hit<f64>| match (hit, expected) {
+            let is_right = |hit: CylinderHit<f64>| match (hit, expected) {
                 (Some((lambda, part)), Some((exact, expected))) => part == expected && (lambda - exact).abs() < 1e-9,
                 (hit, expected) => hit.is_none() && expected.is_none(),
             };

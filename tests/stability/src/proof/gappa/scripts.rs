@@ -1,7 +1,8 @@
 //! The proofs that are exported. Several of them build on another one, whose goal is their hypothesis.
 
 use cpu::Vec3;
-use cpu::internals::exact::cylinder_filter::{CYLINDER_BOUND, LEAST_SIZE, Plane};
+use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane};
+use cpu::internals::exact::cylinder_plain::LEAST_SIZE;
 use cpu::internals::exact::error_bound::{LONGEST, NUMERATOR_WEIGHT};
 use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::exact::sphere_filter::SPHERE_BOUND;
@@ -117,7 +118,7 @@ fn parallel() -> Proof {
     begin(Arithmetic::F64, f64::NAN);
     let (ray, record) = (ray(), record());
     let slope = ray.direction.dot(record.axis);
-    _ = Plane::new(&record, &ray, record.top);
+    _ = CapPlane::new(&record, &ray, record.top);
     let [with_margin, _] = compared()[0];
     let Operation::Sum(size, margin) = with_margin.operation() else { panic!("the margin is added") };
     let Operation::Product(length, _) = margin.operation() else { panic!("the margin is a product") };
@@ -183,7 +184,7 @@ fn square(
 ) -> Proof {
     begin(Arithmetic::F64, f64::NAN);
     let (ray, center) = (ray(), Bounded::vector(CENTER, 0.0));
-    let to_center = SphereRecord::new(center, Bounded::number(RADIUS, 0.0)).seen_from(ray.origin).r_c;
+    let to_center = SphereRecord::new(center, Bounded::number(RADIUS, 0.0)).seen_from(ray.origin).to_center;
     let mut script = Script::new();
     let mut hypotheses = Vec::new();
     for (index, (direction, to_center)) in ray.direction.to_array().into_iter().zip(to_center.to_array()).enumerate() {
