@@ -24,5 +24,8 @@ export function definitions(scene: string): Definitions {
     return { objects: of('sphere', 'cylinder'), materials: of('matte', 'metal', 'refractive') };
 }
 
-/** Returns the words for a line, such as "cylinder, line 20". */
+/** Returns the words for a line, such as "gold, line 20". */
 export const nameOf = (word: string, line: number): string => `${word}, ${say('line', line).toLowerCase()}`;
+
+/** Returns the words for an object, such as "cylinder, line 20". */
+export const objectName = ({ tag, line }: Definition): string => nameOf(say(tag === 'sphere' ? 'sphere' : 'cylinder'), line);

@@ -1,5 +1,5 @@
 // Other views of the exact picture: distance, normals, objects and rays, with a scale. A click goes to an object's line.
-import { definitions, nameOf, type Definition } from './definitions';
+import { definitions, objectName, type Definition } from './definitions';
 import { Preparer, type Facts } from './preparer';
 import { shownConfig, shownWidth } from './shown';
 import type { Texts } from './store';
@@ -67,7 +67,7 @@ export class ExactView {
         const [depth = NaN, x = 0, y = 0, z = 0, object = 0, rays = 0] = seen.numbers.subarray(at, at + NUMBERS);
         const one = seen.objects[object];
         const what = { depth: depth.toPrecision(7), normal: [x, y, z].map((part) => part.toFixed(4)).join(' '),
-            object: one ? nameOf(one.tag, one.line) : '', cost: String(rays) }[kind];
+            object: one ? objectName(one) : '', cost: String(rays) }[kind];
         return Number.isNaN(depth) && kind !== 'cost' ? say('background') : what;
     }
 
@@ -77,7 +77,7 @@ export class ExactView {
         const object = seen?.numbers[NUMBERS * (row * seen.facts.width + column) + PLACES.object];
         const one = seen?.objects[object ?? -1];
         one && this.owner.goTo(one.line);
-        this.owner.say(() => (one ? nameOf(one.tag, one.line) : say('background')));
+        this.owner.say(() => (one ? objectName(one) : say('background')));
     }
 
     /** Traces one ray through the middle of each pixel, once for each picture. */

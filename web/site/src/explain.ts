@@ -1,6 +1,6 @@
 // The life of a pixel of the exact picture, as the statement tells it: draws, rays, hits, colours and bytes.
 import { Asked } from './asked';
-import { definitions, nameOf, type Definition } from './definitions';
+import { definitions, objectName, type Definition } from './definitions';
 import type { Question } from './explaining';
 import { limited } from './limited';
 import type { Rgb } from './ppm';
@@ -264,7 +264,7 @@ export class ExplainView {
                 event.preventDefault();
                 this.goTo(one.line);
             });
-            write(link, () => nameOf(one.tag, one.line));
+            write(link, () => objectName(one));
             head.append(link);
         } else {
             write(head, () => tell(about as keyof typeof WORDS));

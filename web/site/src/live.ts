@@ -4,7 +4,7 @@ import type { Camera } from './camera';
 import { Refused } from './gpu/device';
 import { hasProbe as hasProbes } from './gpu/compose';
 import type { Mode, Shaders } from './gpu/shaders';
-import { definitions, nameOf, type Definition } from './definitions';
+import { definitions, objectName, type Definition } from './definitions';
 import { Gestures } from './gestures';
 import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
@@ -379,7 +379,7 @@ export class Live {
         const name = this.#shaders?.device.name ?? 'WebAssembly';
         const inside = this.#inside();
         const range = this.#isProbe ? this.#range.map((value) => value.toPrecision(4)) : null;
-        write(this.#status, () => (inside ? `${say('liveInside', nameOf(inside.tag, inside.line))} ` : '') + [
+        write(this.#status, () => (inside ? `${say('liveInside', objectName(inside))} ` : '') + [
             `${width} × ${height}`,
             range ? say('probeRange', ...range) : samples === null ? say('lightFixed') : say('liveSamples', samples),
             rate !== null ? say('liveRate', rate.toFixed(1)) : '',

@@ -166,7 +166,8 @@ class Page {
     /** What the page shows, for the browser's history. */
     get entry(): Entry {
         const [modules, isTyped, isLink, name] = [store.modules(), this.#isTyped, this.#isLink, this.#name];
-        return { ...this.#texts, modules, isTyped, isLink, view: this.#studio.view, ...(name ? { name } : {}) };
+        const { unsaved } = this.#saving.kept;
+        return { ...this.#texts, modules, isTyped, isLink, unsaved, view: this.#studio.view, ...(name ? { name } : {}) };
     }
 
     /** Whether the user has typed something that is not saved. */
@@ -236,7 +237,7 @@ class Page {
      * Replaces both texts. What the user had typed becomes one of the earlier texts; returns false if that failed.
      * `losesTyped` is false if what was typed stays in the new texts.
      */
-    load(texts: Texts, { isTyped = false, isLink = false, losesTyped = this.#isTyped, name }: Loading = {}): boolean {
+    load(texts: Texts & Pick<Current, 'unsaved'>, { isTyped = false, isLink = false, losesTyped = this.#isTyped, name }: Loading = {}): boolean {
         const own = store.modules();
         const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
@@ -250,7 +251,7 @@ class Page {
         }
         this.#isLoading = false;
         this.#name = name;
-        this.#saving.loaded();
+        this.#saving.loaded(texts.unsaved);
         [this.#isTyped, this.#isLink] = [isTyped || (view.isServed && this.#saving.isAnyUnsaved), isLink];
         this.#keep();
         this.showEarlier();

@@ -1,7 +1,7 @@
 // The path of a pixel: the steps by Rust and by the shaders side by side, and the ray's way in a plan of the scene.
 import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
-import { definitions, nameOf, type Definitions } from './definitions';
+import { definitions, nameOf, objectName, type Definitions } from './definitions';
 import { plan } from './plan';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { developed, paint } from './shown';
@@ -61,7 +61,7 @@ function text(number: number, name: string): string {
 function meaning(number: number, name: string, kind: string, { objects, materials }: Definitions): string {
     const [object, material] = [objects[number], materials[number]];
     switch (name) {
-        case 'object': return object ? nameOf(object.tag, object.line) : '';
+        case 'object': return object ? objectName(object) : '';
         case 'material': return material ? nameOf(material.name, material.line) : '';
         case 'part': return kind === 'cylinder' ? say((['side', 'top', 'bottom'] as const)[number] ?? 'side') : '';
         case 'front': return say(number === 1 ? 'outside' : 'inside');

@@ -25,8 +25,8 @@ export interface Owner {
 
 /** The files of the two texts. Without `render-lab view`, a text is saved as a download. */
 export class Saving {
-    /** The texts as they are in their files, or as they were loaded. */
-    #saved: Pair<string> = ['', ''];
+    /** The texts as they are in their files, or as they were loaded; null if the user had typed and not saved them. */
+    #saved: Pair<string | null> = ['', ''];
     /** The files that `render-lab view` has, as the page has read them. */
     #files: Files | null = null;
     /** Files that have changed while the user had unsaved texts, which the user may take. */
@@ -60,7 +60,7 @@ export class Saving {
     }
 
     /** What the browser keeps about the files besides the texts. */
-    get kept(): Pick<Current, 'files' | 'unsaved'> {
+    get kept(): Pick<Current, 'files'> & { unsaved: Pair<boolean> } {
         const { versions, paths } = this.#files ?? {};
         const unsaved: Pair<boolean> = [this.isUnsaved(0), this.isUnsaved(1)];
         return versions && paths ? { files: { versions, paths }, unsaved } : { unsaved };
@@ -73,10 +73,10 @@ export class Saving {
         return (stem === 'scene' ? folder : stem) || null;
     }
 
-    /** Takes the texts of the editors as saved, because they were loaded. Files of `render-lab view` stay as they are. */
-    loaded(): void {
+    /** Takes loaded texts as saved, except those that are `unsaved`. Files of `render-lab view` stay as they are. */
+    loaded(unsaved: Current['unsaved'] = [false, false]): void {
         if (!this.#files) {
-            this.#saved = [this.editors[0].text, this.editors[1].text];
+            this.#saved = [unsaved[0] ? null : this.editors[0].text, unsaved[1] ? null : this.editors[1].text];
         }
         this.mark();
     }

@@ -1,7 +1,10 @@
-// Changes the numbers of a line without typing: Alt and dragging changes one, and a square before a colour picks it.
+// Changes the numbers of a line without typing: by Alt with dragging or an arrow key, or by a handle for fingers. A
+// square before a colour picks it.
 import { isolateHistory } from '@codemirror/commands';
-import type { Extension } from '@codemirror/state';
-import { Decoration, EditorView, ViewPlugin, WidgetType, type DecorationSet } from '@codemirror/view';
+import { Prec, type EditorState, type Extension } from '@codemirror/state';
+import {
+    Decoration, EditorView, keymap, showTooltip, ViewPlugin, WidgetType, type DecorationSet, type TooltipView,
+} from '@codemirror/view';
 import { hex, NUMBER } from './knobs';
 import type { Row } from './module';
 import { say } from './words';
@@ -82,32 +85,80 @@ const pickers = ViewPlugin.define((view) => ({
     },
 }), { decorations: (plugin) => plugin.squares });
 
-/** Starts to change the number below the pointer, and returns true. Without Alt or a number, returns false. */
-function turn(event: MouseEvent, view: EditorView, rows: Row[]): boolean {
-    const at = event.altKey && event.button === 0 ? view.posAtCoords({ x: event.clientX, y: event.clientY }) : null;
-    const line = view.state.doc.lineAt(at ?? 0);
-    const numbers = line.text.matchAll(new RegExp(String.raw`(?<=\s)${NUMBER}(?!\S)`, 'g'));
-    const [text, from] = Array.from(numbers, (match) => [match[0], line.from + match.index] as const)
-        .find(([text, from]) => at !== null && from <= at && at <= from + text.length) ?? [];
-    if (text === undefined || from === undefined) {
-        return false;
-    }
+/** A number of a line, its place in the text, and whether only whole numbers are allowed there. */
+interface Place {
+    text: string;
+    from: number;
+    isWhole: boolean;
+}
+
+/** Returns the number at the place `at`, or null. */
+function numberAt({ doc }: EditorState, at: number, rows: Row[]): Place | null {
+    const line = doc.lineAt(at);
     const isWhole = rows.some(({ tag, values }) => line.text.trim().startsWith(tag) && values.includes('whole'));
+    const numbers = Array.from(line.text.matchAll(new RegExp(String.raw`(?<=\s)${NUMBER}(?!\S)`, 'g')), (match) =>
+        ({ text: match[0], from: line.from + match.index, isWhole }));
+    return numbers.find(({ text, from }) => from <= at && at <= from + text.length) ?? null;
+}
+
+/** Returns a number that is changed by some steps. A step is a hundredth of its order of magnitude. */
+function turned({ text, isWhole }: Place, steps: number): string {
     const size = Math.floor(Math.log10(Math.max(Math.abs(Number(text)), 1)));
     const digits = isWhole ? 0 : Math.max(2 - size, /\.(\d*)$/.exec(text)?.[1]?.length ?? 0, 0);
-    const step = 10 ** Math.max(size - 2, -digits);
-    let [to, isFirst] = [from + text.length, true];
-    const move = ({ clientX }: MouseEvent) => {
-        const value = Number(text) + step * Math.round((clientX - event.clientX) / PIXELS);
-        const insert = (isWhole ? Math.max(value, 1) : value).toFixed(digits);
-        replace(view, from, to, insert, isFirst);
-        [to, isFirst] = [from + insert.length, false];
+    const value = Number(text) + 10 ** Math.max(size - 2, -digits) * steps;
+    return (isWhole ? Math.max(value, 1) : value).toFixed(digits);
+}
+
+/** Changes the number at the place `at` while a pointer moves from `start` on. Returns false without a number. */
+function drag(view: EditorView, at: number | null, start: number, rows: Row[]): boolean {
+    const number = at === null ? null : numberAt(view.state, at, rows);
+    if (!number) {
+        return false;
+    }
+    let [to, isFirst] = [number.from + number.text.length, true];
+    const move = ({ clientX }: PointerEvent) => {
+        const insert = turned(number, Math.round((clientX - start) / PIXELS));
+        replace(view, number.from, to, insert, isFirst);
+        [to, isFirst] = [number.from + insert.length, false];
     };
-    addEventListener('mousemove', move);
-    addEventListener('mouseup', () => removeEventListener('mousemove', move), { once: true });
+    const end = new AbortController();
+    addEventListener('pointermove', move, end);
+    ['pointerup', 'pointercancel'].forEach((name) => addEventListener(name, () => end.abort(), end));
     return true;
 }
 
+/** Changes the number at the cursor by a step. Without one, another command gets the key. */
+const step = (steps: number, rows: Row[]) => (view: EditorView): boolean => {
+    const number = numberAt(view.state, view.state.selection.main.head, rows);
+    number && replace(view, number.from, number.from + number.text.length, turned(number, steps), false);
+    return number !== null;
+};
+
+/** Returns a handle above the number at the cursor, for fingers: a style sheet hides it from others. */
+function handle(rows: Row[]): Extension {
+    const create = (view: EditorView): TooltipView => {
+        const dom = document.createElement('div');
+        Object.assign(dom, { className: 'turn', textContent: '◂ ▸', ariaHidden: 'true' });
+        dom.addEventListener('pointerdown', (event) => {
+            event.preventDefault();
+            drag(view, view.state.selection.main.head, event.clientX, rows);
+        });
+        return { dom };
+    };
+    return showTooltip.compute(['doc', 'selection'], (state) => {
+        const { main } = state.selection;
+        const number = main.empty ? numberAt(state, main.head, rows) : null;
+        return number && { pos: number.from, above: true, create };
+    });
+}
+
 /** Returns what changes numbers in a text whose lines `rows` describe. */
-export const turning = (rows: Row[]): Extension =>
-    [pickers, EditorView.domEventHandlers({ mousedown: (event, view) => turn(event, view, rows) })];
+export const turning = (rows: Row[]): Extension => [
+    pickers,
+    handle(rows),
+    Prec.high(keymap.of([{ key: 'Alt-ArrowUp', run: step(1, rows) }, { key: 'Alt-ArrowDown', run: step(-1, rows) }])),
+    EditorView.domEventHandlers({
+        mousedown: (event, view) => event.altKey && event.button === 0
+            && drag(view, view.posAtCoords({ x: event.clientX, y: event.clientY }), event.clientX, rows),
+    }),
+];

@@ -22,12 +22,15 @@ const WORDS = {
     link: ['Link with both texts, changed shaders and the view',
         'Enlace con los dos textos, los sombreadores cambiados y la vista'],
     help: [
-        'Ctrl+Enter renders. Ctrl+Space shows the lines that are possible. Alt and dragging changes a number. Escape, then '
-        + 'Tab, leaves an editor.',
-        'Ctrl+Intro renderiza. Ctrl+Espacio muestra las líneas posibles. Alt y arrastrar cambia un número. Escape y '
-        + 'después Tab sale de un editor.'],
-    helpTouch: ['"Render" makes the exact picture. While you type, the lines that are possible are shown.',
-        '«Renderizar» calcula la imagen exacta. Mientras escribe, se muestran las líneas posibles.'],
+        'Ctrl+Enter renders. Ctrl+Space shows the lines that are possible. Alt and dragging, or Alt and an arrow key, '
+        + 'changes a number. Escape, then Tab, leaves an editor.',
+        'Ctrl+Intro renderiza. Ctrl+Espacio muestra las líneas posibles. Alt y arrastrar, o Alt y una flecha, cambia un '
+        + 'número. Escape y después Tab sale de un editor.'],
+    helpTouch: [
+        '"Render" makes the exact picture. While you type, the lines that are possible are shown. Tap a number, and drag '
+        + 'the handle above it to change it.',
+        '«Renderizar» calcula la imagen exacta. Mientras escribe, se muestran las líneas posibles. Toque un número y '
+        + 'arrastre el control que aparece encima para cambiarlo.'],
     barEditors: ['Boundary between the editors', 'Límite entre los editores'],
     barColumns: ['Boundary between the texts and the picture', 'Límite entre los textos y la imagen'],
     loading: ['Loading the renderer…', 'Cargando el renderizador…'],
@@ -230,6 +233,8 @@ const WORDS = {
     color: ['Colour', 'Color'],
     column: ['Column', 'Columna'],
     row: ['Row', 'Fila'],
+    sphere: ['sphere', 'esfera'],
+    cylinder: ['cylinder', 'cilindro'],
     side: ['side', 'lado'],
     top: ['top cap', 'tapa superior'],
     bottom: ['bottom cap', 'tapa inferior'],

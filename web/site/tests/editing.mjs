@@ -54,6 +54,13 @@ export const tests = {
         await becomes('config', 'image_width: 300\nbackground_dark_color: 0 .5 1');
         await drag('scene', 2, 1, 60);
         await becomes('scene', 'matte: grey 0.5 .5 .5\nsphere: 0 -3.70 0 4 grey');
+        await page.locator('#scene-editor .cm-line:nth-child(2) .number').nth(1).click();
+        for (const key of ['Up', 'Up', 'Up', 'Down']) {
+            await page.keyboard.press(`Alt+Arrow${key}`);
+        }
+        await becomes('scene', 'matte: grey 0.5 .5 .5\nsphere: 0 -3.68 0 4 grey');
+        await page.keyboard.press('Control+z');
+        await becomes('scene', 'matte: grey 0.5 .5 .5\nsphere: 0 -3.70 0 4 grey');
         equal(await page.inputValue('#scene-editor .square'), '#bababa', 'the light .5 has the byte 186');
         const pick = (editor, color) => page.evaluate(([name, value]) => {
             const input = document.querySelector(`#${name}-editor .square`);
@@ -70,6 +77,27 @@ export const tests = {
         await page.keyboard.press('Control+z');
         await becomes('scene', 'matte: grey 0.5 .5 .5\nsphere: 0 -3.70 0 4 grey');
         await shoot(page, 'squares');
+    },
+
+    async 'a finger changes the number that it has tapped'({ open, url }) {
+        const page = await open(url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+        await digest(page);
+        await type(page, 'scene', SMALL.scene);
+        await page.tap('#scene-editor .cm-line:nth-child(2) .number >> nth=3');
+        const box = await page.locator('#scene-editor .turn').boundingBox();
+        check(box.height >= 28 && box.width >= 40, `the handle has ${box.width} x ${box.height} pixels`);
+        const session = await page.context().newCDPSession(page);
+        const touch = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+        const at = (shift) => [{ x: box.x + box.width / 2 + shift, y: box.y + box.height / 2 }];
+        const scrolled = await page.evaluate(() => scrollY);
+        await touch('touchStart', at(0));
+        for (const shift of [10, 20, 40]) {
+            await touch('touchMove', at(shift));
+        }
+        await touch('touchEnd', []);
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.includes('sphere: 0 0 0 4.20 grey'));
+        equal(await page.evaluate(() => scrollY), scrolled, 'the place to which the page is scrolled');
+        await shoot(page, 'phone-number');
     },
 
     async 'a picture that cannot be made is an error of the configuration'({ open, url }) {

@@ -72,7 +72,7 @@ export const tests = {
             (await page.innerText('#explain-pane')).split('\n').forEach((line) => seen.add(line));
         }
         const all = [...seen].join('\n');
-        const english = all.match(/\b(the|is|are|of|and|ray|from|at|to|in|with|by|its?|an|object|draws?|counts?|candidate|colour|background)\b/g);
+        const english = all.match(/\b(the|is|are|of|and|ray|from|at|to|in|with|by|its?|an|object|draws?|counts?|candidate|sphere|cylinder|colour|background)\b/g);
         equal(english?.join() ?? '', '', 'the English words');
         // The renderer's words for parts and reasons are keys of the view's words, of which each has a Spanish text.
         const source = readFileSync(join(import.meta.dirname, '../../../cli/literal/src/intersect.rs'), 'utf8');

@@ -12,11 +12,12 @@ import { tests as live } from './live.mjs';
 import { tests as looks } from './looks.mjs';
 import { tests as shaders } from './shaders.mjs';
 import { browse, check, serve } from './tools.mjs';
+import { tests as tasks } from './tasks.mjs';
 import { tests as timing } from './timing.mjs';
 import { tests as view } from './view.mjs';
 import { tests as walk } from './walk.mjs';
 
-const all = { ...compare, ...editing, ...exact, ...explain, ...hostile, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view, ...walk };
+const all = { ...compare, ...editing, ...exact, ...explain, ...hostile, ...keeping, ...live, ...looks, ...shaders, ...tasks, ...timing, ...view, ...walk };
 const [name] = process.argv.slice(2);
 if (name === '--list') {
     console.log(Object.keys(all).join('\n'));
