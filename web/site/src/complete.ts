@@ -26,6 +26,10 @@ export function completions(rows: Row[]): (context: CompletionContext) => Comple
         if (row?.default === '' && names[words.length - 1] === 'material') {
             const above = context.state.doc.sliceString(0, line.from);
             const known = new Set(Array.from(above.matchAll(MATERIAL), (match) => match[1] ?? ''));
+            if (known.has(word) && !context.explicit) {
+                // Enter would take the name that stands there already, instead of beginning a line.
+                return null;
+            }
             return { from, options: [...known].map((label) => ({ label, type: 'variable', detail: say('material') })) };
         }
         return null;

@@ -300,6 +300,7 @@ class Page {
 
     /** Renders because the user asks for it, and brings the picture into sight. */
     #ask(): void {
+        this.#unsay();
         this.#studio.reveal('exact');
         void this.render();
     }

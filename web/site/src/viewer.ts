@@ -80,7 +80,7 @@ export class Viewer {
     goTo(column: number, row: number): void {
         const { width, height } = this.#canvases[0] ?? { width: 1, height: 1 };
         this.fit();
-        this.#zoomTo(NEAR * this.#actual, null);
+        this.#zoomTo(Math.max(NEAR * this.#actual, 1), null);
         this.#corner = { x: 0.5 - ((column + 0.5) * this.#zoom) / width, y: 0.5 - ((row + 0.5) * this.#zoom) / height };
         this.#show();
         this.#told = { x: this.#corner.x + ((column + 0.5) * this.#zoom) / width,

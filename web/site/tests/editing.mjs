@@ -135,6 +135,10 @@ export const tests = {
         await page.waitForSelector('.cm-tooltip-autocomplete');
         const options = await page.locator('.cm-tooltip-autocomplete .cm-completionLabel').allTextContents();
         equal(options.sort().join(), 'gold,grey', 'both materials');
+        await page.keyboard.type('rey');
+        await page.waitForSelector('.cm-tooltip-autocomplete', { state: 'detached' });
+        await page.keyboard.press('Enter');
+        equal(await page.locator('#scene-editor .cm-line').count(), 4, 'Enter after a whole name begins a line');
     },
 
     async 'every example is loaded and can be undone'({ open, url }) {

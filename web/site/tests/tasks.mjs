@@ -195,6 +195,9 @@ const TASKS = {
         // Twenty events of distance 2 are four tenths of a step of a mouse wheel, of which each leaves nine tenths.
         const far = Math.hypot(place[0], place[1] - 0.5, place[2]);
         check(Math.abs(far - Math.hypot(1, 7) * 0.9 ** 0.4) < 1e-3, `the camera is ${far} away`);
+        await page.keyboard.press('Control+Enter');
+        await digest(page);
+        equal(await page.textContent('#said'), '', 'the message that "Render" has obeyed');
         return page;
     },
 
