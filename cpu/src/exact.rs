@@ -34,5 +34,4 @@ pub(crate) mod exact_vector;
 pub mod order;
 pub mod sphere;
 pub mod sphere_compensated;
-pub(crate) mod sphere_exact;
 pub mod sphere_filter;

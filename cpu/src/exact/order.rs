@@ -20,7 +20,7 @@ use std::cmp::Ordering;
 use crate::counters::{Counter, add};
 use crate::exact::{
     cylinder, cylinder_compensated, cylinder_decision::CYLINDER_BOUND, cylinder_decision::magnitude,
-    error_bound::UNDERFLOW, exact_lambda::ExactLambda, exact_vector::Exactly, sphere_compensated, sphere_exact,
+    error_bound::UNDERFLOW, exact_lambda::ExactLambda, exact_vector::Exactly, sphere, sphere_compensated,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
@@ -222,7 +222,7 @@ impl Surface {
     /// Returns the exact lambda of the surface.
     fn exact_lambda(&self, ray: &Ray) -> Exactly<ExactLambda> {
         match self {
-            Self::Sphere(record) => sphere_exact::lambda(record, ray),
+            Self::Sphere(record) => sphere::exact_lambda(record, ray),
             Self::Cylinder(record, axis, part) => cylinder::exact_lambda(record, *axis, ray, *part),
         }
     }

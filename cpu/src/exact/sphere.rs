@@ -1,10 +1,16 @@
 //! Exact intersection of ray and sphere, in three steps. They are the plain formula with its [error
 //! bound](crate::exact::sphere_filter), the [compensated](sphere_compensated) formula, and dyadic arithmetic. A step is
 //! needed only if the step before it is uncertain.
+//!
+//! In dyadic arithmetic the coefficients of the quadratic are sums of products of the inputs. So the coefficients, the
+//! discriminant and the result of every comparison are exact. Only for the root itself they are rounded, to 106 bits
+//! each.
 
 use crate::counters::{Counter, add};
+use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
+use crate::exact::exact_vector::{Exact3, Exactly, NotFinite, exact_least_lambda, to_dyadic};
 pub use crate::exact::sphere_filter::{filtered, filtered_from, filtered_or_least};
-use crate::exact::{error_bound::Decision, sphere_compensated, sphere_exact};
+use crate::exact::{error_bound::Decision, sphere_compensated};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::simd::fused::run_fused;
 
@@ -66,7 +72,21 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
 #[inline(never)]
 pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     add(Counter::Fallbacks, 1);
-    sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray))
+    match exact_lambda(record, ray) {
+        Ok(lambda) => lambda.map(|lambda| lambda.rounded()),
+        Err(NotFinite) => record.intersect(ray),
+    }
+}
+
+/// Returns the exact lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
+/// not finite.
+pub(crate) fn exact_lambda(record: &SphereRecord, ray: &Ray) -> Exactly<ExactLambda> {
+    let direction = Exact3::new(ray.direction)?;
+    let to_center = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
+    let c = &to_center.dot(&to_center) - &to_dyadic(record.radius)?.squared();
+    let least = exact_least_lambda()?;
+    let quadratic = ExactQuadratic::with_roots(direction.dot(&direction), direction.dot(&to_center), c);
+    Ok(quadratic.and_then(|quadratic| quadratic.smallest_root(|root| root.is_at_least(&least))))
 }
 
 #[cfg(test)]

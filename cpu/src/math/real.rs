@@ -37,39 +37,33 @@ pub trait Real:
     }
 }
 
+/// Adds `#[inline(always)]` to each of the functions that are written in it, in the body of an `impl`. A type of
+/// numbers or lanes has many functions of one line each. Without an attribute between them, they can be read like a
+/// table.
+macro_rules! functions {
+    ($(fn $name:ident($($argument:tt)*) $(-> $result:ty)? $body:block)+) => {
+        $(#[inline(always)]
+        fn $name($($argument)*) $(-> $result)? $body)+
+    };
+}
+pub(crate) use functions;
+
 macro_rules! scalar {
     ($type:ty, $sign:expr) => {
         impl Real for $type {
             type Mask = bool;
 
-            #[inline(always)]
-            fn of(value: f64) -> Self {
-                value as $type
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                self.sqrt()
-            }
-            #[inline(always)]
-            fn abs(self) -> Self {
-                self.abs()
-            }
-            #[inline(always)]
-            fn less(self, other: Self) -> bool {
-                self < other
-            }
-            #[inline(always)]
-            fn less_equal(self, other: Self) -> bool {
-                self <= other
-            }
-            #[inline(always)]
-            fn select(mask: bool, yes: Self, no: Self) -> Self {
-                if mask { yes } else { no }
-            }
-            // The compiler would turn a selection into a branch.
-            #[inline(always)]
-            fn flipped_by(self, other: Self) -> Self {
-                Self::from_bits(self.to_bits() ^ (other.to_bits() & $sign))
+            functions! {
+                fn of(value: f64) -> Self { value as $type }
+                fn sqrt(self) -> Self { self.sqrt() }
+                fn abs(self) -> Self { self.abs() }
+                fn less(self, other: Self) -> bool { self < other }
+                fn less_equal(self, other: Self) -> bool { self <= other }
+                fn select(mask: bool, yes: Self, no: Self) -> Self { if mask { yes } else { no } }
+                // The compiler would turn a selection into a branch.
+                fn flipped_by(self, other: Self) -> Self {
+                    Self::from_bits(self.to_bits() ^ (other.to_bits() & $sign))
+                }
             }
         }
     };

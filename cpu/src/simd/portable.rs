@@ -3,8 +3,8 @@
 use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::math::{real::Real, rounding::Rounding};
-use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::functions};
+use crate::math::{real::Real, real::functions, rounding::Rounding};
+use crate::simd::{Kernel, Simd, SimdF32, SimdF64};
 
 /// The portable instruction set: lanes are arrays of four numbers, for `f64` and for `f32`. It needs nothing special of
 /// the machine, so every machine has it.

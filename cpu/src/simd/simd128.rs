@@ -7,8 +7,8 @@
 
 use std::arch::wasm32::*;
 
-use crate::math::{real::Real, rounding::Rounding};
-use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::functions, tables::intrinsics, tables::operators};
+use crate::math::{real::Real, real::functions, rounding::Rounding};
+use crate::simd::{Kernel, Simd, SimdF32, SimdF64, tables::intrinsics, tables::operators};
 
 /// The proof that the machine has the 128-bit vectors of WebAssembly. Without them the WebAssembly module would not
 /// have loaded.

@@ -1,14 +1,5 @@
 //! Macros that turn a table of operations into the functions of a lane type. The table has one line for each operation.
 
-/// Adds `#[inline(always)]` to each of the functions that are written in it, in the body of an `impl`. A lane type has
-/// some thirty functions of one line each. Without an attribute between them, they can be read like a table.
-macro_rules! functions {
-    ($(fn $name:ident($($argument:tt)*) $(-> $result:ty)? $body:block)+) => {
-        $(#[inline(always)]
-        fn $name($($argument)*) $(-> $result)? $body)+
-    };
-}
-
 /// Defines functions in the body of an `impl`. The bodies of the functions call intrinsics of `std::arch`.
 ///
 /// Each body is inside an `unsafe` block. So a body that reads or writes memory has a comment that says why this is
@@ -57,4 +48,4 @@ macro_rules! features {
     };
 }
 
-pub(super) use {features, functions, intrinsics, operators};
+pub(super) use {features, intrinsics, operators};
