@@ -223,6 +223,10 @@ export const tests = {
                 .filter((one) => one.offsetParent && one.offsetHeight < 40 && !one.closest('.cm-editor'))
                 .map((one) => one.id || one.textContent));
             equal(small.join(), '', 'elements that are too small to touch');
+            if (tab === 'pixel') {
+                const column = await page.locator('#pixel-steps thead td').last().boundingBox();
+                check(column.x + column.width <= 391, `the column of WGSL ends at ${column.x + column.width}`);
+            }
             await shoot(page, `phone-${tab}`);
         }
         for (const part of ['#pixel-steps td', '#pixel-first', '#shader-editor .cm-content', '#shader-editor .comment', '#tab-live', '#tab-pixel']) {
