@@ -18,7 +18,7 @@ pub struct CylinderHits<T: Real> {
     /// The lanes whose hit is on the bottom cap, if there is a hit.
     pub bottom: T::Mask,
     /// The lanes whose result is certain. The other lanes need the next step: the compensated formulas, or after them
-    /// [`precise`].
+    /// dyadic arithmetic.
     pub certain: T::Mask,
 }
 

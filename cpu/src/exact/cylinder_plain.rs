@@ -54,8 +54,7 @@ pub struct PlainSide<'a, T: Real> {
     /// `h^2 - a c`, and its square root.
     discriminant: T,
     root: T,
-    /// Two distances along the axis. The first leads from the middle of the cylinder to the ray's origin. The second is
-    /// the way of the ray's point if lambda grows by one.
+    /// `start` and `slope` of [`Crossing::new`].
     start_and_slope: [T; 2],
 }
 

@@ -177,7 +177,7 @@ impl Surface {
     /// `None` if it may touch the surface.
     ///
     /// The direction's part along the outward normal decides. Its error is that of lambda, which is below
-    /// `u LAMBDA_ERROR / 3`, and some 20 roundings, each relative to the sizes of the vectors.
+    /// a third of `lambda_error`, and some 20 roundings, each relative to the sizes of the vectors.
     fn is_left_at(&self, lambda: f64, ray: &Ray) -> Option<bool> {
         let (center, axis) = match self {
             Self::Sphere(record) => (record.center, Vec3::ZERO),

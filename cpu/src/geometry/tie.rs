@@ -6,19 +6,12 @@
 //! are caps, the first one counts.
 //!
 //! Hits on several objects are found in any order, so their [ranks](rank) are compared, by `accel/closest_hit.rs`. Two
-//! parts of a cylinder have the same lambda only on its edge, and `closest_part` in `exact/cylinder.rs` decides
-//! there. Elsewhere there is no tie, so `exact/cylinder.rs` finds the part without this rule. The reference has a
+//! parts of a cylinder have the same lambda only on its edge, and `closest_part` in `exact/cylinder.rs` decides there.
+//! Elsewhere there is no tie, so `exact/cylinder_decision.rs` finds the part without this rule. The reference has a
 //! literal copy of this rule in `is_nearer` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`. The plain
 //! formulas in WGSL and their twins compare computed lambdas (`is_closer`).
 
 use crate::math::real::Real;
-
-/// Returns `lambda < closest`: whether a later hit at `lambda`, on a cap, replaces the closest hit so far, which is at
-/// `closest`. Without a hit so far the result has no meaning.
-#[inline(always)]
-pub fn later_cap_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
-    lambda.less(closest)
-}
 
 /// Returns the rank of a hit among the hits at the same lambda: the hit with the highest rank counts. `order` is the
 /// object's place in the scene file.
@@ -28,9 +21,16 @@ pub fn rank(order: u32, on_cap: bool) -> i64 {
     if on_cap { -1 - order } else { order }
 }
 
+/// Returns `lambda < closest`: whether a later hit at `lambda`, on a cap, replaces the closest hit so far, which is at
+/// `closest`. Without a hit so far the result has no meaning. Only the plain formulas compare so.
+#[inline(always)]
+pub fn later_cap_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
+    lambda.less(closest)
+}
+
 /// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
-/// are equal and its [rank] is not lower. Each hit is a pair of computed lambda and rank. The objects may
-/// come in any order.
+/// are equal and its [rank] is not lower. Each hit is a pair of computed lambda and rank. The objects may come in any
+/// order. Only tests and the twins of shaders compare so.
 #[cfg(any(test, feature = "internals"))]
 #[inline(always)]
 pub fn is_closer<T: Real<Mask = bool>>((lambda, rank): (T, i64), (closest, closest_rank): (T, i64)) -> bool {
