@@ -5,7 +5,7 @@ import type { Question } from './explaining';
 import { limited } from './limited';
 import type { Rgb } from './ppm';
 import type { Texts } from './store';
-import { filled, messageOf, say, write } from './words';
+import { filled, messageOf, ofLanguage, say, write } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -37,78 +37,79 @@ interface Life {
     bytes: number[];
 }
 
-/** The words of the view. They are loaded with it. */
-const WORDS = {
-    waits: ['Only a finished picture is explained.', 'Solo se explica una imagen terminada.'],
-    same: ['Bytes {0}, as in the picture.', 'Bytes {0}, como en la imagen.'],
-    differs: ['Bytes {0}; the picture has {1}, because there exact lambdas decide, and here rounding does.',
-        'Bytes {0}; la imagen tiene {1}, porque allí deciden las lambdas exactas y aquí el redondeo.'],
-    offset: ['offset', 'desplazamiento'],
-    offsetText: ['x = {0}, y = {1}: numbers {2} and {3} of ray_rng_seed',
-        'x = {0}, y = {1}: números {2} y {3} de ray_rng_seed'],
-    target: ['Q', 'Q'],
-    ray: ['ray', 'rayo'],
-    rayText: ['{0} of at most {1}: depth {2}', '{0} de {1} como máximo: profundidad {2}'],
-    from: ['from', 'desde'],
-    along: ['along', 'dirección'],
-    sphere: ['sphere', 'esfera'],
-    side: ['side', 'lado'],
-    top: ['upper base', 'base superior'],
-    bottom: ['lower base', 'base inferior'],
-    isCandidate: ['is a candidate', 'es candidata'],
-    notCandidate: ['does not count: {0}', 'no cuenta: {0}'],
-    tooNear: ['it is below 1e-3', 'es menor que 1e-3'],
-    outsideRadius: ["its point is farther from the base's centre than the radius",
-        'su punto dista del centro de la base más que el radio'],
-    beyondBases: ['its point is farther along the axis than half the height',
-        'su punto dista a lo largo del eje más que la mitad de la altura'],
-    smallerCounts: ['the smaller root is a candidate', 'la raíz menor es candidata'],
-    nearest: ['nearest', 'más cercano'],
-    nearestText: ['object {0}, {1}, at lambda {2}', 'objeto {0}, {1}, con lambda {2}'],
-    point: ['point', 'punto'],
-    normalAt: ['normal', 'normal'],
-    outward: ['{0}, outward: the ray comes from outside', '{0}, hacia fuera: el rayo viene de fuera'],
-    turned: ['{0}, turned round: the ray comes from inside', '{0}, invertida: el rayo viene de dentro'],
-    draws: ['draws', 'sorteos'],
-    drawsText: ['{0}: {1} to {2} of material_rng_seed', '{0}: {1} a {2} de material_rng_seed'],
-    vector: ['vector', 'vector'],
-    addedToNormal: ['{0} is added to the normal', '{0} se suma a la normal'],
-    addedToReflected: ['{0} is added to the reflected unit direction',
-        '{0} se suma a la dirección reflejada unitaria'],
-    rho: ["rho'", "rho'"],
-    enters: ['is 1 / rho: the ray enters', 'es 1 / rho: el rayo entra'],
-    leaves: ['is rho: the ray leaves', 'es rho: el rayo sale'],
-    isReflected: ['{0}; it is reflected', '{0}; se refleja'],
-    isRefracted: ['{0}; it is refracted', '{0}; se refracta'],
-    matte: ['matte', 'mate'],
-    metal: ['metal', 'metal'],
-    refractive: ['refractive', 'refractante'],
-    sendsText: ['sends a ray along {0}', 'envía un rayo en la dirección {0}'],
-    colour: ['colour', 'color'],
-    reflectanceText: ['of that ray is multiplied by the reflectance {0}',
-        'de ese rayo se multiplica por la reflectancia {0}'],
-    colourText: ['of the sample, times all reflectances: {0}', 'de la muestra, por todas las reflectancias: {0}'],
-    end: ['end', 'final'],
-    endDepth: ['{0}, black: the depth is used up', '{0}, negro: la profundidad está agotada'],
-    endBackground: ['{0}, the background along the last ray, which hits nothing',
-        '{0}, el fondo en la dirección del último rayo, que no toca nada'],
-    moreSteps: ['…', '…'],
-    moreStepsText: ['Only the first {0} steps are shown.', 'Solo se muestran los {0} primeros pasos.'],
-    allSamples: ['all samples', 'todas las muestras'],
-    mean: ['mean', 'media'],
-    scaled: ['scaled', 'escalado'],
-    bytes: ['bytes', 'bytes'],
-    bytesText: ['{0}: truncated', '{0}: truncados'],
-} satisfies Record<string, [english: string, spanish: string]>;
+/** A text in both languages. */
+type Both = readonly [english: string, spanish: string];
 
-/** The parts of objects, and why a lambda does not count, as `literal` names them (`cli/literal/src/intersect.rs`). */
-const PHRASES: Record<string, keyof typeof WORDS> = {
-    'sphere': 'sphere', 'side': 'side', 'upper base': 'top', 'lower base': 'bottom',
-    'it is below 1e-3': 'tooNear', 'it is outside of the radius': 'outsideRadius',
-    'it is beyond the bases': 'beyondBases', 'the smaller root counts': 'smallerCounts',
+/** What the view says about its table. */
+const WAITS: Both = ['Only a finished picture is explained.', 'Solo se explica una imagen terminada.'];
+const SAME: Both = ['Bytes {0}, as in the picture.', 'Bytes {0}, como en la imagen.'];
+const DIFFERS: Both = ['Bytes {0}; the picture has {1}, because there exact lambdas decide, and here rounding does.',
+    'Bytes {0}; la imagen tiene {1}, porque allí deciden las lambdas exactas y aquí el redondeo.'];
+
+/** Parts of objects, and why a lambda does not count, by the words of `literal` (`cli/literal/src/intersect.rs`). */
+const PHRASES: Record<string, Both> = {
+    'sphere': ['sphere', 'esfera'],
+    'side': ['side', 'lado'],
+    'upper base': ['upper base', 'base superior'],
+    'lower base': ['lower base', 'base inferior'],
+    '': ['is a candidate', 'es candidata'],
+    'it is below 1e-3': ['does not count: it is below 1e-3', 'no cuenta: es menor que 1e-3'],
+    'it is outside of the radius': ["does not count: its point is farther from the base's centre than the radius",
+        'no cuenta: su punto dista del centro de la base más que el radio'],
+    'it is beyond the bases': ['does not count: its point is farther along the axis than half the height',
+        'no cuenta: su punto dista a lo largo del eje más que la mitad de la altura'],
+    'the smaller root counts': ['does not count: the smaller root is a candidate',
+        'no cuenta: la raíz menor es candidata'],
 };
 
-const tell = (key: keyof typeof WORDS, ...values: (string | number)[]): string => filled(WORDS[key], ...values);
+/** Parts of rows that are in several ones. */
+const ENTERS: Both = ['1 / rho: the ray enters', '1 / rho: el rayo entra'];
+const LEAVES: Both = ['rho: the ray leaves', 'rho: el rayo sale'];
+const REFLECTED: Both = ['reflected', 'refleja'];
+const REFRACTED: Both = ['refracted', 'refracta'];
+const COLOUR: Both = ['colour', 'color'];
+const END: Both = ['end', 'final'];
+const NORMAL: Both = ['normal', 'normal'];
+const VECTOR: Both = ['vector', 'vector'];
+const ALONE: Both = ['{0}', '{0}'];
+const SENDS: Both = ['sends a ray along {0}', 'envía un rayo en la dirección {0}'];
+
+/** The rows of the table: what a row is about, and what it says. */
+const ROWS = {
+    offset: [['offset', 'desplazamiento'], ['x = {0}, y = {1}: numbers {2} and {3} of ray_rng_seed',
+        'x = {0}, y = {1}: números {2} y {3} de ray_rng_seed']],
+    target: [['Q', 'Q'], ALONE],
+    ray: [['ray', 'rayo'], ['{0} of at most {1}: depth {2}', '{0} de {1} como máximo: profundidad {2}']],
+    from: [['from', 'desde'], ALONE],
+    along: [['along', 'dirección'], ALONE],
+    candidate: [['', ''], ['{0}: lambda {1} {2}', '{0}: lambda {1} {2}']],
+    nearest: [['nearest', 'más cercano'], ['object {0}, {1}, at lambda {2}', 'objeto {0}, {1}, con lambda {2}']],
+    point: [['point', 'punto'], ALONE],
+    outward: [NORMAL, ['{0}, outward: the ray comes from outside', '{0}, hacia fuera: el rayo viene de fuera']],
+    turned: [NORMAL, ['{0}, turned round: the ray comes from inside', '{0}, invertida: el rayo viene de dentro']],
+    draws: [['draws', 'sorteos'], ['{0}: {1} to {2} of material_rng_seed', '{0}: {1} a {2} de material_rng_seed']],
+    toNormal: [VECTOR, ['{0} is added to the normal', '{0} se suma a la normal']],
+    toReflected: [VECTOR, ['{0} is added to the reflected unit direction',
+        '{0} se suma a la dirección reflejada unitaria']],
+    rho: [["rho'", "rho'"], ['is {0}; it is {1}', 'es {0}; se {1}']],
+    matte: [['matte', 'mate'], SENDS],
+    metal: [['metal', 'metal'], SENDS],
+    refractive: [['refractive', 'refractante'], SENDS],
+    reflectance: [COLOUR, ['of that ray is multiplied by the reflectance {0}',
+        'de ese rayo se multiplica por la reflectancia {0}']],
+    depth: [END, ['{0}, black: the depth is used up', '{0}, negro: la profundidad está agotada']],
+    background: [END, ['{0}, the background along the last ray, which hits nothing',
+        '{0}, el fondo en la dirección del último rayo, que no toca nada']],
+    color: [COLOUR, ['of the sample, times all reflectances: {0}', 'de la muestra, por todas las reflectancias: {0}']],
+    more: [['…', '…'], ['Only the first {0} steps are shown.', 'Solo se muestran los {0} primeros pasos.']],
+    all: [['all samples', 'todas las muestras'], ['', '']],
+    mean: [['mean', 'media'], ALONE],
+    scaled: [['scaled', 'escalado'], ['{0} = 255 × mean^(1 / {1})', '{0} = 255 × media^(1 / {1})']],
+    bytes: [['bytes', 'bytes'], ['{0}: truncated', '{0}: truncados']],
+} satisfies Record<string, [about: Both, text: Both]>;
+
+/** The rows that begin a part of the table. */
+const HEADS: string[] = ['ray', 'all'];
 
 /** Largest number of steps that are shown. Between mirrors, a path may have any number. */
 const MOST_STEPS = 2000;
@@ -117,7 +118,7 @@ const at = (vector: number[]): string => `(${vector.join(', ')})`;
 
 /** The view. */
 export class ExplainView {
-    readonly #table = element('explain-steps');
+    readonly #table = element<HTMLTableElement>('explain-steps');
     readonly #inputs = ['column', 'row', 'sample'].map((name) => element<HTMLInputElement>(`explain-${name}`));
     readonly #cancel = element<HTMLButtonElement>('explain-cancel');
     /** The worker. Another question ends one that is busy, and takes a new one. The button is shown meanwhile. */
@@ -153,12 +154,12 @@ export class ExplainView {
         place.forEach((value, index) => (this.#inputs[index]!.value = String(value)));
     }
 
-    /** Explains the chosen pixel of the picture, which may be new. A click into the picture has chosen another pixel. */
+    /** Explains the chosen pixel of the picture, which may be new. A click in the picture may have chosen another one. */
     async renew(): Promise<void> {
         const own = this.#stop();
         const found = this.find();
         this.#table.replaceChildren();
-        write(element('explain-said'), () => (found ? say('busy') : tell('waits')));
+        write(element('explain-said'), () => (found ? say('busy') : ofLanguage(WAITS)));
         if (!found) {
             return;
         }
@@ -191,72 +192,75 @@ export class ExplainView {
     }
 
     #show({ samples, mean, gamma, scaled, bytes }: Life, picture: number[]): void {
-        write(element('explain-said'), () => tell(String(bytes) === String(picture) ? 'same' : 'differs',
-            bytes.join(' '), picture.join(' ')));
+        const words = String(bytes) === String(picture) ? SAME : DIFFERS;
+        write(element('explain-said'), () => filled(words, bytes.join(' '), picture.join(' ')));
         element('explain-said').style.setProperty('--color', `rgb(${bytes})`);
         const depth = samples.find((step) => step.event === 'ray')?.depth ?? 0;
         samples.slice(0, MOST_STEPS).forEach((step) => this.#tell(step, depth));
-        if (samples.length > MOST_STEPS) {
-            this.#add('moreSteps', () => tell('moreStepsText', MOST_STEPS));
-        }
-        this.#add('allSamples', () => '', 'part');
-        this.#add('mean', () => at(mean));
-        this.#add('scaled', () => `${at(scaled)} = 255 × ${tell('mean')}^(1 / ${gamma})`);
-        this.#add('bytes', () => tell('bytesText', bytes.join(' ')));
+        samples.length > MOST_STEPS && this.#add('more', MOST_STEPS);
+        this.#add('all');
+        this.#add('mean', at(mean));
+        this.#add('scaled', at(scaled), String(gamma));
+        this.#add('bytes', bytes.join(' '));
     }
 
     /** Adds the rows of a step. `depth` is the number of rays that a sample may send. */
     #tell(step: Step, depth: number): void {
-        const phrase = (name: string) => tell(PHRASES[name] as keyof typeof WORDS);
+        const part = PHRASES[step.part] ?? step.part;
         switch (step.event) {
             case 'sample': {
-                const { place, offset: [x, y] } = step;
-                if (x !== undefined && y !== undefined) {
-                    this.#add('offset', () => tell('offsetText', String(x), String(y), place, place + 1));
-                }
-                this.#add('target', () => at(step.target));
+                const { place, offset } = step;
+                offset.length > 0 && this.#add('offset', ...offset.map(String), place, place + 1);
+                this.#add('target', at(step.target));
                 break;
             }
             case 'ray':
-                this.#add('ray', () => tell('rayText', depth - step.depth + 1, depth, step.depth), 'part');
-                this.#add('from', () => at(step.origin));
-                this.#add('along', () => at(step.direction));
+                this.#add('ray', depth - step.depth + 1, depth, step.depth);
+                this.#add('from', at(step.origin));
+                this.#add('along', at(step.direction));
                 break;
-            case 'candidate': {
-                const verdict = () => (step.fault ? tell('notCandidate', phrase(step.fault)) : tell('isCandidate'));
-                this.#add(step.object, () => `${phrase(step.part)}: lambda ${step.lambda} ${verdict()}`);
+            case 'candidate':
+                this.#link(step.object,
+                    this.#add('candidate', part, String(step.lambda), PHRASES[step.fault] ?? step.fault));
                 break;
-            }
             case 'hit': {
                 const { draws, material, place, front, normal, direction } = step;
-                this.#add('nearest', () => tell('nearestText', step.object, phrase(step.part), String(step.lambda)));
-                this.#add('point', () => at(step.point));
-                this.#add('normalAt', () => tell(front ? 'outward' : 'turned', at(normal)));
-                if (draws.length > 0) {
-                    this.#add('draws', () => tell('drawsText', draws.join(', '), place, place + draws.length - 1));
-                }
+                this.#add('nearest', step.object, part, String(step.lambda));
+                this.#add('point', at(step.point));
+                this.#add(front ? 'outward' : 'turned', at(normal));
+                draws.length > 0 && this.#add('draws', draws.join(', '), place, place + draws.length - 1);
                 if (material === 'refractive') {
                     const outwards = direction.reduce((sum, part, axis) => sum + part * (normal[axis] ?? 0), 0);
-                    this.#add('rho', () => tell(outwards > 0 ? 'isReflected' : 'isRefracted', tell(front ? 'enters' : 'leaves')));
+                    this.#add('rho', front ? ENTERS : LEAVES, outwards > 0 ? REFLECTED : REFRACTED);
                 } else {
-                    this.#add('vector', () => tell(material === 'matte' ? 'addedToNormal' : 'addedToReflected', at(step.vector)));
+                    this.#add(material === 'matte' ? 'toNormal' : 'toReflected', at(step.vector));
                 }
-                this.#add(material, () => tell('sendsText', at(direction)));
-                this.#add('colour', () => tell('reflectanceText', at(step.reflectance)));
+                this.#add(material, at(direction));
+                this.#add('reflectance', at(step.reflectance));
                 break;
             }
             case 'end':
-                this.#add('end', () => tell(step.reason === 'depth' ? 'endDepth' : 'endBackground', at(step.end)));
-                this.#add('colour', () => tell('colourText', at(step.color)));
+                this.#add(step.reason, at(step.end));
+                this.#add('color', at(step.color));
         }
     }
 
-    /** Adds a row: what it is about, which may be the number of an object, and what it says. */
-    #add(about: keyof typeof WORDS | number, text: () => string, name = ''): void {
-        const row = document.createElement('tr');
-        row.className = name;
-        const [head, cell] = [document.createElement('th'), document.createElement('td')];
-        const one = typeof about === 'number' ? this.#objects[about - 1] : undefined;
+    /** Adds a row, and returns the cell that says what the row is about. */
+    #add(key: keyof typeof ROWS, ...values: (string | number | Both)[]): HTMLElement {
+        const [about, text] = ROWS[key];
+        const row = this.#table.insertRow();
+        row.className = HEADS.includes(key) ? 'part' : '';
+        const head = document.createElement('th');
+        row.append(head);
+        about[0] && write(head, () => ofLanguage(about));
+        const told = () => values.map((value) => (typeof value === 'object' ? ofLanguage(value) : value));
+        write(row.insertCell(), () => filled(text, ...told()));
+        return head;
+    }
+
+    /** Makes a cell a link to the line of an object. */
+    #link(object: number, cell: HTMLElement): void {
+        const one = this.#objects[object - 1];
         if (one) {
             const link = document.createElement('a');
             link.href = '#scene-editor';
@@ -265,12 +269,7 @@ export class ExplainView {
                 this.goTo(one.line);
             });
             write(link, () => objectName(one));
-            head.append(link);
-        } else {
-            write(head, () => tell(about as keyof typeof WORDS));
+            cell.append(link);
         }
-        write(cell, text);
-        row.append(head, cell);
-        this.#table.append(row);
     }
 }

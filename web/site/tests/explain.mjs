@@ -51,7 +51,7 @@ export const tests = {
         check(/^Sample \(0 to \d+\)$/.test(await page.textContent('#explain-sample >> xpath=../span')), 'the number of samples');
         await page.selectOption('#language', 'es');
         check((await page.textContent('#explain-said')).endsWith(', como en la imagen.'), 'the words in Spanish');
-        check(/\ndesde\s/.test(await steps()), await steps());
+        check(/\ndesde\s.*\nesfera, línea 2\s/s.test(await steps()), await steps());
         await page.selectOption('#language', 'en');
         await page.click('#share');
         await page.waitForFunction(() => document.getElementById('link').value !== '');
