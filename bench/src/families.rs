@@ -121,6 +121,16 @@ fn sphere_floor([radius, number, height, _]: Point) -> FamilyScene {
     )
 }
 
+/// Returns a sphere that is larger than the scene by far, whose surface passes through the origin.
+fn endless_sphere([radius, number, height, _]: Point) -> FamilyScene {
+    let (radius, number, height) = (log(radius, 1e12, 1e300), count(number, 1.0, 100.0), log(height, 0.1, 10.0));
+    FamilyScene::new(
+        format!("radius {radius:e}, {number} objects, camera at {height:e}"),
+        camera([0.0, height, -9.0], MIDDLE, 45.0),
+        &format!("sphere: 0 {:e} 0 {radius:e} m\n{}", -radius, small_objects(number, 1.0)),
+    )
+}
+
 /// Returns a floor that is the side of a lying cylinder.
 fn side_floor([radius, length, number, turn]: Point) -> FamilyScene {
     let (radius, length, number) = (log(radius, 10.0, 1e12), log(length, 0.1, 100.0), count(number, 1.0, 100.0));
@@ -223,7 +233,7 @@ fn mirror_room([size, depth, number, shape]: Point) -> FamilyScene {
 
 /// Returns spheres or cylinders of glass inside each other.
 fn nested_glass([number, gap, size, shape]: Point) -> FamilyScene {
-    let (number, gap, size) = (count(number, 1.0, 40.0), log(gap, 1e-6, 0.1), log(size, 1e-3, 1e6));
+    let (number, gap, size) = (count(number, 1.0, 40.0), log(gap, 1e-15, 0.1), log(size, 1e-3, 1e6));
     let shells = (0..number).map(|place| {
         let radius = 3.0 * size * (1.0 - gap).powi(place as i32);
         if shape < 0.5 {
@@ -342,6 +352,7 @@ fn one_giant([radius, number, shape, _]: Point) -> FamilyScene {
 pub const FAMILIES: &[Family] = &[
     Family { name: "disc-floor", scene: disc_floor },
     Family { name: "sphere-floor", scene: sphere_floor },
+    Family { name: "endless-sphere", scene: endless_sphere },
     Family { name: "side-floor", scene: side_floor },
     Family { name: "films", scene: films },
     Family { name: "stack", scene: stack },

@@ -51,6 +51,8 @@ counters! {
     Hits,
     /// Uncertain intersections that the compensated formulas decided.
     Compensated,
+    /// Uncertain intersections that double-double arithmetic decided.
+    Wide,
     /// Uncertain intersections that dyadic arithmetic decided.
     Fallbacks,
     /// Comparisons of two hits whose lambdas differ by less than their errors.

@@ -3,12 +3,14 @@
 //! The plain formulas run first. A bound of their rounding errors, which costs a few multiplications, tells whether
 //! their result is certain. If it is uncertain, compensated formulas run, in which less cancels: for a sphere by the
 //! parts [across the ray](sphere_compensated), for a cylinder [across the axis](cylinder_compensated). If these are
-//! uncertain too, every decision is made in [dyadic](crate::math::dyadic) arithmetic:
+//! uncertain too, a sphere is intersected in [double-double](sphere_wide) arithmetic. What is uncertain even then is
+//! decided in [dyadic](crate::math::dyadic) arithmetic:
 //!
 //! | step | unit roundoff | taken by |
 //! |---|---|---|
 //! | plain, f64 | 2^-53 | nearly all rays |
 //! | compensated, f64 | 2^-53 | rays that start near a large surface, pass a far object, or run along a cylinder |
+//! | double-double, spheres only | 2^-106 | rays that start near a sphere which is larger than the scene by far |
 //! | dyadic | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!
 //! Uses [`geometry`](crate::geometry), [`math`](crate::math) and [`simd`](crate::simd). Begin with [`sphere`], then
@@ -35,3 +37,4 @@ pub mod order;
 pub mod sphere;
 pub mod sphere_compensated;
 pub mod sphere_filter;
+pub mod sphere_wide;

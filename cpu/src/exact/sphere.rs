@@ -1,6 +1,6 @@
-//! Exact intersection of ray and sphere, in three steps. They are the plain formula with its [error
-//! bound](crate::exact::sphere_filter), the [compensated](sphere_compensated) formula, and dyadic arithmetic. A step is
-//! needed only if the step before it is uncertain.
+//! Exact intersection of ray and sphere, in four steps. They are the plain formula with its [error
+//! bound](crate::exact::sphere_filter), the [compensated](sphere_compensated) formula, [double-double](sphere_wide)
+//! arithmetic, and dyadic arithmetic. A step is needed only if the step before it is uncertain.
 //!
 //! In dyadic arithmetic the coefficients of the quadratic are sums of products of the inputs. So the coefficients, the
 //! discriminant and the result of every comparison are exact. Only for the root itself they are rounded, to 106 bits
@@ -10,7 +10,7 @@ use crate::counters::{Counter, add};
 use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
 use crate::exact::exact_vector::{Exact3, Exactly, NotFinite, exact_least_lambda, to_dyadic};
 pub use crate::exact::sphere_filter::{filtered, filtered_from, filtered_or_least};
-use crate::exact::{error_bound::Decision, sphere_compensated};
+use crate::exact::{error_bound::Decision, sphere_compensated, sphere_wide};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::simd::fused::run_fused;
 
@@ -53,7 +53,7 @@ pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Opt
 }
 
 /// Returns the lambda of a ray for which [`filtered`] is uncertain, or `None` for a miss. The compensated formula runs
-/// first. If it is uncertain too, [`precise`] gives the result.
+/// first. If it is uncertain too, [`wide_or_precise`] gives the result.
 #[cold]
 #[inline(never)]
 pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
@@ -61,6 +61,20 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         sphere_compensated::compensated(record, ray)
     });
     add(Counter::Compensated, u64::from(decision != Decision::Uncertain));
+    match decision {
+        Decision::Certain(hit) => hit,
+        Decision::Uncertain => wide_or_precise(record, ray),
+    }
+}
+
+/// Returns the lambda, or `None` for a miss, by [double-double](sphere_wide) arithmetic. If that is uncertain,
+/// [`precise`] gives the result. Both round the exact lambda to the nearest `f64`.
+#[cold]
+#[inline(never)]
+pub(crate) fn wide_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+    let decision =
+        run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<f64>> { sphere_wide::wide(record, ray) });
+    add(Counter::Wide, u64::from(decision != Decision::Uncertain));
     match decision {
         Decision::Certain(hit) => hit,
         Decision::Uncertain => precise(record, ray),

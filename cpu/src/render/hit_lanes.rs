@@ -162,7 +162,7 @@ impl<V: SimdF64> HitLanes<V> {
             let still_uncertain = rays.uncertain(certain);
             add(Counter::Compensated, u64::from((uncertain & !still_uncertain).count_ones()));
             if still_uncertain != 0 {
-                let intersect = |ray: &Ray| Some((exact::sphere::precise(record, ray)?, CylinderPart::Side));
+                let intersect = |ray: &Ray| Some((exact::sphere::wide_or_precise(record, ray)?, CylinderPart::Side));
                 hits = lane_by_lane(ray, hits, still_uncertain, &intersect);
             }
         }

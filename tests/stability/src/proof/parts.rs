@@ -8,6 +8,7 @@ use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane, LEAST_E
 use cpu::internals::exact::cylinder_lanes::SideLanes;
 use cpu::internals::exact::cylinder_plain::PlainSide;
 use cpu::internals::exact::order::{ERROR_OF_CAPS, is_certainly_closer};
+use cpu::internals::exact::sphere_wide;
 use cpu::internals::geometry::{cylinder::CylinderRecord, ray::LAMBDA_MIN};
 use cpu::internals::math::real::Real;
 
@@ -62,6 +63,7 @@ pub fn rows(of_side: f64) -> Vec<Row> {
         row("distance from a cap's centre, due to the extent", cap[1], to_cap[1], "u X"),
         order(of_cap),
         caps(),
+        wide_sphere(),
         isolated(of_cap),
     ]
 }
@@ -87,6 +89,18 @@ fn caps() -> Row {
     let (distance, slope) = (sum + product + 2.0 * sum, product + 2.0 * sum);
     let need = 2.0 * (distance + slope + product + sum);
     Row::new("order of two caps", "exact/order.rs", [ERROR_OF_CAPS / (U * U), need], "u^2")
+}
+
+/// Returns the row of a sphere in double-double arithmetic, for the errors of the operations on
+/// [`DoubleDouble`](cpu::internals::math::double_double). The need is that of the discriminant `h^2 - a c`, relative to
+/// the sizes of its terms, which includes those of `h`, `a` and `c`. It is doubled as in [`caps`].
+fn wide_sphere() -> Row {
+    let [sum, product] = [3.0, 4.0];
+    let dot = product + 2.0 * sum;
+    // A product of a difference and a sum, which is added to two squares.
+    let c = (2.0 * sum + product) + 2.0 * sum;
+    let need = 2.0 * ((dot + dot + product) + (dot + c + product) + sum);
+    Row::new("sphere in double-double", "exact/sphere_wide.rs", [sphere_wide::ERROR / (U * U), need], "u^2")
 }
 
 /// Returns the row of isolated objects, for this relative error of every lambda.
