@@ -4,8 +4,9 @@
 //! 1. [`Accel::EveryObject`] for extreme magnitudes: a camera, diffusion or window distance beyond 1e9, pixels below
 //!    1e-12 ([`Extent`]), or up to 8 objects with one beyond 1e9 or a radius or half height below 1e-6;
 //! 2. [`SmallScene`] for up to 8 objects;
-//! 3. [`FlatFilter`] for up to 64 objects with a dominant sphere such as a ground, coordinates of up to 2e7 and no such
-//!    tiny object; without a dominant sphere, or with more objects, a tree is faster;
+//! 3. [`FlatFilter`] for up to 64 objects with coordinates of up to 2e7 and no such tiny object, if there are few
+//!    cylinders: up to 20 beside a dominant sphere such as a ground, or else at most as many as spheres, which are at
+//!    least 9; for other objects a tree is faster;
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
@@ -14,8 +15,8 @@
 //! against the boxes of the root, then against those of each child that it hits, the nearest child first. From 257
 //! objects on, a ray is tested against the collapsed root instead of the root and its children
 //! (`accel/bvh/collapsed_root.rs`). This is one list of up to 64 boxes, most of which are those of the second level. It
-//! is used by instruction sets with at least eight lanes of `f32`. From 20,000 objects on, unless they are sparse, a
-//! [`Bvh`] has bounding spheres instead of boxes where it can (`accel/bvh/sphere_leaf.rs`).
+//! is used by instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres alone has bounding spheres
+//! instead of boxes in its leaves, unless they are sparse (`accel/bvh/sphere_leaf.rs`).
 //!
 //! With a [`SmallScene`] one more choice follows. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
@@ -31,8 +32,8 @@
 
 use crate::accel::{
     accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
-    closest_hit::ClosestHit, dominant_sphere::DominantSphere, every_object::EveryObject, extent::Extent, flat_filter,
-    flat_filter::FlatFilter, may_hit, object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
+    closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit,
+    object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
@@ -45,7 +46,7 @@ pub enum Accel {
     EveryObject(EveryObject),
     /// The structure for up to eight objects.
     SmallScene(SmallScene),
-    /// The structure for up to 64 objects with a dominant sphere, which tests several of them at once in single
+    /// The structure for up to 64 objects, most of them spheres, which tests several of them at once in single
     /// precision.
     FlatFilter(FlatFilter),
     /// The tree of boxes, for more objects.
@@ -80,7 +81,7 @@ impl Accel {
         } else if count(objects) <= flat_filter::MOST_OBJECTS
             && !extent.has_tiny
             && extent.max_coordinate <= flat_filter::MAX_COORDINATE
-            && DominantSphere::of(objects).0.is_some()
+            && flat_filter::saves_time(objects)
         {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
         } else if count(objects) <= bvh::MOST_WIDE {
@@ -115,6 +116,15 @@ impl Accel {
             Self::Bvh(bvh) => !std::mem::take(&mut bvh.isolated).is_empty(),
             Self::LargeBvh(bvh) => !std::mem::take(&mut bvh.isolated).is_empty(),
         }
+    }
+
+    /// Replaces the lookahead of a [`SmallScene`] by objects in lanes, or the other way round, to measure what the chosen
+    /// one gains. Returns false for other structures.
+    #[cfg(feature = "internals")]
+    pub const fn swap_lookahead(&mut self) -> bool {
+        let Self::SmallScene(small_scene) = self else { return false };
+        small_scene.uses_object_lanes = !small_scene.uses_object_lanes;
+        true
     }
 
     /// Removes the collapsed root, to measure what it gains. Returns false if there was none.

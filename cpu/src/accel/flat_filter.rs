@@ -1,5 +1,5 @@
-//! The structure for up to 64 objects with a dominant sphere. Conservative tests in single precision, several at once,
-//! find the objects that a ray may hit.
+//! The structure for up to 64 objects most of which are spheres. Conservative tests in single precision, several at
+//! once, find the objects that a ray may hit.
 
 pub use crate::accel::may_hit::filter_ray::MAX_COORDINATE;
 use crate::accel::{
@@ -17,6 +17,23 @@ use crate::{
 
 /// Maximum number of objects in a [`FlatFilter`]. Each object of a kind has one bit in a `u64`.
 pub const MOST_OBJECTS: usize = u64::BITS as usize;
+
+/// Maximum number of cylinders beside a dominant sphere. With more of them a tree is faster, because a box encloses a
+/// cylinder closer than a bounding sphere does (docs/experiments.md, "Which limits were measured?").
+const MOST_CYLINDERS: usize = 20;
+
+/// Minimum number of spheres in a scene without a dominant sphere. With fewer of them a tree is as fast or faster.
+const LEAST_SPHERES: usize = 9;
+
+/// Whether this structure takes less time than a tree for these objects, which are at most [`MOST_OBJECTS`].
+pub(crate) fn saves_time(objects: &impl Objects) -> bool {
+    let (spheres, cylinders) = (objects.sphere_count(), objects.cylinder_count());
+    if DominantSphere::of(objects).0.is_some() {
+        cylinders <= MOST_CYLINDERS
+    } else {
+        spheres >= cylinders.max(LEAST_SPHERES)
+    }
+}
 
 /// A cylinder is slender if its bounding sphere's radius is more than this multiple of its own radius.
 const SLENDER: f64 = 2.0;

@@ -20,6 +20,8 @@ const FEWEST_IN_LANES: usize = 4;
 pub struct SmallScene {
     /// Number of objects.
     count: usize,
+    /// Whether lanes hold several objects for one ray. Otherwise they hold several rays for one object.
+    pub(super) uses_object_lanes: bool,
     /// The objects in lanes, for one ray or several, which start within the scene's extent.
     pub object_lanes: ObjectLanes,
     /// The largest coordinate of the scene; see [`Extent::max_coordinate`].
@@ -29,13 +31,15 @@ pub struct SmallScene {
 impl SmallScene {
     /// Builds the structure over `objects`.
     pub(crate) fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Self {
-        Self { count: count(objects), object_lanes: ObjectLanes::new(objects, max_coordinate), max_coordinate }
+        let count = count(objects);
+        let uses_object_lanes = count >= FEWEST_IN_LANES;
+        Self { count, uses_object_lanes, object_lanes: ObjectLanes::new(objects, max_coordinate), max_coordinate }
     }
 
     /// Whether lanes hold several objects for one ray. Otherwise lanes hold several rays for one object.
     #[inline(always)]
-    pub fn uses_object_lanes(&self) -> bool {
-        self.count >= FEWEST_IN_LANES
+    pub const fn uses_object_lanes(&self) -> bool {
+        self.uses_object_lanes
     }
 
     /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray may hit the object. The ray

@@ -1,12 +1,12 @@
 //! Compares each acceleration structure with the one that intersects every object.
 
-use crate::accel::bvh::{Bvh, MOST_WIDE, farthest_for, sphere_leaf::LEAST_OBJECTS};
+use crate::accel::bvh::{Bvh, MOST_WIDE, farthest_for};
 use crate::accel::choice::{Accel, Structure};
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
-use crate::accel::flat_filter::FlatFilter;
+use crate::accel::flat_filter::{FlatFilter, MAX_COORDINATE};
 use crate::accel::may_hit::target::targets;
 use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
 use crate::accel::stack::Stack;
@@ -145,7 +145,7 @@ fn each_number_of_objects_gets_its_structure() {
     type Case = (usize, f64, usize, fn(&Accel) -> bool);
     let cases: [Case; 5] = [
         (7, 3.0, 2000, |accel| matches!(accel, Accel::SmallScene(_))),
-        (60, 2.0, 1000, |accel| matches!(accel, Accel::FlatFilter(_))),
+        (40, 2.0, 1000, |accel| matches!(accel, Accel::FlatFilter(_))),
         (90, 2.0, 1000, |accel| matches!(accel, Accel::Bvh(_))),
         (1000, 1.0, 300, |accel| matches!(accel, Accel::Bvh(_))),
         (MOST_WIDE, 0.05, 40, |accel| matches!(accel, Accel::LargeBvh(_))),
@@ -209,13 +209,10 @@ fn bounding_spheres_give_the_closest_hits() {
 }
 
 #[test]
-fn many_objects_that_are_not_sparse_get_bounding_spheres() {
-    for (count, size, has_spheres) in
-        [(LEAST_OBJECTS, 0.2, true), (LEAST_OBJECTS, 0.05, false), (LEAST_OBJECTS - 1, 0.2, false)]
-    {
-        // The tree has all spheres but the dominant one.
-        let mut objects = spheres_of(&objects_text(2 * count, size, 4));
-        assert_eq!(objects.sphere_count(), count + 1);
+fn spheres_that_are_not_sparse_get_bounding_spheres() {
+    for (size, with_cylinders, has_spheres) in [(0.7, false, true), (0.3, false, false), (0.7, true, false)] {
+        let text = objects_text(1800, size, 4);
+        let mut objects = if with_cylinders { parsed(&text) } else { spheres_of(&text) };
         let accel = accel(&mut objects);
         let Accel::Bvh(bvh) = &accel else { panic!("the tree has byte boxes") };
         assert_eq!(bvh.sphere_leaf_count() > 0, has_spheres);
@@ -397,14 +394,15 @@ fn scenes_of_every_size_give_the_closest_hits() {
         {
             let mut objects = ring(count, scale, height);
             let extent = Extent { max_coordinate: 6.0 * scale, moderate: true, has_tiny: false };
-            // A ring has no dominant sphere, so the program takes no flat filter, which gives the same hits.
-            if (9..100).contains(&count) && extent.max_coordinate <= crate::accel::may_hit::filter_ray::MAX_COORDINATE {
+            // The program takes a flat filter only for 60 objects. It gives the same hits for 9.
+            if (9..100).contains(&count) && extent.max_coordinate <= MAX_COORDINATE {
                 let filter = FlatFilter::new(&objects, &extent).expect("it fits");
                 assert_eq!(filter.tests_infinite, height > 1.0, "{count}, {height}");
                 agrees_for_directions_of_any_length(&Accel::FlatFilter(filter), &objects, 5.0 * scale);
             }
             let accel = Accel::new(&mut objects, &extent).expect("it fits");
-            assert_eq!(matches!(accel, Accel::Bvh(_)), count >= 9, "{count}, {scale}");
+            let is_flat = count == 60 && extent.max_coordinate <= MAX_COORDINATE;
+            assert_eq!(matches!(accel, Accel::Bvh(_)), count >= 9 && !is_flat, "{count}, {scale}");
             agrees_for_directions_of_any_length(&accel, &objects, 5.0 * scale);
         }
     }
@@ -445,6 +443,21 @@ fn structures_that_are_only_measured_agree_with_a_plain_loop() {
 }
 
 #[test]
+fn a_small_scene_gives_the_closest_hits_with_and_without_objects_in_lanes() {
+    let extent = Extent { max_coordinate: 240.0, moderate: true, has_tiny: false };
+    for count in [1, 3, 4, 7] {
+        let mut objects = objects(count, 1.0, 5);
+        let mut accel = accel(&mut objects);
+        for _ in 0..2 {
+            assert!(accel.swap_lookahead());
+            agrees_with_plain(&accel, &objects, 300);
+        }
+    }
+    let mut accel = Accel::new(&mut objects(9, 1.0, 5), &extent).expect("it fits");
+    assert!(!accel.swap_lookahead());
+}
+
+#[test]
 fn up_to_64_objects_of_ordinary_scenes_are_tested_in_lanes() {
     let ordinary = Extent { max_coordinate: 240.0, moderate: true, has_tiny: false };
     for (count, extent, expected) in [
@@ -455,5 +468,26 @@ fn up_to_64_objects_of_ordinary_scenes_are_tested_in_lanes() {
         (9, Extent { max_coordinate: 2e9, ..ordinary }, 0),
     ] {
         assert_eq!(targets(&objects(count, 1.0, 5), &extent).expect("it fits").len(), expected, "{count}, {extent:?}");
+    }
+}
+
+#[test]
+fn a_flat_filter_is_taken_for_spheres_and_few_cylinders() {
+    let extent = Extent { max_coordinate: 240.0, moderate: true, has_tiny: false };
+    for (has_ground, spheres, cylinders, is_flat) in [
+        (true, 1, 20, true),
+        (true, 40, 21, false),
+        (false, 9, 0, true),
+        (false, 8, 8, false),
+        (false, 20, 20, true),
+        (false, 20, 21, false),
+    ] {
+        let ground = if has_ground { "sphere: 0 -120 0 110 m\n" } else { "" };
+        let sphere = |at| format!("sphere: {at} 0 0 .5 m\n");
+        let cylinder = |at| format!("cylinder: {at} 5 0 .5 0 .5 0 m\n");
+        let text: String = (0..spheres).map(sphere).chain((0..cylinders).map(cylinder)).collect();
+        let mut objects = parsed(&format!("matte: m 1 1 1\n{ground}{text}"));
+        let accel = Accel::new(&mut objects, &extent).expect("it fits");
+        assert_eq!(matches!(accel, Accel::FlatFilter(_)), is_flat, "{has_ground}, {spheres}, {cylinders}");
     }
 }

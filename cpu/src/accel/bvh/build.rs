@@ -46,8 +46,9 @@ pub(crate) fn build<B: Boxes>(
     let nodes = with_room(most / 8 + 1, HIERARCHY)?;
     let all = Range::new(&items, 0, items.len());
     let half_areas = items.iter().map(|item| f64::from(item.bounds().unpacked().half_area()));
+    let only_spheres = items.iter().all(|item| (item.id() as usize) < sphere_count);
     let has_sphere_leaves = sphere_leaves
-        .unwrap_or_else(|| sphere_leaf::save_time(items.len(), half_areas.sum(), all.bounds.unpacked().half_area()));
+        .unwrap_or_else(|| sphere_leaf::save_time(only_spheres, half_areas.sum(), all.bounds.unpacked().half_area()));
     let mut tree = Tree { nodes, spheres, cylinders, has_sphere_leaves };
     push(&mut tree.nodes, Node::EMPTY, HIERARCHY)?;
     if items.is_empty() {

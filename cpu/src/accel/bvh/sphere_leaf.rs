@@ -2,8 +2,8 @@
 //!
 //! Almost half of the rays that hit a sphere's box miss the sphere. A bounding sphere excludes these rays, so the
 //! sphere's record is not loaded for them. Its test also reads four numbers instead of six, but takes more operations.
-//! In a large tree, whose nodes and records come from far memory, the two savings outweigh the operations, if rays
-//! test many objects. [`save_time`] has the rule. All other nodes have boxes.
+//! The savings outweigh the operations in trees that hold only spheres, if rays test many of them. [`save_time`] has
+//! the rule. All other trees have boxes in every node.
 //!
 //! A bounding sphere is computed from the sphere's box. Let `u = 2^-24`, and let `P` be the largest magnitude of the
 //! box's coordinates. Without rounding, the box would be a cube around the sphere. Rounding moves each plane outward by
@@ -16,16 +16,13 @@ use crate::accel::bounds::Bounds;
 use crate::accel::bvh::{planes::Plane, planes::WIDTH};
 use crate::simd::SimdF32;
 
-/// The least number of objects with which a tree has sphere leaves. In dense scenes they save time from this number on.
-/// In smaller trees they save nothing (docs/experiments.md, "Which limits were measured?").
-pub const LEAST_OBJECTS: usize = 20_000;
-
-/// Whether sphere leaves save time in a tree over `objects` objects. `half_areas` is the sum of the half surface areas
-/// of their boxes, and `half_area` that of the box around all of them. The quotient of the two is the average number of
-/// objects' boxes that a line through the scene crosses. If it is below 1, rays test few objects, and sphere leaves
-/// would cost time.
-pub(crate) fn save_time(objects: usize, half_areas: f64, half_area: f32) -> bool {
-    objects >= LEAST_OBJECTS && half_areas >= f64::from(half_area)
+/// Whether sphere leaves save time in a tree over objects that are `only_spheres` or not. `half_areas` is the sum of
+/// the half surface areas of their boxes, and `half_area` that of the box around all of them. The quotient of the two
+/// is the average number of objects' boxes that a line through the scene crosses. If it is below 1, rays test few
+/// objects, and sphere leaves would cost time. In a tree with cylinders few nodes hold only spheres, and preparing each
+/// ray for them costs what they save (docs/experiments.md, "Which limits were measured?").
+pub(crate) fn save_time(only_spheres: bool, half_areas: f64, half_area: f32) -> bool {
+    only_spheres && half_areas >= f64::from(half_area)
 }
 
 /// The part of a box's largest coordinate by which the radius is enlarged: `16 u`.
