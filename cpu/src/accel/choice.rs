@@ -118,8 +118,8 @@ impl Accel {
         }
     }
 
-    /// Replaces the lookahead of a [`SmallScene`] by objects in lanes, or the other way round, to measure what the chosen
-    /// one gains. Returns false for other structures.
+    /// Replaces the lookahead of a [`SmallScene`] by objects in lanes, or the other way round, to measure what the
+    /// chosen one gains. Returns false for other structures.
     #[cfg(feature = "internals")]
     pub const fn swap_lookahead(&mut self) -> bool {
         let Self::SmallScene(small_scene) = self else { return false };
