@@ -54,7 +54,7 @@ pub struct Bvh<B> {
     /// Whether there are sphere leaves: nodes with only spheres have bounding spheres instead of boxes.
     has_sphere_leaves: bool,
     /// A bound of the scene's coordinates for the conservative test of the start object: twice the largest coordinate.
-    max_coordinate: f64,
+    twice_max_coordinate: f64,
 }
 
 impl<B: Boxes> Bvh<B> {
@@ -93,9 +93,9 @@ impl<B: Boxes> Bvh<B> {
         objects.reorder(&mut spheres, &mut cylinders);
         let root = nodes.first().into_iter().flat_map(Node::children);
         let margins = slab_ray::margins(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
-        let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate.min(Extent::LARGEST));
+        let (isolated, twice_max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate.min(Extent::LARGEST));
         let mut bvh =
-            Self { nodes, collapsed_root, margins, dominant, apart, isolated, has_sphere_leaves, max_coordinate };
+            Self { nodes, collapsed_root, margins, dominant, apart, isolated, has_sphere_leaves, twice_max_coordinate };
         if count <= MOST_FOR_ISOLATION && bvh.apart.is_none() {
             let find = FindIsolated { nodes: &bvh.nodes, objects, extent, dominant };
             bvh.isolated = InstructionSet::fused().run(find)?;
@@ -218,7 +218,7 @@ impl<B: Boxes> Accelerator for Bvh<B> {
         }
         if start_object != NO_OBJECT && !self.dominant.is(start_object) {
             let mut again = ClosestHit::NOTHING;
-            if conservative.may_hit(objects, start_object, self.max_coordinate) {
+            if conservative.may_hit(objects, start_object, self.twice_max_coordinate) {
                 again.intersect(objects, start_object, ray);
             }
             if again.is_hit() {

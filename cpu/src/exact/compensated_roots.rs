@@ -101,14 +101,14 @@ impl<T: Rounding> Quadratic<T> {
         self.terms_of_c * T::of(ERROR_OF_C * T::UNIT_ROUNDOFF * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW)
     }
 
-    /// Whether the ray certainly leaves the surface: it starts near the surface and moves away from the middle, so both
-    /// roots are below [`LAMBDA_MIN`]. This needs no discriminant. The direction must be in scale.
+    /// Whether the ray certainly moves away from the surface: it starts near the surface and not towards the middle, so
+    /// both roots are below [`LAMBDA_MIN`]. This needs no discriminant. The direction must be in scale.
     ///
     /// The error of `h` is at most `4 u CONDITION_LIMIT |h|`, so the exact `h` is negative too, and `w / a` is a
     /// negative root. The other root is at most `|c| / |h|`, because `w` is at least `|h|`. If `terms_of_h` underflows,
     /// the sign of `h` is not known, but then every lambda is below 2^-200.
     #[inline(always)]
-    pub fn leaves(&self) -> T::Mask {
+    pub fn moves_away(&self) -> T::Mask {
         let (backward, size) = (self.h.less(T::of(0.0)), self.h.abs());
         let h_is_accurate = self.terms_of_h.less(size * T::of(CONDITION_LIMIT));
         backward & h_is_accurate & (self.c.abs() + self.error_of_c()).less(size * lowered_least_lambda())

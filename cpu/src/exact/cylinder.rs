@@ -129,7 +129,7 @@ struct Inputs {
     /// `d.V`.
     slope: Dyadic,
     /// `q.V`.
-    height: Dyadic,
+    start_along: Dyadic,
     /// [`exact_least_lambda`].
     least: Dyadic,
 }
@@ -138,9 +138,9 @@ impl Inputs {
     fn new(&CylinderRecord { center, radius, .. }: &CylinderRecord, axis: Vec3, ray: &Ray) -> Result<Self, NotFinite> {
         let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
         let from_center = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
-        let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), from_center.dot(&axis));
+        let (half, slope, start_along) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), from_center.dot(&axis));
         let (radius_squared, least) = (to_dyadic(radius)?.squared(), exact_least_lambda()?);
-        Ok(Self { direction, from_center, axis, radius_squared, half, slope, height, least })
+        Ok(Self { direction, from_center, axis, radius_squared, half, slope, start_along, least })
     }
 
     /// Returns the side's lambda, or `None` if the ray misses the side.
@@ -148,24 +148,24 @@ impl Inputs {
         let length_squared = self.half.scaled(1);
         let flat = |product: Dyadic, along: Dyadic| &(&product * &length_squared) - &along;
         let a = flat(self.direction.dot(&self.direction), self.slope.squared());
-        let h = flat(self.from_center.dot(&self.direction), &self.height * &self.slope);
-        let c = flat(&self.from_center.dot(&self.from_center) - &self.radius_squared, self.height.squared());
-        ExactQuadratic::with_roots(a, -&h, c)?.smallest_root(|root| self.side_counts(root))
+        let minus_h = flat(self.from_center.dot(&self.direction), &self.start_along * &self.slope);
+        let c = flat(&self.from_center.dot(&self.from_center) - &self.radius_squared, self.start_along.squared());
+        ExactQuadratic::with_roots(a, -&minus_h, c)?.smallest_root(|root| self.side_counts(root))
     }
 
     /// Whether a root is in range, and its point is between the caps' planes.
     fn side_counts(&self, root: &ExactLambda) -> bool {
-        let Self { half, slope, height, least, .. } = self;
+        let Self { half, slope, start_along, least, .. } = self;
         root.is_at_least(least)
-            && root.is_linear_form_nonnegative(&(half - height), &-slope)
-            && root.is_linear_form_nonnegative(&(half + height), slope)
+            && root.is_linear_form_nonnegative(&(half - start_along), &-slope)
+            && root.is_linear_form_nonnegative(&(half + start_along), slope)
     }
 
     /// Returns the lambda of a cap's plane as numerator and denominator. The denominator is not negative.
     fn plane(&self, is_bottom: bool) -> (Dyadic, Dyadic) {
-        let Self { half, slope, height, .. } = self;
+        let Self { half, slope, start_along, .. } = self;
         let signed_half = if is_bottom { -half } else { half.clone() };
-        let numerator = &signed_half - height;
+        let numerator = &signed_half - start_along;
         match slope.sign() {
             Ordering::Less => (-&numerator, -slope),
             _ => (numerator, slope.clone()),

@@ -20,7 +20,7 @@ use crate::math::{rounding::Rounding, vec3::Vec3};
 
 /// Covers the errors of a cap's lambda and of its point that are not those of the distance and of the slope, in units
 /// of `u lambda |d|`.
-pub const ERROR_OF_CAP: f64 = 16.0;
+pub const ROUNDINGS_OF_CAP: f64 = 16.0;
 /// The share of `|O - C|^2` in the terms of `h`, 2^-90. It covers errors of second order in `(O - C) x V`, if the ray
 /// starts farther away along the axis than 2^40 radii.
 pub const SHARE_IN_H: f64 = f64::from_bits((1023 - 90) << 52);
@@ -51,15 +51,15 @@ impl<T: Rounding> SideTerms<T> {
         let p = accurate_cross(ray.direction, axis);
         let (axis_squared, distance_squared) = (axis.dot(axis), from_center.dot(from_center));
         let a = p.dot(p);
-        let (c, squares) = difference_of_squares((q, rest), rim(record.radius, axis));
+        let (c, squares) = difference_of_squares((q, rest), radius_term(record.radius, axis));
         let q = q + rest;
-        let far = distance_squared * axis_squared;
-        let terms_of_h = (a * (squares + far * T::of(SHARE_IN_H))).sqrt();
+        let whole = distance_squared * axis_squared;
+        let terms_of_h = (a * (squares + whole * T::of(SHARE_IN_H))).sqrt();
         let aside = from_center.dot(p) + error.dot(p);
-        let (of_radius, reach) = (a * record.radius_squared, a * distance_squared);
-        let size = of_radius + (aside.abs() * reach.sqrt() + reach * T::of(SHARE_OF_REACH));
+        let (of_radius, of_distance) = (a * record.radius_squared, a * distance_squared);
+        let size = of_radius + (aside.abs() * of_distance.sqrt() + of_distance * T::of(SHARE_OF_REACH));
         Self {
-            quadratic: Quadratic { a, h: -q.dot(p), c, terms_of_c: squares + far * T::of(SHARE_IN_C), terms_of_h },
+            quadratic: Quadratic { a, h: -q.dot(p), c, terms_of_c: squares + whole * T::of(SHARE_IN_C), terms_of_h },
             far: Discriminant { value: axis_squared * (of_radius - aside * aside), size: axis_squared * size },
             from_center,
             in_scale: in_scale(axis_squared) & in_scale(a) & in_scale(squares),
@@ -113,9 +113,9 @@ impl<T: Rounding> SideFormulas<T> for CompensatedSide<'_, T> {
     }
 
     #[inline(always)]
-    fn crossing(&self, leaves: bool) -> Crossing<T> {
+    fn crossing(&self, at_exit: bool) -> Crossing<T> {
         let &Self { record, ray, ref terms, ref roots, backward, .. } = self;
-        let is_small = if leaves { backward } else { !backward };
+        let is_small = if at_exit { backward } else { !backward };
         let either = |yes: T::Mask, no: T::Mask| (is_small & yes) | (!is_small & no);
         let start = [terms.from_center.dot(record.axis), ray.direction.dot(record.axis)];
         let [small, large] = roots.magnitudes(&terms.quadratic);
@@ -127,7 +127,7 @@ impl<T: Rounding> SideFormulas<T> for CompensatedSide<'_, T> {
 
 /// Returns `r^2 V.V`, rounded, and its rounding error, itself rounded.
 #[inline(always)]
-fn rim<T: Rounding>(radius: T, axis: Vec3<T>) -> (T, T) {
+fn radius_term<T: Rounding>(radius: T, axis: Vec3<T>) -> (T, T) {
     let ((rr, rr_error), (sum, sum_error)) = (two_product(radius, radius), dot_with_error(axis, axis));
     let (product, error) = two_product(rr, sum);
     (product, error + (rr * sum_error + rr_error * sum))
@@ -137,18 +137,18 @@ fn rim<T: Rounding>(radius: T, axis: Vec3<T>) -> (T, T) {
 /// rounding errors.
 pub const SHARE_OF_SIZE: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// Returns the plane of the cap around `center`. `axis` is the axis of the scene file, and `to_cap` is the axis or, for
-/// the bottom cap, its opposite.
+/// Returns the plane of the cap around `center`. `axis` is the axis of the scene file, and `twice_to_cap` is the axis
+/// or, for the bottom cap, its opposite.
 #[inline(always)]
 pub fn plane<T: Rounding>(
     record: &CylinderRecord<T>,
     axis: Vec3<T>,
     ray: &Ray<T>,
     center: Vec3<T>,
-    to_cap: Vec3<T>,
+    twice_to_cap: Vec3<T>,
 ) -> CapPlane<T> {
     let (from_middle, error) = vector_difference(record.center + record.center, ray.origin + ray.origin);
-    let (twice, more) = vector_difference(from_middle, -to_cap);
+    let (twice, more) = vector_difference(from_middle, -twice_to_cap);
     let (error, two) = (error + more, T::of(2.0));
     let (sum, sum_error) = dot_with_error(twice, axis);
     let to_plane = (sum + (sum_error + error.dot(axis))) / (record.half_height * (two + two));
@@ -157,7 +157,7 @@ pub fn plane<T: Rounding>(
     // The errors of the distance and of the slope, twice each.
     let error = size / to_plane.abs() * T::of(32.0 * T::UNIT_ROUNDOFF)
         + magnitude(ray.direction) / plane.slope.abs() * T::of(16.0 * T::UNIT_ROUNDOFF);
-    let error = error + T::of(ERROR_OF_CAP * T::UNIT_ROUNDOFF);
+    let error = error + T::of(ROUNDINGS_OF_CAP * T::UNIT_ROUNDOFF);
     // The square of a short axis may underflow.
     let in_scale = in_scale(axis.dot(axis));
     CapPlane { error, fails: plane.fails & in_scale, accurate: plane.accurate & in_scale, ..plane }
@@ -177,7 +177,7 @@ impl<T: Rounding> CapFormulas<T> for CompensatedCaps<T> {
 /// is uncertain. `axis` is the axis of the scene file.
 #[inline(always)]
 pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
-    let (center, to_cap) = match part {
+    let (center, twice_to_cap) = match part {
         CylinderPart::Side => {
             let side = CompensatedSide::new(record, axis, ray);
             let (entry, exit) = (side.crossing(false), side.crossing(true));
@@ -187,7 +187,7 @@ pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: Cylin
         CylinderPart::Top => (record.top, axis),
         CylinderPart::Bottom => (record.bottom, -axis),
     };
-    let plane = plane(record, axis, ray, center, to_cap);
+    let plane = plane(record, axis, ray, center, twice_to_cap);
     let lambda = plane.to_plane / plane.slope;
     plane.accurate.then_some((lambda, lambda * plane.error))
 }

@@ -150,8 +150,8 @@ pub trait SideFormulas<T: Rounding> {
     fn enters_behind(&self) -> bool
     where
         T: Rounding<Mask = bool>;
-    /// Returns the point where the line leaves the infinite cylinder if `leaves` holds, and where it enters otherwise.
-    fn crossing(&self, leaves: bool) -> Crossing<T>;
+    /// Returns the point where the line leaves the infinite cylinder if `at_exit` holds, and where it enters otherwise.
+    fn crossing(&self, at_exit: bool) -> Crossing<T>;
 }
 
 /// A way to compute the plane of a cap. It is a trait and no closure; see [`crate::simd::Kernel::call`].
@@ -244,7 +244,7 @@ pub struct CapPlane<T: Rounding> {
     /// [`LAMBDA_MIN`].
     pub fails: T::Mask,
     /// The ray is certainly not parallel to the plane.
-    pub(super) steep: T::Mask,
+    pub(super) not_parallel: T::Mask,
     /// The distance and the slope give a lambda that is accurate enough to be accepted.
     pub accurate: T::Mask,
     /// Twice the bound of the relative error of an accepted lambda, or more.
@@ -265,18 +265,18 @@ impl<T: Rounding> CapPlane<T> {
     pub(super) fn at(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>, (to_plane, size): (T, T)) -> Self {
         let condition = CYLINDER_BOUND.condition_limit;
         let slope = ray.direction.dot(record.axis);
-        let (steepness, size_of_direction) = (slope.abs(), magnitude(ray.direction));
+        let (slope_magnitude, size_of_direction) = (slope.abs(), magnitude(ray.direction));
         let slope_error = size_of_direction * T::of(8.0 * T::UNIT_ROUNDOFF);
-        let parallel = (steepness + slope_error).less(T::of(PARALLEL));
-        let steep = (T::of(PARALLEL) + slope_error).less(steepness);
+        let parallel = (slope_magnitude + slope_error).less(T::of(PARALLEL));
+        let not_parallel = (T::of(PARALLEL) + slope_error).less(slope_magnitude);
         // The distance is positive if the plane is in front of the ray.
         let distance = to_plane.flipped_by(slope);
         let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
-        let too_near = (distance + distance_error).less((steepness - slope_error) * T::of(LAMBDA_MIN));
-        let accurate =
-            size.less(distance * T::of(4.0 * condition)) & size_of_direction.less(steepness * T::of(8.0 * condition));
+        let too_near = (distance + distance_error).less((slope_magnitude - slope_error) * T::of(LAMBDA_MIN));
+        let accurate = size.less(distance * T::of(4.0 * condition))
+            & size_of_direction.less(slope_magnitude * T::of(8.0 * condition));
         let error = T::of(2.0 * CYLINDER_BOUND.lambda_error());
-        Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate, error }
+        Self { center, to_plane, slope, fails: parallel | (not_parallel & too_near), not_parallel, accurate, error }
     }
 
     /// Returns lambda, and whether the ray certainly hits the cap or certainly misses it.
@@ -287,7 +287,11 @@ impl<T: Rounding> CapPlane<T> {
         let from_center = (ray.at(lambda) - self.center).length();
         let margin = margin_of_point(record, ray, lambda * self.error);
         let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
-        Outcome { lambda, hits: self.steep & in_range & within, fails: self.fails | (self.steep & in_range & beyond) }
+        Outcome {
+            lambda,
+            hits: self.not_parallel & in_range & within,
+            fails: self.fails | (self.not_parallel & in_range & beyond),
+        }
     }
 }
 

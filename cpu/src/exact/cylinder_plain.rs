@@ -9,9 +9,9 @@ use crate::exact::error_bound::{ErrorBound, HEADROOM, Outcome};
 use crate::geometry::{cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// A ray is steep enough for the side of a cylinder if `|d|^2` is at most this multiple of `k^2 |d'|^2`, where `k` is
-/// the condition limit and `d'` the part of the direction `d` across the axis.
-pub const STEEPNESS: f64 = 4.0;
+/// A ray runs enough across the axis for the side of a cylinder if `|d|^2` is at most this multiple of `k^2 |d'|^2`,
+/// where `k` is the condition limit and `d'` the part of the direction `d` across the axis.
+pub const SHARE_ACROSS_AXIS: f64 = 4.0;
 
 /// The share of `|d|^2 (|O - C|^2 + r^2)` in the size of the discriminant of a long cylinder, 2^-44. It covers errors
 /// of second order, and the error of the size itself if the ray starts farther away along the axis than 2^46 radii.
@@ -40,7 +40,7 @@ fn size<T: Rounding>(record: &CylinderRecord<T>, view: &CylinderView<T>, a: T, l
     (product + product).sqrt() * T::of(HEADROOM) + whole * T::of(SHARE_OF_WHOLE) + T::of(LEAST_SIZE * HEADROOM)
 }
 
-/// The side by the plain formulas: the quadratic `a lambda^2 + 2 h lambda + c` of a ray and an infinite cylinder, with
+/// The side by the plain formulas: the quadratic `a lambda^2 + b lambda + c` of a ray and an infinite cylinder, with
 /// the bound of its rounding errors.
 pub struct PlainSide<'a, T: Real> {
     record: &'a CylinderRecord<T>,
@@ -50,8 +50,9 @@ pub struct PlainSide<'a, T: Real> {
     a: T,
     /// Whether the relative error of `a` is smaller than that of an accepted lambda.
     a_is_accurate: T::Mask,
-    h: T,
-    /// `h^2 - a c`, and its square root.
+    /// Half of the linear coefficient, `b/2`.
+    half_b: T,
+    /// `(b/2)^2 - a c`, and its square root.
     discriminant: T,
     root: T,
     /// `start` and `slope` of [`Crossing::new`].
@@ -63,15 +64,15 @@ impl<'a, T: Rounding> PlainSide<'a, T> {
     #[inline(always)]
     pub fn new(record: &'a CylinderRecord<T>, view: &CylinderView<T>, ray: &'a Ray<T>, is_long: bool) -> Self {
         let length_squared = ray.direction.dot(ray.direction);
-        let (a, h, discriminant) = record.quadratic(view, ray.direction);
+        let (a, half_b, discriminant) = record.quadratic(view, ray.direction);
         let bound = ErrorBound::of_size(CYLINDER_BOUND, size(record, view, a, length_squared, is_long));
         let inside = is_inside(view);
         let start_and_slope = [view.along, ray.direction.dot(record.axis)];
         // If a ray is nearly parallel to the axis, the terms of `a` cancel.
         let condition = CYLINDER_BOUND.condition_limit;
-        let a_is_accurate = length_squared.less_equal(a * T::of(STEEPNESS * condition * condition));
+        let a_is_accurate = length_squared.less_equal(a * T::of(SHARE_ACROSS_AXIS * condition * condition));
         let root = discriminant.sqrt();
-        Self { record, ray, bound, inside, a, a_is_accurate, h, discriminant, root, start_and_slope }
+        Self { record, ray, bound, inside, a, a_is_accurate, half_b, discriminant, root, start_and_slope }
     }
 }
 
@@ -87,13 +88,13 @@ impl<T: Rounding> SideFormulas<T> for PlainSide<'_, T> {
     where
         T: Rounding<Mask = bool>,
     {
-        self.a_is_accurate & self.bound.is_too_small(self.a, -self.h - self.root, self.root)
+        self.a_is_accurate & self.bound.is_too_small(self.a, -self.half_b - self.root, self.root)
     }
 
     #[inline(always)]
-    fn crossing(&self, leaves: bool) -> Crossing<T> {
-        let &Self { record, ray, a, h, root, .. } = self;
-        let numerator = if leaves { -h + root } else { -h - root };
+    fn crossing(&self, at_exit: bool) -> Crossing<T> {
+        let &Self { record, ray, a, half_b, root, .. } = self;
+        let numerator = if at_exit { -half_b + root } else { -half_b - root };
         let Outcome { lambda, hits, fails } = self.bound.root(a, numerator, root);
         let error = lambda * T::of(2.0 * CYLINDER_BOUND.lambda_error());
         let [accurate, behind] = [hits, fails].map(|mask| self.a_is_accurate & mask);

@@ -101,7 +101,7 @@ impl Cap {
 
 /// Bounds the error of the difference of two products of dot products, relative to the sizes of their terms: 2^-90.
 /// Axes that a scene file may have, of 1e-161 and more, do not make the rounding errors of these products underflow.
-pub const ERROR_OF_CAPS: f64 = f64::from_bits((1023 - 90) << 52);
+pub const ERROR_OF_CAP_ORDER: f64 = f64::from_bits((1023 - 90) << 52);
 
 /// Compares the lambdas of a ray's hits on two caps. The result is `None` if it is uncertain.
 fn compare_caps(ray: &Ray, left: &Cap, right: &Cap) -> Option<Ordering> {
@@ -118,7 +118,7 @@ fn compare_caps(ray: &Ray, left: &Cap, right: &Cap) -> Option<Ordering> {
         let (other_slope, other_size_of_slope) = dot_magnitude(direction, right.axis);
         let difference = (distance * other_slope - other_distance * slope).high;
         let size = size * other_size_of_slope + other_size * size_of_slope;
-        (difference.abs() > size * ERROR_OF_CAPS + UNDERFLOW).then(|| difference.total_cmp(&0.0))
+        (difference.abs() > size * ERROR_OF_CAP_ORDER + UNDERFLOW).then(|| difference.total_cmp(&0.0))
     })
 }
 
@@ -144,8 +144,8 @@ fn compare_nested(ray: &Ray, surfaces: [&Surface; 2], lambdas: [f64; 2]) -> Opti
         ] if is_on_one_line((left.center, axis), (right.center, other_axis)) => [left.radius, right.radius],
         _ => return None,
     };
-    let leaves = [surfaces[0].is_left_at(lambdas[0], ray)?, surfaces[1].is_left_at(lambdas[1], ray)?];
-    match leaves {
+    let are_exits = [surfaces[0].is_left_at(lambdas[0], ray)?, surfaces[1].is_left_at(lambdas[1], ray)?];
+    match are_exits {
         [false, true] => Some(Ordering::Less),
         [true, false] => Some(Ordering::Greater),
         [false, false] => right.partial_cmp(&left),

@@ -103,7 +103,7 @@ impl SphereTerms<f64> {
 #[inline(always)]
 pub fn compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     let terms = SphereTerms::new(record, ray);
-    if in_scale(terms.quadratic.a) && terms.quadratic.leaves() {
+    if in_scale(terms.quadratic.a) && terms.quadratic.moves_away() {
         return Decision::Certain(None);
     }
     match terms.hit(terms.quadratic.near()) {

@@ -14,7 +14,7 @@ use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, dyadic::power_of_two, error_free::vector_difference, real::Real};
 
 /// Bounds the errors of the coefficients and of the discriminant, relative to the sizes of their terms: 2^-96.
-pub const ERROR: f64 = f64::from_bits((1023 - 96) << 52);
+pub const WIDE_ERROR: f64 = f64::from_bits((1023 - 96) << 52);
 /// If a component of `C - O` or the radius is at least this, 2^200, the equation is scaled, so that no square
 /// overflows.
 const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
@@ -39,14 +39,14 @@ impl Bounded {
     /// Returns a number whose error is relative to the size of its terms.
     #[inline(always)]
     fn of_size(value: DoubleDouble, size: f64) -> Self {
-        Self { value, error: size * ERROR + UNDERFLOW }
+        Self { value, error: size * WIDE_ERROR + UNDERFLOW }
     }
 
     /// Returns the lambda `self / divisor`. The divisor must be accurate.
     #[inline(always)]
     fn root(self, divisor: Self, scale: f64) -> Root {
         let DoubleDouble { high, low } = self.value / divisor.value;
-        let relative = divisor.error / divisor.value.high.abs() + ERROR;
+        let relative = divisor.error / divisor.value.high.abs() + WIDE_ERROR;
         let error = 2.0 * (self.error / divisor.value.high.abs() + high.abs() * relative);
         let (high, low, error) = (high * scale, low * scale, error * scale);
         // A lambda that rounds to the limit is not below it; see `HALF_STEP`.
@@ -91,7 +91,7 @@ pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     let c = Bounded::of_size(first + (second + third), size_of_c);
     let product = (a * c.value) * of(scale);
     let size_of_d =
-        (h.value.high.abs() + ERROR * size_of_h) * size_of_h + (a.high * size_of_c) * scale + h.value.high.powi(2);
+        (h.value.high.abs() + WIDE_ERROR * size_of_h) * size_of_h + (a.high * size_of_c) * scale + h.value.high.powi(2);
     let d = Bounded::of_size(h.value * h.value - product, 4.0 * size_of_d);
     if !in_scale(a.high) {
         return Decision::Uncertain;
@@ -104,7 +104,7 @@ pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
         true => (h.value - root, true),
         false => (h.value + root, false),
     };
-    let sum = Bounded { value: sum, error: h.error + d.error / root.high + ERROR * sum.high.abs() };
+    let sum = Bounded { value: sum, error: h.error + d.error / root.high + WIDE_ERROR * sum.high.abs() };
     // Also refuses what has overflowed or is NaN.
     if !(d.error < d.value.high * 0.25 && sum.error < sum.value.high.abs() * 0.25) {
         return Decision::Uncertain;

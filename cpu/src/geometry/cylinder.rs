@@ -1,11 +1,11 @@
 //! Ray against closed cylinder (specification, sections 9.2 and 9.3).
 //!
 //! The curved side is part of the infinite cylinder `|(O - C)' + d' lambda|^2 = r^2`. A prime marks the part of a
-//! vector that is perpendicular to the axis. With `a = d'.d'`, `c = (O - C)'.(O - C)' - r^2` and `h = (O - C)'.d'`,
-//! half of the linear coefficient, the roots are `(-h -+ sqrt(h^2 - a c)) / a`. The module of the
-//! [sphere](crate::geometry::sphere) explains why the formula with `h` gives the bits of the usual formula. A root
-//! counts if its point, measured along the axis, is at most half the height from the centre. The caps are discs in the
-//! planes at both ends ([`cap`]).
+//! vector that is perpendicular to the axis. With `a = d'.d'`, `c = (O - C)'.(O - C)' - r^2` and `b/2 = (O - C)'.d'`,
+//! half of the linear coefficient, the roots are `(-b/2 -+ sqrt((b/2)^2 - a c)) / a`. The module of the
+//! [sphere](crate::geometry::sphere) explains why this gives the bits of the usual formula. There, and in all of
+//! [`exact`](crate::exact), `h` is `-b/2`. A root counts if its point, measured along the axis, is at most half the
+//! height from the centre. The caps are discs in the planes at both ends ([`cap`]).
 
 use crate::geometry::{cap, ray::Ray, ray::in_range, tie::later_cap_is_closer};
 use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
@@ -33,7 +33,8 @@ pub struct CylinderRecord<T = f64> {
 /// The terms of the cylinder's formula that are constant for all rays from one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CylinderView<T = f64> {
-    /// The vector from the axis to the rays' origin, perpendicular to the axis. The statement calls it `r_c'`.
+    /// The vector from the axis to the rays' origin, perpendicular to the axis. The statement calls it
+    /// `r_c'`; for a sphere its `r_c` is the opposite, from origin to centre.
     pub from_axis: Vec3<T>,
     /// The square of its length, minus `r^2`, which is negative if the origin is inside the infinite cylinder.
     pub c: T,
@@ -102,14 +103,14 @@ impl<T: Real> CylinderRecord<T> {
         }
     }
 
-    /// Returns `a`, `h` and `h^2 - a c` of the infinite cylinder's quadratic. `h` is half of the linear coefficient,
-    /// and `h^2 - a c` is a quarter of the discriminant.
+    /// Returns `a`, `b/2` and `(b/2)^2 - a c` of the infinite cylinder's quadratic `a lambda^2 + b lambda + c`. The
+    /// last one is a quarter of the discriminant.
     #[inline(always)]
     pub fn quadratic(&self, view: &CylinderView<T>, direction: Vec3<T>) -> (T, T, T) {
         let direction = direction.perpendicular_to(self.axis);
         let a = direction.dot(direction);
-        let h = view.from_axis.dot(direction);
-        (a, h, h * h - a * view.c)
+        let half_b = view.from_axis.dot(direction);
+        (a, half_b, half_b * half_b - a * view.c)
     }
 
     /// Whether the ray's point at `lambda` lies between the planes of the two caps.
@@ -154,11 +155,11 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     #[inline(always)]
     pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, CylinderPart)> {
         let view = self.seen_from(ray.origin);
-        let (a, h, discriminant) = self.quadratic(&view, ray.direction);
+        let (a, half_b, discriminant) = self.quadratic(&view, ray.direction);
         let mut nearest = None;
         if !discriminant.less(T::of(0.0)) {
             let root = discriminant.sqrt();
-            let mut roots = [(-h - root) / a, (-h + root) / a].into_iter();
+            let mut roots = [(-half_b - root) / a, (-half_b + root) / a].into_iter();
             let side = roots.find(|&lambda| in_range(lambda) && self.within_height(ray, lambda));
             nearest = side.map(|lambda| (lambda, CylinderPart::Side));
         }
@@ -197,7 +198,7 @@ mod tests {
     #[test]
     fn the_quadratic_has_the_two_roots_of_the_infinite_cylinder_and_points_beyond_the_caps_are_known() {
         let upright = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
-        // `(3 + lambda)^2 = 1`: the roots are -4 and -2, or `-h -+ 1`.
+        // `(3 + lambda)^2 = 1`: the roots are -4 and -2, or `-b/2 -+ 1`.
         let view = upright.seen_from(Vec3::new(3.0, 5.0, 0.0));
         assert_eq!(upright.quadratic(&view, Vec3::new(1.0, 2.0, 0.0)), (1.0, 3.0, 1.0));
         let down = Ray { origin: Vec3::new(0.0, 5.0, 0.0), direction: Vec3::new(0.0, -1.0, 0.0) };

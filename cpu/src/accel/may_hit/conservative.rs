@@ -102,13 +102,13 @@ impl<T: Rounding> ConservativeRay<T> {
     /// Whether the ray may hit the cylinder.
     #[inline(always)]
     pub fn cylinder(&self, target: &Target<T>) -> T::Mask {
-        let (across, slope, along) = self.cylinder_quadratic(target);
+        let (across, slope, center_along) = self.cylinder_quadratic(target);
         let ConservativeQuadratic { a, c, size, .. } = across;
         // The margin is proportional to the squared length of the whole direction. The part of the direction across the
         // axis may be nothing but rounding error.
         let least_product = size.mul_add_loosely(self.length_squared * T::of(-QUADRATIC_MARGIN), a * c);
         // The distance, along the axis and in the ray's direction, of the point at the smallest lambda from the middle.
-        let past_middle = slope.abs().mul_add_loosely(T::of(LAMBDA_MIN), -along.flipped_by(slope));
+        let past_middle = slope.abs().mul_add_loosely(T::of(LAMBDA_MIN), -center_along.flipped_by(slope));
         !(across.has_no_root(least_product) | target.half_height.less(past_middle))
     }
 
@@ -118,16 +118,16 @@ impl<T: Rounding> ConservativeRay<T> {
     pub fn cylinder_quadratic(&self, target: &Target<T>) -> (ConservativeQuadratic<T>, T, T) {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
-        let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
+        let (slope, center_along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
         let across = ConservativeQuadratic {
             a: (-slope).mul_add_loosely(slope, self.length_squared),
-            h: (-slope).mul_add_loosely(along, h),
-            c: (-along).mul_add_loosely(along, q - target.radius_squared),
+            h: (-slope).mul_add_loosely(center_along, h),
+            c: (-center_along).mul_add_loosely(center_along, q - target.radius_squared),
             // This includes the height, because a ray may come from far along the axis, at an angle as small as the
             // rounding of its direction.
             size: q + target.bounding_radius_squared,
         };
-        (across, slope, along)
+        (across, slope, center_along)
     }
 }
 
@@ -220,9 +220,9 @@ mod tests {
     fn the_quadratic_of_a_cylinder_is_that_of_the_plane_across_its_axis() {
         let target = Target::cylinder(&CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0)), 10.0);
         let ray = Ray { origin: Vec3::new(3.0, 5.0, 0.0), direction: Vec3::new(1.0, 2.0, 0.0) };
-        let (ConservativeQuadratic { a, h, c, size }, slope, along) =
+        let (ConservativeQuadratic { a, h, c, size }, slope, center_along) =
             ConservativeRay::new(ray).cylinder_quadratic(&target);
         // `(3 + lambda)^2 = 1`. The origin is at the squared distance 34, and the farthest point at 5, from the centre.
-        assert_eq!([a, h, c, size, slope, along], [1.0, -3.0, 8.0, 39.0, 2.0, -5.0]);
+        assert_eq!([a, h, c, size, slope, center_along], [1.0, -3.0, 8.0, 39.0, 2.0, -5.0]);
     }
 }

@@ -59,7 +59,7 @@ pub struct InfiniteCylinders {
     /// `sqrt(2) n`, one row for each component.
     axis: [Row; 3],
     /// `-sqrt(2) C.n`.
-    minus_along: Row,
+    minus_center_along: Row,
     /// `2 (R^2 - r^2)`.
     squares: Row,
     /// `|C|^2 + R^2`, to which a part of the margin is proportional.
@@ -83,7 +83,7 @@ impl BoundingSpheres {
 impl InfiniteCylinders {
     /// A block without objects.
     pub const EMPTY: Self =
-        Self { axis: [[0.0; BLOCK]; 3], minus_along: [0.0; BLOCK], squares: [0.0; BLOCK], size: [0.0; BLOCK] };
+        Self { axis: [[0.0; BLOCK]; 3], minus_center_along: [0.0; BLOCK], squares: [0.0; BLOCK], size: [0.0; BLOCK] };
 
     /// Sets the cylinder in a lane. `center` is relative to the scene's middle.
     pub fn set(&mut self, lane: usize, center: Vec3, target: &Target) {
@@ -91,7 +91,7 @@ impl InfiniteCylinders {
         for (row, component) in self.axis.iter_mut().zip(axis.to_array()) {
             row[lane] = component as f32;
         }
-        self.minus_along[lane] = -center.dot(axis) as f32;
+        self.minus_center_along[lane] = -center.dot(axis) as f32;
         self.squares[lane] = (2.0 * target.half_height * target.half_height) as f32;
         self.size[lane] = (center.dot(center) + target.bounding_radius_squared) as f32;
     }
@@ -166,11 +166,11 @@ impl<F: SimdF32> FilterRay<F> {
     pub fn cylinders(&self, spheres: &SphereTest<F>, cylinders: &InfiniteCylinders, at: usize) -> F {
         let axis = load(&cylinders.axis, at);
         let slope = dot(self.direction, axis);
-        let minus_along = plus_dot(F::load(&cylinders.minus_along[at..]), self.origin, axis);
+        let origin_along = plus_dot(F::load(&cylinders.minus_center_along[at..]), self.origin, axis);
         let two_a = slope.negative_mul_add(slope, self.two_a);
-        let minus_two_h = slope.negative_mul_add(minus_along, spheres.minus_two_h);
+        let minus_two_h = slope.negative_mul_add(origin_along, spheres.minus_two_h);
         let two_c = spheres.c.mul_add(number(2.0), F::load(&cylinders.squares[at..]));
-        let two_c = minus_along.negative_mul_add(minus_along, two_c);
+        let two_c = origin_along.negative_mul_add(origin_along, two_c);
         let margin = F::load(&cylinders.size[at..]).mul_add(self.margin, self.origin_margin);
         minus_two_h.negative_mul_add(minus_two_h, two_a * two_c) - margin
     }

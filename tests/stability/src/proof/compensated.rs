@@ -302,7 +302,7 @@ pub fn leaves(of_h: f64) -> Row {
         begin(WITHOUT_UNDERFLOW, margin);
         let (_, terms, _) = sphere();
         let from = compared().len();
-        _ = terms.quadratic.leaves();
+        _ = terms.quadratic.moves_away();
         let pairs = compared().split_off(from);
         let sides: Vec<_> = pairs.iter().copied().map(hardens).collect();
         assert_eq!(sides, [Some(0), Some(0), Some(1)], "a margin is not used, or on the wrong side");

@@ -1,10 +1,10 @@
 //! The margins of the exact intersections: quadratics of spheres and cylinders, and the planes of caps.
 
 use cpu::internals::exact::compensated_roots::{ACCURACY_OF_C, CONDITION_LIMIT, ERROR_OF_C, ERROR_OF_ROOT};
-use cpu::internals::exact::cylinder_compensated::ERROR_OF_CAP;
+use cpu::internals::exact::cylinder_compensated::ROUNDINGS_OF_CAP;
 use cpu::internals::exact::cylinder_decision::CYLINDER_BOUND;
 use cpu::internals::exact::cylinder_lanes::SideLanes;
-use cpu::internals::exact::cylinder_plain::{PlainSide, SHARE_OF_WHOLE, STEEPNESS};
+use cpu::internals::exact::cylinder_plain::{PlainSide, SHARE_ACROSS_AXIS, SHARE_OF_WHOLE};
 use cpu::internals::exact::error_bound::{BoundConstants, HEADROOM, NUMERATOR_WEIGHT, UNDERFLOW};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
@@ -63,7 +63,7 @@ pub fn rows() -> Vec<Row> {
     rows.extend(side_range);
     rows.push(compensated::plane());
     // A ray is steep enough if `|d|^2 <= 4 k^2 |d'|^2`, with 4 for the constant of the code.
-    let steep = STEEPNESS.sqrt() * cylinder.constants.condition_limit;
+    let steep = SHARE_ACROSS_AXIS.sqrt() * cylinder.constants.condition_limit;
     let of_a =
         |what, of: &QuadraticErrors, need| Row::new(what, of.file, [of.constants.lambda_error() / U, need], "u a");
     let in_lanes = [DISCRIMINANT_ERROR / U, cylinder.discriminant];
@@ -81,7 +81,7 @@ pub fn rows() -> Vec<Row> {
     let distance = beside("distance from a cap's centre, due to lambda", of_cap);
     for (what, file, margins) in [
         ("height of a crossing, compensated", compensated::ROOTS, [ERROR_OF_ROOT, crossing + height]),
-        ("distance from a cap's centre, compensated", compensated::FILE, [ERROR_OF_CAP, distance + 1.0]),
+        ("distance from a cap's centre, compensated", compensated::FILE, [ROUNDINGS_OF_CAP, distance + 1.0]),
     ] {
         rows.push(Row::new(what, file, margins, "u lambda abs(d)"));
     }

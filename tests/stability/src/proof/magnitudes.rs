@@ -9,7 +9,7 @@ use cpu::internals::accel::extent::Extent;
 use cpu::internals::accel::may_hit::conservative::{ConservativeRay, QUADRATIC_MARGIN as SHARE};
 use cpu::internals::accel::may_hit::filter_ray::MAX_COORDINATE;
 use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane};
-use cpu::internals::exact::cylinder_plain::{LEAST_SIZE, STEEPNESS};
+use cpu::internals::exact::cylinder_plain::{LEAST_SIZE, SHARE_ACROSS_AXIS};
 use cpu::internals::exact::error_bound::{HEADROOM, LONGEST, OVERFLOW, SHORTEST, UNDERFLOW};
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::render::hit_lanes::LARGEST_SQUARES;
@@ -123,7 +123,7 @@ fn sphere() -> Row {
 /// Returns the row of the side of a cylinder, whose `a` must be accurate. If the size of a long one overflows, nothing
 /// is certain.
 fn side() -> Row {
-    let share = 0.5 / (STEEPNESS * CYLINDER_BOUND.condition_limit.powi(2));
+    let share = 0.5 / (SHARE_ACROSS_AXIS * CYLINDER_BOUND.condition_limit.powi(2));
     quadratic("largest number of a side", "exact/cylinder_decision.rs", share, || exact::cylinder(false))
 }
 

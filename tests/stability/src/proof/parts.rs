@@ -7,7 +7,7 @@ use cpu::internals::accel::isolated::SEPARATION;
 use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane, LEAST_EXTENT};
 use cpu::internals::exact::cylinder_lanes::SideLanes;
 use cpu::internals::exact::cylinder_plain::PlainSide;
-use cpu::internals::exact::order::{ERROR_OF_CAPS, is_certainly_closer};
+use cpu::internals::exact::order::{ERROR_OF_CAP_ORDER, is_certainly_closer};
 use cpu::internals::exact::sphere_wide;
 use cpu::internals::geometry::{cylinder::CylinderRecord, ray::LAMBDA_MIN};
 use cpu::internals::math::real::Real;
@@ -88,7 +88,7 @@ fn caps() -> Row {
     let [sum, product] = [3.0, 4.0];
     let (distance, slope) = (sum + product + 2.0 * sum, product + 2.0 * sum);
     let need = 2.0 * (distance + slope + product + sum);
-    Row::new("order of two caps", "exact/order.rs", [ERROR_OF_CAPS / (U * U), need], "u^2")
+    Row::new("order of two caps", "exact/order.rs", [ERROR_OF_CAP_ORDER / (U * U), need], "u^2")
 }
 
 /// Returns the row of a sphere in double-double arithmetic, for the errors of the operations on
@@ -100,7 +100,7 @@ fn wide_sphere() -> Row {
     // A product of a difference and a sum, which is added to two squares.
     let c = (2.0 * sum + product) + 2.0 * sum;
     let need = 2.0 * ((dot + dot + product) + (dot + c + product) + sum);
-    Row::new("sphere in double-double", "exact/sphere_wide.rs", [sphere_wide::ERROR / (U * U), need], "u^2")
+    Row::new("sphere in double-double", "exact/sphere_wide.rs", [sphere_wide::WIDE_ERROR / (U * U), need], "u^2")
 }
 
 /// Returns the row of isolated objects, for this relative error of every lambda.

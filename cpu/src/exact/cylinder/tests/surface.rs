@@ -130,9 +130,9 @@ impl SideFormulas<f64> for Known<'_> {
         self.crossing(false).behind
     }
 
-    fn crossing(&self, leaves: bool) -> Crossing<f64> {
+    fn crossing(&self, at_exit: bool) -> Crossing<f64> {
         let (Self(order, facts), [near, far]) = (self, self.0.caps);
-        let place = usize::from(leaves);
+        let place = usize::from(at_exit);
         let (lambda, known) = (order.side[place], facts.crossings[place]);
         let in_range = known > 0 && LAMBDA_MIN < lambda;
         let hits = in_range && near < lambda && lambda < far;
@@ -155,8 +155,8 @@ impl CapFormulas<f64> for Known<'_> {
         let place = usize::from(is_top == order.upward);
         let (lambda, known, slope) = (order.caps[place], facts.caps[place], ray.direction.z);
         let fails = known && (order.skipped || lambda < LAMBDA_MIN);
-        let steep = known && !order.skipped;
-        CapPlane { center, to_plane: lambda * slope, slope, fails, steep, accurate: steep, error: 0.0 }
+        let not_parallel = known && !order.skipped;
+        CapPlane { center, to_plane: lambda * slope, slope, fails, not_parallel, accurate: not_parallel, error: 0.0 }
     }
 }
 
