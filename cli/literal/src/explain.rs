@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use cpu::internals::image::quantize::{quantize, scaled};
 use cpu::internals::{InstructionSet, Limits, Prepared, render_from};
-use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
+use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Vec3};
 use serde_json::{Value, json};
 
 use crate::renderer::Renderer;
@@ -59,8 +59,12 @@ impl<'a> Walk<'a> {
 /// is `None` if there is no such pixel.
 ///
 /// An event `sample`, `ray`, `candidate`, `hit` or `end` has the values of its step. `place` is the number of random
-/// numbers of a stream before those of the event. `vectors` is the number of random vectors that surfaces take before
-/// the pixel's row. Without it, all pixels before are traced.
+/// numbers of a stream before those of the event. A `candidate` without a lambda has `null`; a sphere or a side with a
+/// negative discriminant has none. `count` is the number of samples, `window` the statement's O, dx and dy, and
+/// `background` the light and the dark colour.
+///
+/// `vectors` is the number of random vectors that surfaces take before the pixel's row. Without it, all pixels before
+/// are traced.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short, or [`Error::Picture`] if the picture is too large.
@@ -82,9 +86,12 @@ pub fn life(
         let _ = renderer.mean([place / width, place % width])?;
     }
     renderer.told = Some(Vec::new());
+    let camera = [renderer.camera.origin, renderer.camera.delta_x, renderer.camera.delta_y];
+    let sky = [config.background_light_color, config.background_dark_color];
     let (mean, gamma) = (renderer.mean([row, column])?.to_array(), config.gamma);
     Ok(Some(json!({
-        "pixel": [column, row], "size": [width, height], "objects": scene.objects.len(),
+        "pixel": [column, row], "size": [width, height], "objects": scene.objects.len(), "count": renderer.samples(),
+        "window": camera.map(Vec3::to_array), "background": sky.map(Vec3::to_array),
         "samples": renderer.told, "mean": mean, "gamma": gamma, "scaled": mean.map(|mean| scaled(mean, gamma)),
         "bytes": mean.map(|mean| quantize(mean, gamma)),
     })))

@@ -8,15 +8,20 @@ use crate::rules::Rules;
 /// The parts of objects.
 pub const PARTS: [&str; 4] = ["sphere", "side", "upper base", "lower base"];
 
-/// A lambda at which a ray may hit a part of an object.
+/// Why a sphere or a side has no lambda: the line of the ray misses it.
+pub const MISSED: &str = "the discriminant is negative";
+
+/// A lambda at which a ray may hit a part of an object, or the reason why there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     /// The part, a place in [`PARTS`].
     pub part: usize,
-    /// The lambda, in lengths of the ray's direction.
+    /// The lambda, in lengths of the ray's direction, or NaN if there is none.
     pub lambda: f64,
     /// Why it does not count, or nothing if it counts.
     pub fault: &'static str,
+    /// The distance of the point from the centre, along the axis for a side, and the largest that is on the part.
+    pub reach: [f64; 2],
 }
 
 /// The candidates of one object, in the order in which they are tested.
@@ -34,7 +39,7 @@ pub fn candidates(shape: &Shape, ray: &Ray, rules: &Rules) -> Candidates {
             let r_c = sphere.center - ray.origin;
             let b = rules.or("sign-of-b", -2.0) * ray.direction.dot(r_c);
             let c = r_c.dot(r_c) - squared(sphere.radius, 1, rules);
-            let [first, second] = roots([ray.direction.dot(ray.direction), b, c], 0, rules, |_| true);
+            let [first, second] = roots([ray.direction.dot(ray.direction), b, c], 0, rules, |_| [0.0; 2]);
             [first, second, None, None]
         }
         Shape::Cylinder(cylinder) => {
@@ -77,7 +82,7 @@ fn side(cylinder: &Cylinder, ray: &Ray, rules: &Rules) -> [Option<Candidate>; 2]
     roots([d.dot(d), 2.0 * r_c.dot(d), c], 1, rules, |lambda| {
         let from_center = ray.origin + ray.direction * lambda - center;
         let along = if rules.has("side-distance") { from_center.length() } else { from_center.dot(axis).abs() };
-        along <= height / 2.0 * rules.or("side-height", 1.0)
+        [along, height / 2.0 * rules.or("side-height", 1.0)]
     })
 }
 
@@ -89,26 +94,30 @@ fn base(cylinder: &Cylinder, ray: &Ray, part: usize, rules: &Rules) -> Option<Ca
     let lambda = (base - ray.origin).dot(normal) / slope;
     let distance = (ray.origin + ray.direction * lambda - base).length();
     let distance = [distance, 0.0, distance * distance][rules.or("base-radius", 0.0) as usize];
+    // A plane along the ray has no point.
+    let is_parallel = slope.abs() < 1e-8;
     let fault = match (in_range(lambda, rules), distance <= cylinder.radius) {
+        _ if is_parallel => "the base is parallel to the ray",
         (true, true) => "",
         (true, false) => "it is outside of the radius",
         _ => "it is below 1e-3",
     };
-    // A plane along the ray has no point.
-    (slope.abs() >= 1e-8).then_some(Candidate { part, lambda, fault })
+    let lambda = if is_parallel { f64::NAN } else { lambda };
+    (!slope.is_nan()).then_some(Candidate { part, lambda, fault, reach: [distance, cylinder.radius] })
 }
 
 fn squared(radius: f64, object: u32, rules: &Rules) -> f64 {
     if rules.covers("radius", object) { radius } else { radius * radius }
 }
 
-/// Returns both roots of `a x^2 + b x + c` as candidates of `part`. A root counts only if `is_on_part` holds.
-fn roots([a, b, c]: [f64; 3], part: usize, rules: &Rules, is_on_part: impl Fn(f64) -> bool) -> [Option<Candidate>; 2] {
+/// Returns both roots of `a x^2 + b x + c` as candidates of `part`. A root counts only if the
+/// first number of its `reach` is at most the second one. Without roots, one candidate says why.
+fn roots([a, b, c]: [f64; 3], part: usize, rules: &Rules, reach: impl Fn(f64) -> [f64; 2]) -> [Option<Candidate>; 2] {
     let slip = rules.or("quadratic", 0.0);
     let a = if slip == 1.0 { 1.0 } else { a };
     let discriminant = b * b - if slip == 4.0 { 1.0 } else { 4.0 } * a * c;
     if discriminant < 0.0 {
-        return [None; 2];
+        return [Some(Candidate { part, lambda: f64::NAN, fault: MISSED, reach: [0.0; 2] }), None];
     }
     let object = part as u32 + 1;
     let mut is_taken = false;
@@ -119,15 +128,17 @@ fn roots([a, b, c]: [f64; 3], part: usize, rules: &Rules, is_on_part: impl Fn(f6
             3.0 => numerator / a,
             _ => numerator / (2.0 * a),
         };
-        let fault = match (in_range(lambda, rules), is_on_part(lambda)) {
+        let reach = reach(lambda);
+        let fault = match (in_range(lambda, rules), reach[0] <= reach[1]) {
+            _ if lambda.is_nan() => "it is not a number",
             (false, _) => "it is below 1e-3",
             (_, false) => "it is beyond the bases",
             _ if is_taken => "the smaller root counts",
             _ => "",
         };
-        let is_left_out = lambda.is_nan() || rules.covers(without, object);
+        let is_left_out = rules.covers(without, object);
         is_taken |= fault.is_empty() && !is_left_out;
-        (!is_left_out).then_some(Candidate { part, lambda, fault })
+        (!is_left_out).then_some(Candidate { part, lambda, fault, reach })
     })
 }
 

@@ -12,10 +12,10 @@ use serde_json::{Value, json};
 
 use crate::camera::{size, window};
 use crate::develop::{Picture, bytes, share, written};
-use crate::intersect::{Candidate, PARTS, candidates, hit, outward};
+use crate::intersect::{Candidate, MISSED, PARTS, candidates, hit, outward};
 use crate::random::Stream;
 use crate::rules::Rules;
-use crate::scatter::Scatterer;
+use crate::scatter::{Refraction, Scatterer};
 
 /// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +38,8 @@ pub struct Renderer<'a> {
     rules: Rules,
     /// The size of the picture.
     pub size: Size,
-    camera: Camera,
+    /// The window of the camera.
+    pub camera: Camera,
     offsets: Stream,
     scatterer: Scatterer,
     /// The streams of materials that do not share one.
@@ -62,7 +63,7 @@ impl<'a> Renderer<'a> {
         let size = Size::new(width, height)?;
         let camera = window(&config, size, &rules);
         let stream = Stream::new(1, &rules);
-        let scatterer = Scatterer { convention: scatter, stream: stream.clone(), draws: Vec::new(), last: Vec3::ZERO };
+        let scatterer = Scatterer::new(scatter, stream.clone());
         let own = HashMap::new();
         let mut renderer = Self { config, scene, rules, size, camera, offsets: stream, scatterer, own, told: None };
         renderer.seed(3, 0);
@@ -105,7 +106,8 @@ impl<'a> Renderer<'a> {
         }
     }
 
-    fn samples(&self) -> u64 {
+    /// Returns the number of samples of a pixel.
+    pub fn samples(&self) -> u64 {
         if self.scatterer.convention == Scatter::Deterministic { 1 } else { self.config.samples_per_pixel }
     }
 
@@ -205,23 +207,23 @@ impl<'a> Renderer<'a> {
             let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
             self.tell("ray", || json!({"depth": left, "origin": origin, "direction": direction}));
             let Some(hit) = self.nearest(&ray) else {
-                end = Some(("background", self.background(ray.direction)));
+                end = Some(("background", self.background(ray.direction), json!(self.share_of_dark(ray.direction))));
                 break;
             };
             let is_last = left == 1 && self.rules.has("last-draws");
             let Some(reflectance) = (!is_last).then(|| self.scatter(&mut ray, hit)).flatten() else {
-                end = Some(("absorbed", Vec3::ZERO));
+                end = Some(("absorbed", Vec3::ZERO, Value::Null));
                 break;
             };
             push(&mut reflectances, reflectance, "the surfaces of a path")?;
         }
-        let (reason, end) = end.unwrap_or_else(|| {
+        let (reason, end, m) = end.unwrap_or_else(|| {
             let colors = [Vec3::ZERO, self.background(ray.direction), Vec3::ONE];
-            ("depth", colors[self.rules.or("end", 0.0) as usize])
+            ("depth", colors[self.rules.or("end", 0.0) as usize], Value::Null)
         });
         let color = reflectances.into_iter().rev().fold(end, Vec3::attenuate);
         let (end, all) = (end.to_array(), color.to_array());
-        self.tell("end", || json!({"reason": reason, "end": end, "color": all}));
+        self.tell("end", || json!({"reason": reason, "m": m, "end": end, "color": all}));
         Ok(color)
     }
 
@@ -259,11 +261,17 @@ impl<'a> Renderer<'a> {
         let origin = point + bias(normal, direction, rules);
         *ray = Ray { origin, direction };
         let (draws, vector) = (self.scatterer.draws.clone(), self.scatterer.last.to_array());
+        let [half, extent] = self.scatterer.half_and_extent;
+        let refraction = self.scatterer.refraction.map(|Refraction { index, ratio, cos, sin, reflects }| {
+            json!({"index": index, "ratio": ratio, "cos": cos, "sin": sin, "product": ratio * sin, "reflects": reflects})
+        });
         let values = || {
             json!({
                 "object": hit.object + 1, "part": PARTS[hit.part], "lambda": hit.lambda,
-                "point": point.to_array(), "normal": normal.to_array(), "front": is_front, "material": (["", "matte", "metal", "", "refractive"][kind as usize]),
-                "place": place, "draws": draws, "vector": vector, "direction": direction.to_array(),
+                "point": point.to_array(), "normal": normal.to_array(), "front": is_front,
+                "material": (["", "matte", "metal", "", "refractive"][kind as usize]), "refraction": refraction,
+                "place": place, "draws": draws, "half": half, "extent": extent, "vector": vector,
+                "direction": direction.to_array(),
                 "reflectance": reflectance.to_array(),
             })
         };
@@ -276,9 +284,18 @@ impl<'a> Renderer<'a> {
         let mut nearest: Option<Hit> = None;
         for (index, object) in self.scene.objects.iter().enumerate() {
             let candidates = candidates(&object.shape, ray, &self.rules);
-            for &Candidate { part, lambda, fault } in candidates.iter().flatten() {
-                let event = || json!({"object": index + 1, "part": PARTS[part], "lambda": lambda, "fault": fault});
-                self.tell("candidate", event);
+            for &Candidate { part, lambda, fault, reach } in candidates.iter().flatten() {
+                // Of many objects, the line of a ray misses almost all.
+                if fault != MISSED {
+                    self.tell("candidate", || {
+                        let part = PARTS[part];
+                        let mut event = json!({"object": index + 1, "part": part, "lambda": lambda, "fault": fault});
+                        if reach[0] > reach[1] {
+                            event["reach"] = json!(reach);
+                        }
+                        event
+                    });
+                }
             }
             let Some((lambda, part)) = hit(&candidates, &self.rules) else { continue };
             let at_a_tie = [part < 2, true, false][self.rules.or("tie", 0.0) as usize];
@@ -297,11 +314,16 @@ impl<'a> Renderer<'a> {
 
     /// Returns the colour of the background in a direction (statement, section 3.6).
     fn background(&self, direction: Vec3) -> Vec3 {
-        let y = if self.rules.has("sky-raw") { direction.y } else { direction.unit().y };
-        let m = [(y + 1.0) / 2.0, y, y.abs()][self.rules.or("sky", 0.0) as usize];
+        let m = self.share_of_dark(direction);
         let (light, dark) = (self.config.background_light_color, self.config.background_dark_color);
         let (light, dark) = if self.rules.has("sky-swapped") { (dark, light) } else { (light, dark) };
         light * (1.0 - m) + dark * m
+    }
+
+    /// Returns the share of the dark colour in the background, the statement's m.
+    fn share_of_dark(&self, direction: Vec3) -> f64 {
+        let y = if self.rules.has("sky-raw") { direction.y } else { direction.unit().y };
+        [(y + 1.0) / 2.0, y, y.abs()][self.rules.or("sky", 0.0) as usize]
     }
 }
 

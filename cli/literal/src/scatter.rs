@@ -9,6 +9,21 @@ use crate::rules::Rules;
 const MATTE: u32 = 1;
 const METAL: u32 = 2;
 
+/// What decides whether a refractive surface reflects a ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Refraction {
+    /// The refractive index of the material.
+    pub index: f64,
+    /// The index, or its inverse if the ray enters.
+    pub ratio: f64,
+    /// The cosine of the angle of incidence, by a normal that may not be a unit.
+    pub cos: f64,
+    /// The sine of the angle of incidence, from the cosine.
+    pub sin: f64,
+    /// Whether the surface reflects the ray.
+    pub reflects: bool,
+}
+
 /// How surfaces scatter.
 #[derive(Clone, Debug)]
 pub struct Scatterer {
@@ -20,13 +35,24 @@ pub struct Scatterer {
     pub draws: Vec<f64>,
     /// The random vector that was made last.
     pub last: Vec3,
+    /// Half the width of the interval of the last random numbers, and what a vector of length 1 is multiplied by.
+    pub half_and_extent: [f64; 2],
+    /// What the last surface decided, if it is refractive.
+    pub refraction: Option<Refraction>,
 }
 
 impl Scatterer {
+    /// Returns the surfaces that draw from `stream`.
+    pub fn new(convention: Scatter, stream: Stream) -> Self {
+        let last = Vec3::ZERO;
+        Self { convention, stream, draws: Vec::new(), last, half_and_extent: [1.0; 2], refraction: None }
+    }
+
     /// Returns the direction of the scattered ray. `d` is that of the ray that hits a surface, and `n` the normal on
     /// its side.
     pub fn scatter(&mut self, material: &Material, d: Vec3, n: Vec3, is_front: bool, rules: &Rules) -> Vec3 {
         self.draws.clear();
+        self.refraction = None;
         match *material {
             Material::Matte { .. } => self.matte(n, rules),
             Material::Metal { diffusion, .. } => self.metal(diffusion, d, n, rules),
@@ -69,6 +95,7 @@ impl Scatterer {
             let r0 = ((1.0 - ratio) / (1.0 + ratio)) * ((1.0 - ratio) / (1.0 + ratio));
             reflects = r0 + (1.0 - r0) * (1.0 - cos).powi(5) > self.stream.draw(0.0, 1.0);
         }
+        self.refraction = Some(Refraction { index, ratio, cos, sin, reflects });
         if reflects {
             return u - n * (2.0 * u.dot(n));
         }
@@ -81,6 +108,7 @@ impl Scatterer {
         let is_unit = self.convention == Scatter::Published || rules.covers("unit-vectors", surface);
         let [is_in_ball, is_cube] = ["ball", "cube"].map(|name| rules.covers(name, surface));
         let half = if is_unit || is_in_ball || is_cube { 1.0 } else { extent };
+        self.half_and_extent = [half, extent];
         let [low, high] = [half * rules.or("low", -1.0), half * rules.or("high", 1.0)];
         loop {
             if self.convention == Scatter::Deterministic {

@@ -32,15 +32,27 @@ fn vector(value: &Value) -> Vec3 {
     Vec3::from([0, 1, 2].map(|at| value[at].as_f64().expect("a number")))
 }
 
+/// Checks that the event of a refractive surface says what the ray does. `u` is the unit direction of its ray.
+fn check_refraction(event: &Value, index: f64, u: Vec3) {
+    let normal = vector(&event["normal"]);
+    let [ratio, sin] = ["ratio", "sin"].map(|name| event["refraction"][name].as_f64().expect("a number"));
+    let expected = if event["front"] == true { 1.0 / index } else { index };
+    assert_eq!(ratio.to_bits(), expected.to_bits());
+    let mirrored = u - normal * (2.0 * u.dot(normal));
+    let reflects = vector(&event["direction"]) == mirrored;
+    assert_eq!((&event["refraction"]["reflects"], ratio * sin > 1.0), (&json!(reflects), reflects));
+}
+
 /// Checks the life of a pixel. Returns the number of random numbers that were compared.
 fn check(life: &Value, config: &Config, scene: &Scene, scatter: Scatter, [rays, materials]: &mut [Words; 2]) -> usize {
     let (mut compared, mut samples, mut sum) = (0, 0, Vec3::ZERO);
     let (mut next, mut reflectances, mut least) = (None, Vec::new(), f64::INFINITY);
+    let mut direction = Vec3::ZERO;
     let told = life["samples"].as_array().expect("a list").iter();
     for event in told.flat_map(|events| events.as_array().expect("a list")) {
         match event["event"].as_str().expect("a name") {
             "sample" => compared += rays.check(&event["place"], &event["offset"], 0.5),
-            "ray" => least = f64::INFINITY,
+            "ray" => (least, direction) = (f64::INFINITY, vector(&event["direction"])),
             "candidate" if event["fault"] == "" => least = least.min(event["lambda"].as_f64().expect("a number")),
             "candidate" => {}
             "hit" => {
@@ -56,6 +68,9 @@ fn check(life: &Value, config: &Config, scene: &Scene, scatter: Scatter, [rays, 
                 let draws = materials.check(&event["place"], &event["draws"], half);
                 next = place.map(|place| place + draws as u64);
                 compared += draws;
+                if let Material::Refractive { index } = material {
+                    check_refraction(event, index, direction.unit());
+                }
                 reflectances.push(material.reflectance());
                 assert_eq!(vector(&event["reflectance"]), material.reflectance());
             }
@@ -128,4 +143,23 @@ fn pictures_for_which_the_renderer_draws_no_numbers_have_them_too() {
             assert!(compared >= 80 || scatter == Scatter::Deterministic, "{compared}");
         }
     }
+}
+
+#[test]
+fn a_ray_that_leaves_through_a_side_with_a_short_normal_is_told_to_be_reflected() {
+    let config = "image_width: 16\nsamples_per_pixel: 2\ncamera_position: 0 0 -4\nmax_depth: 4\n";
+    let config = Config::parse(config.as_bytes()).expect("it is valid");
+    let scene = Scene::parse(&b"refractive: g 1.5\ncylinder: 0 0 0 .7 0 4 0 g\n"[..]).expect("it is valid");
+    let walk = Walk::new(&config, &scene, Scatter::Statement).expect("it can be rendered");
+    let life = walk.explain([8, 4]).expect("there is memory").expect("it is a pixel");
+    let told = life["samples"].as_array().expect("a list").iter().flat_map(|events| events.as_array().expect("a list"));
+    let hits: Vec<_> = told.filter(|event| event["event"] == "hit").collect();
+    let leaving: Vec<_> = hits.iter().filter(|event| event["front"] == false).collect();
+    assert!(!leaving.is_empty() && leaving.len() < hits.len(), "{life}");
+    for event in leaving {
+        // The length of the normal is the radius, so even the mirrored ray goes outwards.
+        assert!(vector(&event["direction"]).dot(vector(&event["normal"])) < 0.0, "{event}");
+        assert_eq!(event["refraction"]["reflects"], true, "{event}");
+    }
+    check(&life, &config, &scene, Scatter::Statement, &mut [19, 13].map(Words::new));
 }

@@ -88,7 +88,7 @@ fn a_pixel_is_explained_beside_that_of_another_picture() {
     folder.write("other.ppm", format!("{}\n", lines.join("\n")));
 
     let text = printed(&["explain", &config, &scene, "6", "4", "--sample", "2", "--other", &other]);
-    assert!(text.contains("sample 2\n") && !text.contains("sample 1\n"), "{text}");
+    assert!(text.contains("sample 2 of 0 to 3\n") && !text.contains("sample 1 of"), "{text}");
     let bytes = picture.lines().nth(3 + 70).expect("it has the pixel");
     assert!(text.contains(&format!("bytes       {bytes}: truncated\nother       1 2 3\n")), "{text}");
     assert!(
@@ -96,12 +96,37 @@ fn a_pixel_is_explained_beside_that_of_another_picture() {
         "{text}"
     );
     let text = printed(&["explain", &config, &scene, "6", "4", "--other", &own]);
-    assert!(text.contains("sample 3\n") && text.ends_with("first       no pixel differs\n"), "{text}");
+    assert!(text.ends_with("first       no pixel differs\n"), "{text}");
+
+    assert!(text.contains("sample 3 of 0 to 3\n") && text.contains(" of all 4 samples of the pixel\n"), "{text}");
 
     let told: Value = printed(&["explain", &config, &scene, "7", "4", "--json"]).parse().expect("it is JSON");
     let count = |what: &str| told.to_string().matches(what).count();
     assert_eq!((count("\"event\":\"sample\""), count("\"event\":\"end\"")), (4, 4));
     assert!(count("\"material\":\"refractive\"") >= 4, "the glass is in the middle: {told}");
+}
+
+#[test]
+fn the_text_tells_refraction_and_total_reflection_with_their_numbers() {
+    let folder = Folder::new();
+    folder.write("config", "image_width: 16\nsamples_per_pixel: 2\ncamera_position: 0 0 -4\nmax_depth: 3\n");
+    folder.write("scene", "refractive: g 1.5\ncylinder: 0 0 0 .7 0 4 0 g\ncylinder: 9 0 0 .7 0 4 0 g\n");
+    let [config, scene] = ["config", "scene"].map(|name| folder.name(name));
+    let text = printed(&["explain", &config, &scene, "8", "4", "--sample", "0"]);
+    let lines: Vec<_> = text.lines().map(str::trim).collect();
+    let after = |words: &str| {
+        let place = lines.iter().position(|line| line.starts_with(words)).unwrap_or_else(|| panic!("{words}: {text}"));
+        lines[place + 1]
+    };
+    let enters = after("rho'      = 0.6666666666666666 = 1 / 1.5: the ray enters");
+    assert!(enters.starts_with("cos 0.") && enters.ends_with(" <= 1: it is refracted"), "{text}");
+    // The side's short normal makes every sine greater than 1 / 1.5.
+    let leaves = after("rho'      = rho = 1.5: the ray leaves");
+    assert!(leaves.starts_with("cos 0.") && leaves.ends_with(" > 1: it is reflected"), "{text}");
+    assert!(
+        text.contains("object 2, side: no root, the discriminant is negative\n    object 2, upper base:"),
+        "{text}"
+    );
 }
 
 #[test]

@@ -18,19 +18,32 @@ export interface Explained {
 }
 
 /** A step of a sample, as `literal::explain` tells it. Objects are counted from 1. */
-type Step = { object: number; part: string; lambda: number } & (
+type Step = { object: number; part: string; lambda: number | null } & (
     | { event: 'sample'; place: number; offset: number[]; target: number[] }
     | { event: 'ray'; depth: number; origin: number[]; direction: number[] }
-    | { event: 'candidate'; fault: string }
+    | { event: 'candidate'; fault: string; reach?: number[] }
     | { event: 'hit'; point: number[]; normal: number[]; front: boolean; material: 'matte' | 'metal' | 'refractive';
-        place: number; draws: number[]; vector: number[]; direction: number[]; reflectance: number[] }
-    | { event: 'end'; reason: 'background' | 'depth'; end: number[]; color: number[] });
+        place: number; draws: number[]; half: number; vector: number[]; direction: number[]; reflectance: number[];
+        refraction: Refraction | null }
+    | { event: 'end'; reason: 'background' | 'depth'; m: number | null; end: number[]; color: number[] });
+
+/** What decides whether a refractive surface reflects a ray. `product` is rho' sin. */
+interface Refraction {
+    index: number;
+    ratio: number;
+    cos: number;
+    sin: number;
+    product: number;
+    reflects: boolean;
+}
 
 /** The life of a pixel with the steps of one sample, or a message. */
 interface Life {
     message?: string;
     samples: Step[];
     count: number;
+    window: number[][];
+    background: number[][];
     mean: number[];
     gamma: number;
     scaled: number[];
@@ -52,21 +65,21 @@ const PHRASES: Record<string, Both> = {
     'side': ['side', 'lado'],
     'upper base': ['upper base', 'base superior'],
     'lower base': ['lower base', 'base inferior'],
-    '': ['is a candidate', 'es candidata'],
+    '': ['is in range', 'está en el rango'],
     'it is below 1e-3': ['does not count: it is below 1e-3', 'no cuenta: es menor que 1e-3'],
     'it is outside of the radius': ["does not count: its point is farther from the base's centre than the radius",
         'no cuenta: su punto dista del centro de la base más que el radio'],
     'it is beyond the bases': ['does not count: its point is farther along the axis than half the height',
         'no cuenta: su punto dista a lo largo del eje más que la mitad de la altura'],
-    'the smaller root counts': ['does not count: the smaller root is a candidate',
-        'no cuenta: la raíz menor es candidata'],
+    'the smaller root counts': ['does not count: the smaller root is in range',
+        'no cuenta: la raíz menor está en el rango'],
+    'it is not a number': ['is not a number, as if the ray is parallel to the axis',
+        'no es un número, como si el rayo es paralelo al eje'],
+    'the base is parallel to the ray': ['does not exist: the base is parallel to the ray',
+        'no existe: la base es paralela al rayo'],
 };
 
 /** Parts of rows that are in several ones. */
-const ENTERS: Both = ['1 / rho: the ray enters', '1 / rho: el rayo entra'];
-const LEAVES: Both = ['rho: the ray leaves', 'rho: el rayo sale'];
-const REFLECTED: Both = ['reflected', 'refleja'];
-const REFRACTED: Both = ['refracted', 'refracta'];
 const COLOUR: Both = ['colour', 'color'];
 const END: Both = ['end', 'final'];
 const NORMAL: Both = ['normal', 'normal'];
@@ -83,15 +96,28 @@ const ROWS = {
     from: [['from', 'desde'], ALONE],
     along: [['along', 'dirección'], ALONE],
     candidate: [['', ''], ['{0}: lambda {1} {2}', '{0}: lambda {1} {2}']],
+    beyond: [['', ''], ['{0}: lambda {1} {2}: {3} > {4}', '{0}: lambda {1} {2}: {3} > {4}']],
+    missed: [['', ''], ['{0}: no root, the discriminant is negative', '{0}: sin raíz, el discriminante es negativo']],
     nearest: [['nearest', 'más cercano'], ['object {0}, {1}, at lambda {2}', 'objeto {0}, {1}, con lambda {2}']],
     point: [['point', 'punto'], ALONE],
     outward: [NORMAL, ['{0}, outward: the ray comes from outside', '{0}, hacia fuera: el rayo viene de fuera']],
-    turned: [NORMAL, ['{0}, turned round: the ray comes from inside', '{0}, invertida: el rayo viene de dentro']],
+    turned: [NORMAL, ['{0}, already turned round: the ray comes from inside',
+        '{0}, ya invertida: el rayo viene de dentro']],
+    side: [['', ''], ["A side's normal is not made a unit: its length is the radius.",
+        'La normal de un lado no se hace unitaria: su longitud es el radio.']],
     draws: [['draws', 'sorteos'], ['{0}: {1} to {2} of material_rng_seed', '{0}: {1} a {2} de material_rng_seed']],
     toNormal: [VECTOR, ['{0} is added to the normal', '{0} se suma a la normal']],
     toReflected: [VECTOR, ['{0} is added to the reflected unit direction',
         '{0} se suma a la dirección reflejada unitaria']],
-    rho: [["rho'", "rho'"], ['is {0}; it is {1}', 'es {0}; se {1}']],
+    interval: [['', ''], ['each in [-{0}, {0})', 'cada uno en [-{0}, {0})']],
+    idle: [['', ''], ['diffusion 0: drawn all the same', 'difusión 0: se sortean igualmente']],
+    enters: [["rho'", "rho'"], ["= {0} = 1 / {1}: the ray enters (the statement's \"hacia adentro\" is the ray's)",
+        '= {0} = 1 / {1}: el rayo entra («hacia adentro» del enunciado es el sentido del rayo)']],
+    leaves: [["rho'", "rho'"], ['= rho = {0}: the ray leaves', '= rho = {0}: el rayo sale']],
+    reflected: [['', ''], ["cos {0}, sin {1}, rho' sin = {2} > 1: it is reflected",
+        "cos {0}, sen {1}, rho' sen = {2} > 1: se refleja"]],
+    refracted: [['', ''], ["cos {0}, sin {1}, rho' sin = {2} <= 1: it is refracted",
+        "cos {0}, sen {1}, rho' sen = {2} <= 1: se refracta"]],
     matte: [['matte', 'mate'], SENDS],
     metal: [['metal', 'metal'], SENDS],
     refractive: [['refractive', 'refractante'], SENDS],
@@ -100,10 +126,18 @@ const ROWS = {
     depth: [END, ['{0}, black: the depth is used up', '{0}, negro: la profundidad está agotada']],
     background: [END, ['{0}, the background along the last ray, which hits nothing',
         '{0}, el fondo en la dirección del último rayo, que no toca nada']],
+    mixed: [['', ''], ['(1 - m) light + m dark, where m = (unit y + 1) / 2 = {0}',
+        '(1 - m) claro + m oscuro, con m = (y unitaria + 1) / 2 = {0}']],
     color: [COLOUR, ['of the sample, times all reflectances: {0}', 'de la muestra, por todas las reflectancias: {0}']],
     more: [['…', '…'], ['Only the first {0} steps are shown.', 'Solo se muestran los {0} primeros pasos.']],
+    counts: [['numbers', 'números'], ['Columns, rows, samples and random numbers count from 0, objects from 1.',
+        'Columnas, filas, muestras y números aleatorios se cuentan desde 0, y objetos desde 1.']],
+    window: [['window', 'ventana'], ['O {0}, dx {1}, dy {2}; Q = O + dx (column + x) + dy (row + y)',
+        'O {0}, dx {1}, dy {2}; Q = O + dx (columna + x) + dy (fila + y)']],
+    sky: [['background', 'fondo'], ['light {0}, dark {1}', 'claro {0}, oscuro {1}']],
     all: [['all samples', 'todas las muestras'], ['', '']],
-    mean: [['mean', 'media'], ALONE],
+    mean: [['mean', 'media'], ['{0} of all {1} samples; the field Sample shows another',
+        '{0} de las {1} muestras; el campo Muestra enseña otra']],
     scaled: [['scaled', 'escalado'], ['{0} = 255 × mean^(1 / {1})', '{0} = 255 × media^(1 / {1})']],
     bytes: [['bytes', 'bytes'], ['{0}: truncated', '{0}: truncados']],
 } satisfies Record<string, [about: Both, text: Both]>;
@@ -191,21 +225,24 @@ export class ExplainView {
         }
     }
 
-    #show({ samples, mean, gamma, scaled, bytes }: Life, picture: number[]): void {
+    #show({ samples, count, window, background, mean, gamma, scaled, bytes }: Life, picture: number[]): void {
         const words = String(bytes) === String(picture) ? SAME : DIFFERS;
         write(element('explain-said'), () => filled(words, bytes.join(' '), picture.join(' ')));
         element('explain-said').style.setProperty('--color', `rgb(${bytes})`);
         const depth = samples.find((step) => step.event === 'ray')?.depth ?? 0;
-        samples.slice(0, MOST_STEPS).forEach((step) => this.#tell(step, depth));
+        this.#add('counts');
+        this.#add('window', ...window.map(at));
+        this.#add('sky', ...background.map(at));
+        samples.slice(0, MOST_STEPS).forEach((step, index) => this.#tell(step, samples[index - 1], depth));
         samples.length > MOST_STEPS && this.#add('more', MOST_STEPS);
         this.#add('all');
-        this.#add('mean', at(mean));
+        this.#add('mean', at(mean), count);
         this.#add('scaled', at(scaled), String(gamma));
         this.#add('bytes', bytes.join(' '));
     }
 
-    /** Adds the rows of a step. `depth` is the number of rays that a sample may send. */
-    #tell(step: Step, depth: number): void {
+    /** Adds the rows of a step that is after `before`. `depth` is the number of rays that a sample may send. */
+    #tell(step: Step, before: Step | undefined, depth: number): void {
         const part = PHRASES[step.part] ?? step.part;
         switch (step.event) {
             case 'sample': {
@@ -219,19 +256,31 @@ export class ExplainView {
                 this.#add('from', at(step.origin));
                 this.#add('along', at(step.direction));
                 break;
-            case 'candidate':
-                this.#link(step.object,
-                    this.#add('candidate', part, String(step.lambda), PHRASES[step.fault] ?? step.fault));
+            case 'candidate': {
+                const { object, fault, reach } = step;
+                if (step.part === 'upper base' && !(before?.event === 'candidate' && before.object === object)) {
+                    this.#link(object, this.#add('missed', PHRASES['side'] ?? ''));
+                }
+                const isBeyond = reach && ['it is outside of the radius', 'it is beyond the bases'].includes(fault);
+                const values = [part, String(step.lambda ?? ''), PHRASES[fault] ?? fault];
+                this.#link(object, isBeyond ? this.#add('beyond', ...values, ...reach.map(String))
+                    : this.#add('candidate', ...values));
                 break;
+            }
             case 'hit': {
-                const { draws, material, place, front, normal, direction } = step;
+                const { draws, half, material, place, front, normal, direction, refraction } = step;
                 this.#add('nearest', step.object, part, String(step.lambda));
                 this.#add('point', at(step.point));
                 this.#add(front ? 'outward' : 'turned', at(normal));
-                draws.length > 0 && this.#add('draws', draws.join(', '), place, place + draws.length - 1);
-                if (material === 'refractive') {
-                    const outwards = direction.reduce((sum, part, axis) => sum + part * (normal[axis] ?? 0), 0);
-                    this.#add('rho', front ? ENTERS : LEAVES, outwards > 0 ? REFLECTED : REFRACTED);
+                step.part === 'side' && this.#add('side');
+                if (draws.length > 0) {
+                    this.#add('draws', draws.join(', '), place, place + draws.length - 1);
+                    this.#add(half === 0 ? 'idle' : 'interval', String(half));
+                }
+                if (refraction) {
+                    const { index, ratio, cos, sin, product, reflects } = refraction;
+                    this.#add(front ? 'enters' : 'leaves', String(ratio), String(index));
+                    this.#add(reflects ? 'reflected' : 'refracted', ...[cos, sin, product].map(String));
                 } else {
                     this.#add(material === 'matte' ? 'toNormal' : 'toReflected', at(step.vector));
                 }
@@ -241,6 +290,7 @@ export class ExplainView {
             }
             case 'end':
                 this.#add(step.reason, at(step.end));
+                step.m !== null && this.#add('mixed', String(step.m));
                 this.#add('color', at(step.color));
         }
     }

@@ -226,9 +226,11 @@ const WORDS = {
     explain: ['Explain', 'Explicar'],
     explainHelp: [
         'How the exact picture computes a pixel, by the steps of the statement. Click the pixel in the picture, or type '
-        + 'its place. A lambda counts in lengths of the direction; an object that the line of a ray misses is left out.',
+        + 'its place. Of the lambdas in range the smallest is taken. A lambda is in lengths of the direction, which is not '
+        + 'made a unit: it is no distance, and the limit 1e-3 is on it. A sphere that the ray\'s line misses is left out.',
         'Cómo calcula la imagen exacta un píxel, según los pasos del enunciado. Pulse el píxel en la imagen o escriba '
-        + 'su lugar. Una lambda cuenta en longitudes de la dirección; falta un objeto que la recta del rayo no toca.'],
+        + 'su lugar. De las lambdas en el rango se toma la menor. Una lambda está en longitudes de la dirección, que no '
+        + 'se hace unitaria: no es una distancia, y a ella se aplica el límite 1e-3. Falta una esfera que la recta no toca.'],
     sample: ['Sample', 'Muestra'],
     color: ['Colour', 'Color'],
     column: ['Column', 'Columna'],

@@ -34,8 +34,8 @@ pub extern "C" fn room(text: usize, length: usize) -> *mut u8 {
 /// Makes the result the life of a pixel with the events of one sample, and returns the number of its bytes. `vectors`
 /// is the number of random vectors that surfaces take before the pixel's row, or NaN if it is unknown.
 ///
-/// The result has the fields of [`life`] and `count`, the number of all samples. Of a sample beyond them it has the
-/// last one. After an error it has `message` alone, and for a pixel that does not exist it is `null`.
+/// The result has the fields of [`life`], and tells the last sample instead of one beyond it. After an error it has
+/// `message` alone, and for a pixel that does not exist it is `null`.
 #[unsafe(no_mangle)]
 pub extern "C" fn explain(column: usize, row: usize, sample: usize, vectors: f64) -> usize {
     let mut state = state();
@@ -58,6 +58,5 @@ fn told(config: &[u8], scene: &[u8], vectors: Option<u64>, pixel: [usize; 2], sa
     let count = life["samples"].as_array().map_or(0, Vec::len);
     let of_sample = life["samples"].get_mut(sample.min(count.saturating_sub(1)));
     life["samples"] = of_sample.map_or(Value::Null, Value::take);
-    life["count"] = json!(count);
     Ok(life)
 }
