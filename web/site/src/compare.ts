@@ -1,7 +1,7 @@
 // The comparison: the picture by Rust and by the shaders with a slider between them, blinking, or their difference. Two
 // pictures in files are compared in the same way.
 import { compare, compareBytes, LARGEST, LEGEND, map, RMSE, type Difference } from './difference';
-import { namedOf } from './files';
+import { namedOf, type Named } from './files';
 import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
 import type { Source } from './pixel';
@@ -26,6 +26,8 @@ export interface Listener {
     /** WebGPU does not work any more. */
     broken(error: unknown): void;
     clicked(column: number, row: number): void;
+    /** A pixel is chosen in a file and the exact picture. */
+    chosen(column: number, row: number): void;
     /** The files are closed, so that the shaders are to be compared. */
     closed(): void;
 }
@@ -47,6 +49,8 @@ export class Comparison {
     #scene = '';
     /** A file that is compared with the exact picture. */
     #alone: File | null = null;
+    /** The picture of that file. */
+    #beside: Named | null = null;
     /** The files that are compared instead of the shaders. */
     #names: [left: string, right: string] | null = null;
     #newest = 0;
@@ -70,7 +74,7 @@ export class Comparison {
                 return !this.#slider.disabled;
             },
             moved: () => this.#cut(),
-            clicked: (column, row) => listener.clicked(column, row),
+            clicked: (column, row) => this.#clicked(column, row),
         });
         setInterval(() => this.#toggle(), BLINK);
         this.#cut();
@@ -177,6 +181,7 @@ export class Comparison {
             }
             this.#name([first.name, other.name]);
             this.#alone = second ? null : files[0] ?? null;
+            this.#beside = second ? null : first;
             this.#facts = null;
             this.#difference = compareBytes(first.picture.data, other.picture.data);
             paint(this.#exact, shown(first.picture, 1));
@@ -195,6 +200,28 @@ export class Comparison {
     async renew(exact: Rgb | null): Promise<void> {
         if (this.#names && this.#alone && exact) {
             await this.showFiles([this.#alone], exact);
+        }
+    }
+
+    /** Returns the name of the file that is compared with the exact picture `exact`, and its bytes at a pixel. */
+    beside(column: number, row: number, exact: Rgb): { name: string; bytes: number[] } | null {
+        if (!this.#names || !this.#beside) {
+            return null;
+        }
+        const { name, picture: { data, width, height } } = this.#beside;
+        if (width !== exact.width || height !== exact.height) {
+            return null;
+        }
+        const start = 3 * (row * width + column);
+        return { name, bytes: Array.from(data.subarray(start, start + 3)) };
+    }
+
+    /** Follows the path of a pixel, or chooses it for "Explain". Two files have no path. */
+    #clicked(column: number, row: number): void {
+        if (!this.#names) {
+            this.listener.clicked(column, row);
+        } else if (this.#beside) {
+            this.listener.chosen(column, row);
         }
     }
 
@@ -247,7 +274,10 @@ export class Comparison {
         const button = element('compare-most-at');
         button.hidden = differing === 0;
         write(button, () => say('compareMostAt', column, row));
-        button.onclick = () => (this.#names ? this.#viewer.goTo(column, row) : this.listener.clicked(column, row));
+        button.onclick = () => {
+            this.#names && this.#viewer.goTo(column, row);
+            this.#clicked(column, row);
+        };
         this.#figures.dataset.differing = String(differing);
     }
 

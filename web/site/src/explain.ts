@@ -56,6 +56,7 @@ type Both = readonly [english: string, spanish: string];
 /** What the view says about its table. */
 const WAITS: Both = ['Only a finished picture is explained.', 'Solo se explica una imagen terminada.'];
 const SAME: Both = ['Bytes {0}, as in the picture.', 'Bytes {0}, como en la imagen.'];
+const BESIDE: Both = [' {0} has {1}.', ' {0} tiene {1}.'];
 const DIFFERS: Both = ['Bytes {0}; the picture has {1}, because there exact lambdas decide, and here rounding does.',
     'Bytes {0}; la imagen tiene {1}, porque allí deciden las lambdas exactas y aquí el redondeo.'];
 
@@ -161,7 +162,8 @@ export class ExplainView {
     #clicked: Explained['place'] = null;
     #objects: Definition[] = [];
 
-    constructor(private readonly find: () => Explained | null, private readonly goTo: (line: number) => void) {
+    constructor(private readonly find: () => Explained | null, private readonly goTo: (line: number) => void,
+        private readonly beside: (column: number, row: number, picture: Rgb) => { name: string; bytes: number[] } | null) {
         this.#inputs.forEach((input) => input.addEventListener('change', () => void this.renew()));
         this.#cancel.addEventListener('click', () => {
             this.#stop();
@@ -197,7 +199,8 @@ export class ExplainView {
         if (!found) {
             return;
         }
-        const { texts, pixels: { width, height, data }, vectors, place } = found;
+        const { texts, pixels, vectors, place } = found;
+        const { width, height, data } = pixels;
         if (place && place !== this.#clicked) {
             this.#clicked = this.place = place;
         }
@@ -216,7 +219,7 @@ export class ExplainView {
             limited('explain-sample', 'sample', life.count, 0);
             this.#objects = definitions(texts.scene).objects;
             const start = 3 * (row * width + column);
-            this.#show(life, Array.from(data.subarray(start, start + 3)));
+            this.#show(life, Array.from(data.subarray(start, start + 3)), this.beside(column, row, pixels));
         } catch (error) {
             if (own === this.#newest) {
                 this.#cancel.hidden = true;
@@ -225,9 +228,13 @@ export class ExplainView {
         }
     }
 
-    #show({ samples, count, window, background, mean, gamma, scaled, bytes }: Life, picture: number[]): void {
+    #show(
+        { samples, count, window, background, mean, gamma, scaled, bytes }: Life, picture: number[],
+        other: ReturnType<typeof this.beside>,
+    ): void {
         const words = String(bytes) === String(picture) ? SAME : DIFFERS;
-        write(element('explain-said'), () => filled(words, bytes.join(' '), picture.join(' ')));
+        write(element('explain-said'), () => filled(words, bytes.join(' '), picture.join(' '))
+            + (other ? filled(BESIDE, other.name, other.bytes.join(' ')) : ''));
         element('explain-said').style.setProperty('--color', `rgb(${bytes})`);
         const depth = samples.find((step) => step.event === 'ray')?.depth ?? 0;
         this.#add('counts');

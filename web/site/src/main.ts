@@ -15,7 +15,7 @@ import { Picture } from './picture';
 import * as store from './store';
 import { isSame, type Current, type Texts } from './store';
 import * as view from './view';
-import { messageOf, say, speak, write, type Language } from './words';
+import { dated, messageOf, say, speak, write, type Language } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
@@ -46,7 +46,7 @@ class Page {
     #isTyped = false;
     #isLink = false;
     #isLoading = false;
-    /** The name of the scene, if it is not that of a file of `render-lab view`. */
+    /** The name of the scene that was loaded last, if it is not that of a file of `render-lab view`. */
     #name: string | undefined;
     /** The texts before and after each load, for undoing it in both editors. */
     readonly #loads: [before: Texts, after: Texts][] = [];
@@ -61,7 +61,7 @@ class Page {
             this.#checker.show(fault.text as 0 | 1, [fault]);
         }
         this.#picture.say(() => (fault.text < 2 ? this.#faultIn(fault.text) : say('failed', causeOf(fault))));
-    }, () => void this.#studio.rendered(), () => this.#name ?? this.#saving.name ?? 'picture', () => this.module, (line) => this.#editors[1].goTo(line));
+    }, () => void this.#studio.rendered(), () => this.#ownName ?? this.#saving.name ?? 'picture', () => this.module, (line) => this.#editors[1].goTo(line));
     readonly #saving: Saving;
 
     constructor(private readonly module: WebAssembly.Module, renderer: Renderer) {
@@ -95,6 +95,7 @@ class Page {
             unsay: () => this.#unsay(),
             picture: () => this.#picture.pixels,
             explained: () => this.#picture.explained,
+            choose: (column, row) => this.#picture.choose(column, row),
         });
         addEventListener('pagehide', () => this.#keep());
         document.addEventListener('keydown', (event) => {
@@ -115,13 +116,23 @@ class Page {
         onFiles(element('open'), element<HTMLInputElement>('texts-files'), 'texts', (files) => void this.#open(files, tables));
     }
 
+    /** The name of the scene, unless no line is left of the one that was loaded. */
+    get #ownName(): string | undefined {
+        const lines = (text = '') => text.split('\n').map((line) => line.trim()).filter(Boolean);
+        const loaded = this.#name ? new Set(lines(this.#loads.at(-1)?.[1].scene)) : null;
+        return loaded && lines(this.#texts.scene).some((line) => loaded.has(line)) ? this.#name : undefined;
+    }
+
     get #texts(): Texts {
         return { config: this.#editors[0].text, scene: this.#editors[1].text };
     }
 
-    /** Shows a message below the picture, and below the view that is shown instead of the picture. */
-    say(text: () => string): void {
-        this.#picture.note(text);
+    /**
+     * Shows a message below the picture, and below the view that is shown instead of the picture. If `stays` holds, the
+     * end of a picture does not replace it.
+     */
+    say(text: () => string, stays = false): void {
+        this.#picture.note(text, stays);
         write(element('said'), text);
     }
 
@@ -149,12 +160,16 @@ class Page {
         return fault;
     }
 
-    /** Marks the picture if it does not belong to the texts, and all views if the texts have an error. */
+    /**
+     * Marks the picture if it does not belong to the texts, and all views if the texts have an error. Without a picture,
+     * nothing belongs to earlier texts.
+     */
     #mark(fault: Fault | null): void {
         const isOld = !this.#picture.isOf(this.#texts);
         element('result').dataset.old = fault ? 'all' : isOld ? 'exact' : 'none';
         const words = () => (isOld ? say('oldPicture') : '');
-        write(element('old'), () => (fault ? `${this.#faultIn(fault.text)} ${say('oldViews')}` : words()));
+        const views = () => (this.#picture.isNone ? '' : ` ${say('oldViews')}`);
+        write(element('old'), () => (fault ? this.#faultIn(fault.text) + views() : words()));
     }
 
     /** Reads the files of `render-lab view`, and returns the texts to show. */
@@ -165,7 +180,7 @@ class Page {
 
     /** What the page shows, for the browser's history. */
     get entry(): Entry {
-        const [modules, isTyped, isLink, name] = [store.modules(), this.#isTyped, this.#isLink, this.#name];
+        const [modules, isTyped, isLink, name] = [store.modules(), this.#isTyped, this.#isLink, this.#ownName];
         const { unsaved } = this.#saving.kept;
         return { ...this.#texts, modules, isTyped, isLink, unsaved, view: this.#studio.view, ...(name ? { name } : {}) };
     }
@@ -184,7 +199,7 @@ class Page {
     /** Shows what the browser's entry has shown, after Back or Forward. */
     move(): void {
         if (entries.bounces(this.isUnsaved)) {
-            this.say(() => (this.isUnsaved ? say('unsavedBack') : ''));
+            this.say(() => (this.isUnsaved ? say('unsavedBack') : ''), this.isUnsaved);
         } else if (entries.hasChanged()) {
             entries.keep(this.entry);
             const entry = entries.shown();
@@ -214,7 +229,7 @@ class Page {
     /** Opens the text files that the user has chosen or dropped. Their names or their lines tell what they are. */
     async #open(files: File[], tables: readonly Row[][]): Promise<void> {
         const texts = { ...this.#texts };
-        let name = this.#name;
+        let name = this.#ownName;
         for (const file of files.slice(0, 2)) {
             if (file.size > MOST_TEXT) {
                 this.say(() => say('textTooLarge', file.name));
@@ -290,7 +305,10 @@ class Page {
     async render(): Promise<void> {
         const fault = await this.#check();
         this.#keep();
-        if (fault) {
+        if (fault && this.#picture.isNone) {
+            // The mark has named the error.
+            this.#unsay();
+        } else if (fault) {
             this.say(() => this.#faultIn(fault.text));
         } else {
             this.#picture.render(this.module, this.#texts);
@@ -313,7 +331,7 @@ class Page {
     showEarlier(): void {
         const all = store.earlier();
         const options = all.map((one, index) => new Option(
-            `${new Date(one.time).toLocaleString()}: ${say('objects', ...store.sizes(one))}`, String(index)));
+            `${dated(one.time)}: ${say('objects', ...store.sizes(one))}`, String(index)));
         earlierTexts.replaceChildren(new Option(say('choose'), ''), ...options);
         earlierTexts.disabled = all.length === 0;
     }
@@ -343,7 +361,10 @@ class Page {
     }
 
     #keep(): void {
-        this.#tryTo(() => store.keep({ ...this.#texts, isTyped: this.#isTyped, ...(this.#name ? { name: this.#name } : {}), ...this.#saving.kept }));
+        this.#tryTo(() => {
+            const name = this.#ownName;
+            store.keep({ ...this.#texts, isTyped: this.#isTyped, ...(name ? { name } : {}), ...this.#saving.kept });
+        });
     }
 
     /** Calls `act`. If it fails, tells so and returns false. */

@@ -25,13 +25,15 @@ export class Picture {
         told: (column, row) => this.#view.told(column, row),
         clicked: (column, row) => {
             const step = Number(this.#canvas.dataset.step ?? 1);
-            this.#place = [column * step, row * step];
+            this.choose(column * step, row * step);
             void this.#view.clicked(column, row);
         },
     });
     readonly #view: ExactView;
     #stop: (() => void) | null = null;
     #state = () => '';
+    /** Whether a message of the page stays until the user acts, so that a running picture does not replace it. */
+    #isWarned = false;
     /** Whether the canvas has the picture of the last texts, or a part of it. */
     #isBegun = true;
     #ppm: Uint8Array<ArrayBuffer> | null = null;
@@ -67,11 +69,20 @@ export class Picture {
     /** Shows the state of the picture below it. */
     say(text: () => string): void {
         this.#state = text;
-        write(this.#status, text);
+        this.note(null);
     }
 
-    /** Shows a message of the page instead of the state, until the state changes; null shows the state again. */
-    note(text: (() => string) | null): void {
+    /** Shows the state of a running or finished picture, unless a message stays. */
+    #tell(text: () => string): void {
+        this.#isWarned ? (this.#state = text) : this.say(text);
+    }
+
+    /**
+     * Shows a message of the page instead of the state, until the state changes; null shows the state again. If `stays`
+     * holds, a picture that goes on or is finished does not replace the message.
+     */
+    note(text: (() => string) | null, stays = false): void {
+        this.#isWarned = stays;
         write(this.#status, text ?? this.#state);
     }
 
@@ -84,6 +95,16 @@ export class Picture {
     get explained(): Explained | null {
         const [texts, pixels] = [this.#texts, this.pixels];
         return texts && pixels && { texts, pixels, vectors: this.#vectors, place: this.#place };
+    }
+
+    /** Whether there is no picture, not even an unfinished one. */
+    get isNone(): boolean {
+        return this.#texts === null;
+    }
+
+    /** Chooses a pixel to explain. */
+    choose(column: number, row: number): void {
+        this.#place = [column, row];
     }
 
     /** Whether the picture belongs to these texts. Without a picture this holds. */
@@ -106,6 +127,7 @@ export class Picture {
     clear(): void {
         this.cancel();
         this.#forget(null);
+        this.say(() => '');
         this.#viewer.fit();
         erase(this.#canvas);
     }
@@ -145,7 +167,7 @@ export class Picture {
                 resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
                 this.#canvas.dataset.step = String(step);
                 size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
-                this.say(() => `${say('rendering')} ${size()}`);
+                this.#tell(() => `${say('rendering')} ${size()}`);
             }),
             progress: current((done, height) => {
                 const [share, seconds] = [done / height, (performance.now() - start) / 1000];
@@ -160,7 +182,7 @@ export class Picture {
                 [this.#ppm, this.#vectors] = [ppm, vectors];
                 this.#saves.forEach((button) => (button.disabled = false));
                 const seconds = ((performance.now() - start) / 1000).toFixed(2);
-                this.say(() => `${size()}, ${seconds} ${say('seconds')}`);
+                this.#tell(() => `${size()}, ${seconds} ${say('seconds')}`);
                 const code = document.createElement('code');
                 code.textContent = digest;
                 const same = document.createElement('span');

@@ -35,6 +35,8 @@ export interface Owner {
     /** The exact picture, if it is finished. */
     picture(): Rgb | null;
     explained(): Explained | null;
+    /** Chooses a pixel of the exact picture to explain. */
+    choose(column: number, row: number): void;
 }
 
 /** The parts that exist once a view of the shaders is shown. */
@@ -144,7 +146,8 @@ export class Studio {
     /** Returns the view that explains a pixel. Its code is loaded when it is needed. */
     async #explained(): Promise<ExplainView> {
         const { ExplainView } = await import('./explain');
-        return this.#explain ??= new ExplainView(() => this.owner.explained(), (line) => this.owner.goTo(line));
+        return this.#explain ??= new ExplainView(() => this.owner.explained(), (line) => this.owner.goTo(line),
+            (...pixel) => this.#made?.comparison.beside(...pixel) ?? null);
     }
 
     async #shown(name: string): Promise<void> {
@@ -250,6 +253,7 @@ export class Studio {
             refused,
             broken,
             clicked: (column, row) => follow(comparison.source, column, row),
+            chosen: (column, row) => this.owner.choose(column, row),
             closed: () => {
                 this.#stale.add('compare-pane');
                 void this.#shown(this.#tabs.current);

@@ -185,8 +185,11 @@ const WORDS = {
     pixelAt: ['column {0}, row {1}: {2}', 'columna {0}, fila {1}: {2}'],
     compareFiles: ['Compare files…', 'Comparar archivos…'],
     compareClose: ['Back to the shaders', 'Volver a los sombreadores'],
-    filesHelp: ['Two files (PPM, PNG), or one with the picture of the first tab.',
-        'Dos archivos (PPM, PNG), o uno con la imagen de la primera pestaña.'],
+    filesHelp: [
+        'Two files (PPM, PNG), or one with the picture of the first tab. "Explain" then tells the pixel that you click.',
+        'Dos archivos (PPM, PNG), o uno con la imagen de la primera pestaña. "Explicar" cuenta entonces el píxel en el '
+        + 'que pulse.',
+    ],
     viewHelp: [
         'Files can also be dropped on the page. Drag the line; the wheel zooms, and a drag with Shift or the right '
         + 'button moves the pictures.',
@@ -318,6 +321,12 @@ export function filled(texts: readonly [english: string, spanish: string], ...va
         const value = values[Number(number)] ?? '';
         return one === undefined ? grouped(value) : (value === 1 ? one : many) ?? '';
     });
+}
+
+/** Returns a date and a time in the page's language, in the way of the browser's country if both languages are one. */
+export function dated(milliseconds: number): string {
+    const language = ofLanguage(['en', 'es']);
+    return new Date(milliseconds).toLocaleString(navigator.languages.find((one) => one.startsWith(language)) ?? language);
 }
 
 /** The functions that return the texts of elements in the page's language. */

@@ -208,6 +208,15 @@ export const tests = {
         check((await shown(one)).startsWith('The course accepts this difference: RMSE 0.000'), 'the picture itself');
         check(/: (\d+ \d+ \d+) \| \1$/.test(await page.innerText('#compare-pane .viewing')), 'the numbers of the picture itself');
         equal(await page.textContent('#compare-names'), 'Left: one.ppm. Right: Picture.', 'the names');
+        // "Explain" tells the clicked pixel of the picture, and the bytes of the file beside it.
+        await shown(other);
+        await page.tap('#compare-most-at');
+        await page.tap('#tab-explain');
+        await page.waitForFunction(() => document.querySelectorAll('#explain-steps tr').length > 3);
+        equal(await page.inputValue('#explain-column') + ' ' + await page.inputValue('#explain-row'), `${column} ${row}`, 'the explained pixel');
+        equal(await page.textContent('#explain-said'), `Bytes ${colors[0]}, as in the picture. other.png has ${colors[1]}.`, 'both');
+        await page.tap('#tab-compare');
+        await shown(one);
         await page.setInputFiles('#files', [file('bad.png', 'x')]);
         const says = (words) => page.waitForFunction((said) =>
             document.getElementById('compare-names').textContent.startsWith(`Left: one.ppm. Right: Picture. ${said}`), words);

@@ -31,6 +31,14 @@ export const tests = {
         equal(await page.locator('#earlier option').count(), 2, 'an example is no typed text');
         const earlier = await page.locator('#earlier option').last().textContent();
         check(/: 0 objects, 480 px$/.test(earlier), earlier);
+        // Dates have the language of the page, and in English the way of the British browser.
+        const date = async () => (await page.locator('#earlier option').last().textContent()).split(': ')[0];
+        const at = await page.evaluate(() => JSON.parse(localStorage.getItem('render.earlier'))[0].time);
+        for (const [language, locale] of [['es', 'es'], ['en', 'en-GB']]) {
+            await page.selectOption('#language', language);
+            const told = await page.evaluate(([time, name]) => new Date(time).toLocaleString(name), [at, locale]);
+            equal(await date(), told, `the date in ${locale}`);
+        }
         await page.selectOption('#earlier', '0');
         await page.waitForSelector('#scene-faults pre');
         equal(await textOf(page, 'scene'), BROKEN, 'the earlier scene');
@@ -110,6 +118,16 @@ export const tests = {
             equal(page.url(), url, 'the page stays');
             await has(SMALL.scene);
         }
+        // The end of a picture does not replace the message.
+        await page.evaluate(() => document.getElementById('digest').replaceChildren());
+        await type(page, 'config', 'image_width: 320\nsamples_per_pixel: 400\n');
+        await page.click('#render');
+        await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('Rendering'));
+        await page.goBack().catch(() => null);
+        await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('Your text is not saved'));
+        check(await page.isVisible('#bar'), 'the picture is not finished');
+        await digest(page);
+        check((await page.textContent('#status')).startsWith('Your text is not saved'), await page.textContent('#status'));
         await page.click('#tab-live');
         await page.selectOption('#examples', 'listings');
         await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.startsWith('matte: mat1'));
@@ -124,6 +142,7 @@ export const tests = {
         await has(`${SMALL.scene}\n`);
         check(first !== SMALL.scene, 'the text was another one');
         // A text that is saved, here by a download, may be left.
+        await Promise.all([page.waitForEvent('download'), page.click('#config-save')]);
         const [saved] = await Promise.all([page.waitForEvent('download'), page.click('#scene-save')]);
         equal(saved.suggestedFilename(), 'scene.txt', 'the name of the file');
         await page.goBack().catch(() => null);
@@ -152,6 +171,19 @@ export const tests = {
         await digest(page);
         const [picture] = await Promise.all([page.waitForEvent('download'), page.click('#save-png')]);
         equal(picture.suggestedFilename(), 'balls.png', 'the name of the picture');
+        // A line that is left keeps the name, and a wholly new text has none.
+        for (const [scene, name] of [[`${SMALL.scene}sphere: 9 9 9 1 grey\n`, 'balls.png'],
+            ['matte: red .9 .1 .1\nsphere: 0 0 0 3 red\n', 'picture.png']]) {
+            await type(page, 'scene', scene);
+            await have('image_width: 33\n', scene);
+            await page.evaluate(() => document.getElementById('digest').replaceChildren());
+            await page.click('#render');
+            await digest(page);
+            const [file] = await Promise.all([page.waitForEvent('download'), page.click('#save-png')]);
+            equal(file.suggestedFilename(), name, 'the name of the picture of a changed scene');
+        }
+        await type(page, 'scene', `${SMALL.scene}\n`);
+        await have('image_width: 33\n', `${SMALL.scene}\n`);
         await page.setInputFiles('#texts-files', { name: 'my-config.txt', mimeType: 'text/plain', buffer: Buffer.from(SMALL.config) });
         await have(SMALL.config, `${SMALL.scene}\n`);
         await page.click('#config-editor .cm-content');

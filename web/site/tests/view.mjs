@@ -141,6 +141,9 @@ export const tests = {
             const page = await open(url);
             await page.waitForSelector('#config-faults pre');
             check((await page.textContent('#scene-state')).includes('does not exist yet'), 'the page offers to create it');
+            const result = await page.innerText('#result');
+            equal(result.match(/There is an error in: Configuration\./g)?.length, 1, `the error is named once: ${result}`);
+            check(!result.includes('earlier texts'), `there is no earlier picture: ${result}`);
             await shoot(page, 'view-missing');
             await type(page, 'scene', SMALL.scene);
             await page.click('#scene-save');
