@@ -71,13 +71,17 @@ export class ExactView {
         return Number.isNaN(depth) && kind !== 'cost' ? say('background') : what;
     }
 
-    /** Goes to the line of the object at a pixel. */
+    /** Goes to the line of the object at a pixel of the picture. */
     async clicked(column: number, row: number): Promise<void> {
         const seen = await this.#see();
-        const object = seen?.numbers[NUMBERS * (row * seen.facts.width + column) + PLACES.object];
-        const one = seen?.objects[object ?? -1];
+        if (!seen) {
+            return;
+        }
+        // The view may be narrower than the picture. A quotient may be a little below the whole number that it means.
+        const [x = 0, y = 0] = [column, row].map((place) => Math.floor((place * seen.facts.width) / seen.whole + 1e-6));
+        const one = seen.objects[seen.numbers[NUMBERS * (y * seen.facts.width + x) + PLACES.object] ?? -1];
         one && this.owner.goTo(one.line);
-        this.owner.say(() => (one ? objectName(one) : say('background')));
+        this.owner.say(() => say('pixelAt', column, row, one ? objectName(one) : say('background')));
     }
 
     /** Traces one ray through the middle of each pixel, once for each picture. */

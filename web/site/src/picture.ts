@@ -25,8 +25,8 @@ export class Picture {
         told: (column, row) => this.#view.told(column, row),
         clicked: (column, row) => {
             const step = Number(this.#canvas.dataset.step ?? 1);
-            this.choose(column * step, row * step);
-            void this.#view.clicked(column, row);
+            this.choose(Math.ceil(column * step), Math.ceil(row * step));
+            void this.#view.clicked(Math.ceil(column * step), Math.ceil(row * step));
         },
     });
     readonly #view: ExactView;

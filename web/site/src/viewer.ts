@@ -141,12 +141,12 @@ export class Viewer {
         const pixel = this.#told && this.#pixelAt(this.#told);
         const data = pixel ? this.#canvases.map((canvas) =>
             canvas.getContext('2d')?.getImageData(...pixel, 1, 1).data ?? new Uint8ClampedArray(4)) : [];
-        // A large picture is shown in part, and its canvas has every `step`th pixel.
+        // A large picture is shown in part, and its canvas has every `step`th pixel; a view's step may be a fraction.
         const step = Number(this.#canvases[0]?.dataset.step ?? 1);
         const colors = data.map((bytes) => bytes.slice(0, 3).join(' ')).join(' | ');
         const told = pixel && this.owner.told?.(...pixel);
         const isKnown = told || data.every((bytes) => bytes[3] !== 0);
-        const places = pixel?.map((place) => Math.floor(place * step)) ?? [];
+        const places = pixel?.map((place) => Math.ceil(place * step)) ?? [];
         write(this.#pixel, () => (pixel && isKnown ? say('pixelAt', ...places, told ?? colors) : ''));
     }
 }

@@ -117,6 +117,25 @@ export const tests = {
         equal(Number(/brightness\(([\d.]+)\)/.exec(filter)[1]).toFixed(4), (4 ** (1 / 2.2)).toFixed(4), 'the factor of the bytes');
     },
 
+    async 'a click in a picture wider than its views finds the pixel and the object, in every view'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await render(page, { scene: 'matte: grey .5 .5 .5\n\nsphere: 0 0 0 1 grey\n',
+            config: 'image_width: 1920\nsamples_per_pixel: 1\ncamera_position: 0 0 -10\ncamera_target: 0 0 0\n' });
+        for (const view of ['picture', 'object']) {
+            await page.selectOption('#exact-view', view);
+            await page.waitForFunction((width) => document.getElementById('canvas').width === width, view === 'picture' ? 1920 : 1280);
+            for (const [part, object] of [[0.5, 'sphere, line 3'], [0.1, 'background']]) {
+                const { width, height } = await page.locator('#exact-stage').boundingBox();
+                await page.click('#exact-stage', { position: { x: part * width, y: 0.5 * height } });
+                await page.waitForFunction((name) => document.getElementById('status').textContent.endsWith(`: ${name}`), object);
+                const [column, row] = (await page.textContent('#status')).match(/^column (.*), row (.*):/).slice(1).map(Number);
+                check(Math.abs(column - 1920 * part) < 4 && Math.abs(row - 540) < 4, `${view}: ${column} ${row}`);
+                check((await page.innerText('#exact .viewing')).includes(`column ${column}, row ${row}: `), 'both places are one');
+            }
+        }
+    },
+
     async 'the saved files have the bytes of the picture'({ open, url }) {
         const page = await open(url);
         await digest(page);
