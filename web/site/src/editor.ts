@@ -174,6 +174,13 @@ export class Editor {
         this.#view.dispatch(setDiagnostics(this.#view.state, diagnostics));
     }
 
+    /** Scrolls to the cursor if the user is in the editor, because something may have covered its line. */
+    reveal(): void {
+        if (this.#view.hasFocus) {
+            this.#view.contentDOM.querySelector('.cm-activeLine')?.scrollIntoView({ block: 'nearest' });
+        }
+    }
+
     /** Moves the cursor to a line. */
     goTo(line: number): void {
         this.show({ line, column: 1, length: 0, message: '' });

@@ -74,6 +74,7 @@ export class ShaderEditor {
         this.#faults = faults;
         this.#mark();
         this.#list.replaceChildren(...faults.slice(0, 5).map((fault) => this.#line(fault)));
+        faults.length > 0 && this.#editor.reveal();
     }
 
     #line(fault: ShaderFault): HTMLElement {

@@ -98,6 +98,20 @@ export const tests = {
         equal(rmse((await pixels(page, 'live-canvas')).bytes, first.bytes), 0, 'the picture of the original text');
     },
 
+    async 'the list of faults does not cover the line of the cursor'({ open, url }) {
+        const page = await openModule(open, url, 'background');
+        await page.setViewportSize({ width: 1366, height: 650 });
+        await page.locator('#shader-editor .cm-line', { hasText: 'let m' }).click();
+        await page.keyboard.press('Home');
+        await page.evaluate(() => document.querySelector('#shader-editor .cm-activeLine').scrollIntoView({ block: 'end' }));
+        await page.keyboard.insertText('x');
+        await page.waitForSelector('#shader-faults pre');
+        await page.waitForFunction(() => {
+            const [line, list] = ['#shader-editor .cm-activeLine', '#shader-faults'].map((name) => document.querySelector(name).getBoundingClientRect());
+            return line.top > 0 && line.bottom <= list.top;
+        }, null, { timeout: 5000 });
+    },
+
     async 'faults of WGSL are told at their place'({ open, url }) {
         const page = await openModule(open, url, 'background');
         const name = 'fn background_color';
