@@ -161,8 +161,8 @@ class Page {
     }
 
     /**
-     * Marks the picture if it does not belong to the texts, and all views if the texts have an error. Without a picture,
-     * nothing belongs to earlier texts.
+     * Marks the picture if it does not belong to the texts, and all views if the texts have an error. Without a
+     * picture, nothing belongs to earlier texts.
      */
     #mark(fault: Fault | null): void {
         const isOld = !this.#picture.isOf(this.#texts);
