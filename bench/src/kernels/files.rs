@@ -16,8 +16,11 @@ use super::{Kernel, Work, plain};
 pub const KERNELS: &[Kernel] = &[
     Kernel { name: "parse-config", new: parse_config },
     Kernel { name: "parse-scene", new: parse_scene },
-    Kernel { name: "build-flat-filter", new: || build(60, Arrangement::Grid) },
-    Kernel { name: "build-bvh", new: || build(5000, Arrangement::Scattered) },
+    Kernel {
+        name: "build-flat-filter",
+        new: || build(36, Arrangement::Grid, |accel| matches!(accel, Accel::FlatFilter(_))),
+    },
+    Kernel { name: "build-bvh", new: || build(5000, Arrangement::Scattered, |accel| matches!(accel, Accel::Bvh(_))) },
     Kernel { name: "write-ppm", new: write_ppm },
 ];
 
@@ -35,13 +38,14 @@ fn parse_scene() -> Box<dyn Work> {
     })
 }
 
-/// Builds the structure of a scene. A grid has a ground, which is a dominant sphere.
-fn build(objects: usize, arrangement: Arrangement) -> Box<dyn Work> {
+/// Builds the structure of a scene, which must be the expected one. A grid has a ground, which is a dominant sphere.
+fn build(objects: usize, arrangement: Arrangement, is_expected: fn(&Accel) -> bool) -> Box<dyn Work> {
     let scene = generator::scene(&Options { objects, arrangement, ..Options::default() });
     let mut objects = AosObjects::build(&scene).expect("it fits");
     let extent = Extent { max_coordinate: 100.0, moderate: true, has_tiny: false };
     plain(objects.sphere_count() + objects.cylinder_count(), move || {
-        black_box(Accel::new(black_box(&mut objects), &extent).expect("it fits"));
+        let accel = Accel::new(black_box(&mut objects), &extent).expect("it fits");
+        assert!(is_expected(black_box(&accel)), "another structure is chosen");
     })
 }
 

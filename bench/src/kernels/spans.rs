@@ -1,5 +1,6 @@
 //! Kernels of rendering: the stages of one span of 32 pixels with 32 samples each.
 
+use cpu::internals::accel::choice::Accel;
 use cpu::internals::render::camera_rays::TraceCameraRays;
 use cpu::internals::render::span::{Span, spans_of_row};
 use cpu::internals::render::span_state::SpanState;
@@ -66,6 +67,11 @@ impl Stages {
         self.set.run(TracePaths(&mut self.state));
     }
 
+    fn paths_of_filter(&mut self) {
+        assert!(matches!(self.state.prepared.accel, Accel::FlatFilter(_)), "there are too many cylinders");
+        self.paths();
+    }
+
     fn path_ends(&mut self) {
         self.set.run(ColorPaths(&mut self.state));
     }
@@ -110,7 +116,7 @@ pub const KERNELS: &[Kernel] = &[
     },
     Kernel { name: "specular-chains", new: || stage(TWO_SPHERES, specular, Stages::specular_chains) },
     Kernel { name: "paths-small-scene", new: || on_grid(6, queued_again, Stages::paths) },
-    Kernel { name: "paths-flat-filter", new: || on_grid(60, queued_again, Stages::paths) },
+    Kernel { name: "paths-flat-filter", new: || on_grid(36, queued_again, Stages::paths_of_filter) },
     Kernel { name: "paths-bvh", new: || on_grid(1000, queued_again, Stages::paths) },
     Kernel { name: "paths-large-bvh", new: || on_grid(30_000, queued_again, Stages::paths) },
     Kernel { name: "path-ends", new: || on_grid(60, traced, Stages::path_ends) },
