@@ -28,7 +28,7 @@ fn options() -> impl Strategy<Value = Options> {
     });
     // The extent is a power of ten from 0.0001 to 100,000; all powers are equally likely.
     let extent = (-4..=5).prop_map(|exponent| format!("1e{exponent}").parse().expect("it is a number"));
-    // Up to 8 objects make a small scene. Up to 64 with a ground get a flat filter, and others get a BVH.
+    // Up to 8 objects make a small scene. Up to 64 with few cylinders get a flat filter, and others get a BVH.
     let objects = prop_oneof![4 => 0..=8_usize, 4 => 9..=100_usize, 1 => 101..=300_usize];
     (any::<u64>(), objects, cylinders, materials, extent, arrangement).prop_map(
         |(seed, objects, cylinders, materials, extent, arrangement)| Options {

@@ -37,8 +37,8 @@ use crate::accel::{
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
-/// The acceleration structure of a scene. [`Accel::new`] chooses it by the number of objects and by the scene's largest
-/// and smallest numbers.
+/// The acceleration structure of a scene. [`Accel::new`] chooses it by the number and kinds of the objects, and by
+/// the scene's largest and smallest numbers.
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "a scene has one")]
 pub enum Accel {

@@ -1,8 +1,8 @@
 //! Compares the exact intersections in WGSL with those of `cpu`: for every ray the decision of each step, and the bits
 //! of its lambda.
 //!
-//! The programs intersect by a plain formula with an error bound, then by a compensated formula, and at last in dyadic
-//! arithmetic. The first two steps exist in WGSL too (`shaders/wgsl/exact`). A kernel computes both for every ray, also
+//! The programs intersect by a plain formula with an error bound, then by a compensated formula, and then in more
+//! digits. The first two steps exist in WGSL too (`shaders/wgsl/exact`). A kernel computes both for every ray, also
 //! if the first one is certain. If both are uncertain, the kernel reports that, and the comparison demands that exactly
 //! these rays are uncertain in Rust. It needs f64: in f32 the constants of the bounds have no proof.
 //!
