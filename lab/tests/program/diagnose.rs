@@ -116,13 +116,13 @@ fn the_text_tells_refraction_and_total_reflection_with_their_numbers() {
     let lines: Vec<_> = text.lines().map(str::trim).collect();
     let after = |words: &str| {
         let place = lines.iter().position(|line| line.starts_with(words)).unwrap_or_else(|| panic!("{words}: {text}"));
-        lines[place + 1]
+        lines[place + 2]
     };
     let enters = after("rho'      = 0.6666666666666666 = 1 / 1.5: the ray enters");
-    assert!(enters.starts_with("cos 0.") && enters.ends_with(" <= 1: it is refracted"), "{text}");
+    assert!(enters.starts_with("cos with this normal 0.") && enters.ends_with(" <= 1: it is refracted"), "{text}");
     // The side's short normal makes every sine greater than 1 / 1.5.
     let leaves = after("rho'      = rho = 1.5: the ray leaves");
-    assert!(leaves.starts_with("cos 0.") && leaves.ends_with(" > 1: it is reflected"), "{text}");
+    assert!(leaves.starts_with("cos with this normal 0.") && leaves.ends_with(" > 1: it is reflected"), "{text}");
     assert!(
         text.contains("object 2, side: no root, the discriminant is negative\n    object 2, upper base:"),
         "{text}"
