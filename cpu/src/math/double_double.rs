@@ -10,7 +10,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::math::{error_free::two_product, error_free::two_sum, real::Real, real::functions};
+use crate::math::{error_free::two_product, error_free::two_sum, real::Real};
 
 /// The number `high + low`. The magnitude of `low` is at most half a unit in the last place of `high`. Comparisons rely
 /// on this, and all operations of this type keep it.
@@ -31,76 +31,90 @@ fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
-    functions! {
-        fn add(self, other: Self) -> Self {
-            let (high, high_error) = two_sum(self.high, other.high);
-            let (low, low_error) = two_sum(self.low, other.low);
-            let sum = fast_two_sum(high, high_error + low);
-            fast_two_sum(sum.high, sum.low + low_error)
-        }
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let (high, high_error) = two_sum(self.high, other.high);
+        let (low, low_error) = two_sum(self.low, other.low);
+        let sum = fast_two_sum(high, high_error + low);
+        fast_two_sum(sum.high, sum.low + low_error)
     }
 }
 
 impl Neg for DoubleDouble {
     type Output = Self;
-    functions! {
-        fn neg(self) -> Self { Self { high: -self.high, low: -self.low } }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
     }
 }
 
 impl Sub for DoubleDouble {
     type Output = Self;
-    functions! {
-        fn sub(self, other: Self) -> Self { self + -other }
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
     }
 }
 
 impl Mul for DoubleDouble {
     type Output = Self;
-    functions! {
-        fn mul(self, other: Self) -> Self {
-            let (product, error) = two_product(self.high, other.high);
-            let low = self.high.mul_add(other.low, self.low * other.low);
-            let low = self.low.mul_add(other.high, low);
-            fast_two_sum(product, error + low)
-        }
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let (product, error) = two_product(self.high, other.high);
+        let low = self.high.mul_add(other.low, self.low * other.low);
+        let low = self.low.mul_add(other.high, low);
+        fast_two_sum(product, error + low)
     }
 }
 
 impl Div for DoubleDouble {
     type Output = Self;
-    functions! {
-        fn div(self, divisor: Self) -> Self {
-            let high = self.high / divisor.high;
-            let (product, error) = two_product(divisor.high, high);
-            let product = fast_two_sum(product, divisor.low.mul_add(high, error));
-            let remainder = (self.high - product.high) + (self.low - product.low);
-            fast_two_sum(high, remainder / divisor.high)
-        }
+    #[inline(always)]
+    fn div(self, divisor: Self) -> Self {
+        let high = self.high / divisor.high;
+        let (product, error) = two_product(divisor.high, high);
+        let product = fast_two_sum(product, divisor.low.mul_add(high, error));
+        let remainder = (self.high - product.high) + (self.low - product.low);
+        fast_two_sum(high, remainder / divisor.high)
     }
 }
 
 impl Real for DoubleDouble {
     type Mask = bool;
 
-    functions! {
-        fn of(high: f64) -> Self { Self { high, low: 0.0 } }
-        fn sqrt(self) -> Self {
-            if self.high == 0.0 {
-                return self;
-            }
-            let high = self.high.sqrt();
-            let remainder = (-high).mul_add(high, self.high) + self.low;
-            fast_two_sum(high, remainder / (high + high))
+    #[inline(always)]
+    fn of(high: f64) -> Self {
+        Self { high, low: 0.0 }
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        if self.high == 0.0 {
+            return self;
         }
-        fn abs(self) -> Self { if self.high < 0.0 { -self } else { self } }
-        fn less(self, other: Self) -> bool {
-            self.high < other.high || (self.high == other.high && self.low < other.low)
-        }
-        fn less_equal(self, other: Self) -> bool {
-            self.high < other.high || (self.high == other.high && self.low <= other.low)
-        }
-        fn select(mask: bool, yes: Self, no: Self) -> Self { if mask { yes } else { no } }
+        let high = self.high.sqrt();
+        let remainder = (-high).mul_add(high, self.high) + self.low;
+        fast_two_sum(high, remainder / (high + high))
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        if self.high < 0.0 { -self } else { self }
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self.high < other.high || (self.high == other.high && self.low < other.low)
+    }
+
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> bool {
+        self.high < other.high || (self.high == other.high && self.low <= other.low)
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The trait of arithmetic whose rounding errors are known. Formulas with an error bound are generic over it.
 
-use crate::math::{real::Real, real::functions};
+use crate::math::real::Real;
 
 /// Arithmetic with the rounding errors of `f64`: `f64` itself, and its lanes. The exact intersections need this trait,
 /// while the plain formulas need only [`Real`].
@@ -20,9 +20,13 @@ pub trait Rounding: Real {
 }
 
 impl Rounding for f64 {
-    functions! {
-        fn mul_add(self, factor: Self, term: Self) -> Self { self.mul_add(factor, term) }
-        // A machine without fused multiply-add would call a function, which is slow.
-        fn mul_add_loosely(self, factor: Self, term: Self) -> Self { self * factor + term }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
+    // A machine without fused multiply-add would call a function, which is slow.
+    #[inline(always)]
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
+        self * factor + term
     }
 }

@@ -97,7 +97,6 @@ fn a_pixel_is_explained_beside_that_of_another_picture() {
     );
     let text = printed(&["explain", &config, &scene, "6", "4", "--other", &own]);
     assert!(text.ends_with("first       no pixel differs\n"), "{text}");
-
     assert!(text.contains("sample 3 of 0 to 3\n") && text.contains(" of all 4 samples of the pixel\n"), "{text}");
 
     let told: Value = printed(&["explain", &config, &scene, "7", "4", "--json"]).parse().expect("it is JSON");

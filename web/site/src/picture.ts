@@ -25,8 +25,9 @@ export class Picture {
         told: (column, row) => this.#view.told(column, row),
         clicked: (column, row) => {
             const step = Number(this.#canvas.dataset.step ?? 1);
-            this.choose(Math.ceil(column * step), Math.ceil(row * step));
-            void this.#view.clicked(Math.ceil(column * step), Math.ceil(row * step));
+            const place = [Math.ceil(column * step), Math.ceil(row * step)] as const;
+            this.choose(...place);
+            void this.#view.clicked(...place);
         },
     });
     readonly #view: ExactView;
