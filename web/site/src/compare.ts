@@ -191,8 +191,7 @@ export class Comparison {
             this.#draw();
         } catch (error) {
             // The comparison before stays.
-            write(element('compare-names'), () => [this.#names && say('filesNames', ...this.#names), messageOf(error)]
-                .filter(Boolean).join(' '));
+            write(element('compare-fault'), () => messageOf(error));
         }
     }
 
@@ -237,6 +236,7 @@ export class Comparison {
         this.#names = names;
         element('compare-pane').classList.toggle('files', names !== null);
         write(element('compare-names'), () => (names ? say('filesNames', ...names) : ''));
+        write(element('compare-fault'), () => '');
         if (names && this.#view.value === 'ulps') {
             this.#view.value = 'linear';
         }

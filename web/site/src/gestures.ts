@@ -13,6 +13,7 @@ export interface Wishes {
     /** `factor` is below 1 to come closer. */
     zoom(factor: number, at: Place | null): void;
     reset(): void;
+    /** The key Enter clicks the middle. */
     click(at: Place): void;
 }
 
@@ -121,6 +122,8 @@ export class Gestures {
             this.wishes.zoom(event.key === '+' ? CLOSER : 1 / CLOSER, null);
         } else if (event.key === 'Home') {
             this.wishes.reset();
+        } else if (event.key === 'Enter') {
+            this.wishes.click({ x: 0.5, y: 0.5 });
         } else {
             return;
         }

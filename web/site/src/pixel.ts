@@ -2,6 +2,7 @@
 import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
 import { definitions, nameOf, objectName, type Definitions } from './definitions';
+import type { Explained } from './explain';
 import { plan } from './plan';
 import { Faulty, type Facts, type Preparer } from './preparer';
 import { developed, paint } from './shown';
@@ -72,10 +73,13 @@ function meaning(number: number, name: string, kind: string, { objects, material
 /** The view of a pixel's path. */
 export class PixelView {
     readonly #table = element('pixel-steps');
+    readonly #inputs = ['column', 'row'].map((name) => element<HTMLInputElement>(`pixel-${name}`));
     readonly #picture = element<HTMLCanvasElement>('pixel-picture');
     /** The scene in deterministic light, for the facts of which it was rendered. */
     #image: { facts: Facts; image: ImageData } | null = null;
     #source: Source | null = null;
+    /** The pixel of the exact picture that was followed last. */
+    #clicked: Explained['place'] = null;
     #newest = 0;
 
     /**
@@ -88,9 +92,7 @@ export class PixelView {
         private readonly broken: (error: unknown) => void,
         private readonly goTo: (line: number) => void,
     ) {
-        for (const id of ['pixel-column', 'pixel-row']) {
-            element(id).addEventListener('change', () => void this.refresh());
-        }
+        this.#inputs.forEach((input) => input.addEventListener('change', () => void this.refresh()));
         this.#picture.addEventListener('click', ({ offsetX, offsetY }) => {
             const { width, height, clientWidth, clientHeight } = this.#picture;
             if (this.#source) {
@@ -102,15 +104,17 @@ export class PixelView {
 
     /** The column and the row of the pixel, or null if none is shown. */
     get place(): [number, number] | null {
-        const value = (id: string) => Number(element<HTMLInputElement>(id).value);
-        return this.#source && [value('pixel-column'), value('pixel-row')];
+        return this.#source && this.#inputs.map(({ value }) => Number(value)) as [number, number];
+    }
+
+    set place(place: [number, number]) {
+        place.forEach((value, index) => (this.#inputs[index]!.value = String(value)));
     }
 
     /** Shows the path of a pixel. */
     async show(source: Source, column: number, row: number): Promise<void> {
         this.#source = source;
-        element<HTMLInputElement>('pixel-column').value = String(column);
-        element<HTMLInputElement>('pixel-row').value = String(row);
+        this.place = [column, row];
         await this.refresh();
     }
 
@@ -122,16 +126,18 @@ export class PixelView {
         this.#table.ariaBusy = 'false';
     }
 
-    /** Follows the path in another scene, or seen by another camera. */
-    async renew(): Promise<void> {
-        if (!this.#source?.isCurrent()) {
+    /** Follows the path in another scene, by another camera, or of the pixel that was clicked in the exact picture. */
+    async renew(exact: Explained | null): Promise<void> {
+        const isClicked = exact?.place && exact.place !== this.#clicked;
+        if (isClicked || !this.#source?.isCurrent()) {
+            this.#clicked = exact?.place ?? null;
             this.#source = null;
-            await this.refresh();
+            await this.refresh(isClicked ? exact : null);
         }
     }
 
-    /** Follows the path again, after a shader or the place has changed. */
-    async refresh(): Promise<void> {
+    /** Follows the path again, after a shader or the place has changed, which is the clicked one of `exact` if given. */
+    async refresh(exact: Explained | null = null): Promise<void> {
         const own = ++this.#newest;
         this.#table.ariaBusy = 'true';
         const source = this.#source ?? await this.find();
@@ -144,6 +150,12 @@ export class PixelView {
         }
         this.#source = source;
         const { width, height } = source.facts;
+        if (exact?.place) {
+            // The exact picture may have another size.
+            const [column, row] = exact.place;
+            const { pixels } = exact;
+            this.place = [((column + 0.5) * width) / pixels.width, ((row + 0.5) * height) / pixels.height];
+        }
         const [row, column] = [limited('pixel-row', 'row', height), limited('pixel-column', 'column', width)];
         const pixel = row * width + column;
         try {

@@ -169,7 +169,7 @@ export class Studio {
             await comparison.show(this.owner.texts());
         }
         if (name === 'pixel-pane') {
-            await pixel.renew();
+            await pixel.renew(this.owner.explained());
         }
     }
 

@@ -126,9 +126,11 @@ const WORDS = {
     busy: ['Calculating…', 'Calculando…'],
     liveHelp: [
         'Drag to turn, with Shift or the right button to move, wheel or two fingers to come closer. Click a pixel '
-        + 'to follow its path. The keys move the camera: arrows, Shift+arrows, + and -, Home.',
+        + 'to follow its path. The keys move the camera: arrows, Shift+arrows, + and -, Home. '
+        + 'Enter follows the pixel in the middle.',
         'Arrastrar gira; con Mayús o el botón derecho desplaza; rueda o dos dedos acercan. Un clic en un píxel '
-        + 'sigue su camino. Las teclas mueven la cámara: flechas, Mayús+flechas, + y -, Inicio.'],
+        + 'sigue su camino. Las teclas mueven la cámara: flechas, Mayús+flechas, + y -, Inicio. '
+        + 'Intro sigue el píxel del centro.'],
     liveHelpTouch: [
         'Drag with one finger to turn, with two fingers to move or to come closer. Tap a pixel to follow its path.',
         'Arrastrar con un dedo gira; con dos, desplaza o acerca. Pulse un píxel para seguir su camino.'],
@@ -162,7 +164,7 @@ const WORDS = {
     rustF32: ['the same steps in Rust (f32)', 'Rust, mismos pasos (f32)'],
     viewBoth: ['both pictures', 'las dos imágenes'],
     viewLinear: ['difference, linear', 'diferencia, lineal'],
-    viewUlps: ['difference, units in the last place', 'diferencia, unidades en el último lugar'],
+    viewUlps: ['difference, last places', 'diferencia, últimos lugares'],
     blink: ['Blink', 'Parpadear'],
     comparing: ['Comparing…', 'Comparando…'],
     ulps: ['{0} {0|unit|units} in the last place', '{0} {0|unidad|unidades} en el último lugar'],
@@ -187,7 +189,7 @@ const WORDS = {
     compareClose: ['Back to the shaders', 'Volver a los sombreadores'],
     filesHelp: [
         'Two files (PPM, PNG), or one with the picture of the first tab. "Explain" then tells the pixel that you click.',
-        'Dos archivos (PPM, PNG), o uno con la imagen de la primera pestaña. "Explicar" cuenta entonces el píxel en el '
+        'Dos archivos (PPM, PNG), o uno con la imagen de la primera pestaña. «Explicar» cuenta entonces el píxel en el '
         + 'que pulse.',
     ],
     viewHelp: [
@@ -224,8 +226,8 @@ const WORDS = {
     planRust: ['path by Rust', 'camino según Rust'],
     planSame: ['path by Rust and by WGSL', 'camino según Rust y según WGSL'],
     pixel: ['Pixel', 'Píxel'],
-    pixelHelp: ['Click or tap a pixel here, in the live view or in the comparison, or type its place.',
-        'Pulse un píxel aquí, en la vista en vivo o en la comparación, o escriba su lugar.'],
+    pixelHelp: ['Click or tap a pixel here, in the picture, in the live view or in the comparison, or type its place.',
+        'Pulse un píxel aquí, en la imagen, en la vista en vivo o en la comparación, o escriba su lugar.'],
     explain: ['Explain', 'Explicar'],
     explainHelp: [
         'How the exact picture computes a pixel, by the steps of the statement. Click the pixel in the picture, or type '
@@ -331,6 +333,9 @@ export function dated(milliseconds: number): string {
 
 /** The functions that return the texts of elements in the page's language. */
 const written = new Map<HTMLElement, () => string>();
+
+/** Returns the element of the page with this id. */
+export const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
 /** Writes what `text` returns into an element, and again when the language changes. */
 export function write(element: HTMLElement, text: () => string): void {

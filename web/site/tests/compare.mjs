@@ -4,7 +4,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { encode } from 'fast-png';
-import { check, digest, equal, frame, pixels, render, rmse, shoot, still } from './tools.mjs';
+import { check, digest, equal, frame, pixels, render, rmse, shoot, SMALL, still } from './tools.mjs';
 import { openLive, SCENE } from './live.mjs';
 import { edit, openModule } from './shaders.mjs';
 
@@ -130,6 +130,42 @@ export const tests = {
         }
     },
 
+    async 'a pixel that is clicked in the picture is followed and explained'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await render(page, { config: 'image_width: 960\nsamples_per_pixel: 1\n', scene: SMALL.scene });
+        const choose = async (act) => {
+            const told = await page.textContent('#status');
+            await page.click('#tab-exact');
+            await act();
+            await page.waitForFunction((before) => {
+                const { textContent } = document.getElementById('status');
+                return textContent.startsWith('column') && textContent !== before;
+            }, told);
+            const place = (await page.textContent('#status')).match(/^column (\d+), row (\d+)/).slice(1).map(Number);
+            // The views of the shaders are half as wide as this picture.
+            for (const [tab, size] of [['pixel', 2], ['explain', 1], ['pixel', 2]]) {
+                await page.click(`#tab-${tab}`);
+                await page.waitForFunction(([name, ...numbers]) => numbers.every((number, index) =>
+                    document.getElementById(`${name}-${['column', 'row'][index]}`).value === String(number)),
+                [tab, ...place.map((number) => Math.floor(number / size))]);
+            }
+            return place.join(' ');
+        };
+        const { width, height } = await page.locator('#exact-stage').boundingBox();
+        const clicked = await choose(() => page.click('#exact-stage', { position: { x: width / 4, y: height / 2 } }));
+        check(/^(239|240|241) /.test(clicked), clicked);
+        equal(await choose(() => page.press('#exact-stage', 'Enter')), '480 270', 'the key Enter chooses the middle');
+        // A pixel that is typed stays until another one is clicked in the picture.
+        await page.fill('#pixel-column', '7');
+        await page.press('#pixel-column', 'Enter');
+        await page.click('#tab-exact');
+        await page.click('#tab-pixel');
+        equal(await page.inputValue('#pixel-column'), '7', 'the typed column');
+        await page.waitForFunction(() => document.getElementById('pixel-steps').ariaBusy === 'false');
+        await shoot(page, 'pixel-clicked');
+    },
+
     async 'the slider, the linear map and blinking show both pictures'({ open, url }) {
         const page = await openLive(open, url);
         await page.click('#tab-compare');
@@ -218,10 +254,15 @@ export const tests = {
         await page.tap('#tab-compare');
         await shown(one);
         await page.setInputFiles('#files', [file('bad.png', 'x')]);
-        const says = (words) => page.waitForFunction((said) =>
-            document.getElementById('compare-names').textContent.startsWith(`Left: one.ppm. Right: Picture. ${said}`), words);
-        await says('bad.png: this is neither');
+        const refused = (words) => page.waitForSelector(`[role=alert]:text("${words}")`);
+        await refused('bad.png: this is neither');
+        const color = (selector) => page.evaluate((name) => getComputedStyle(document.querySelector(name)).color, selector);
+        equal(await color('#compare-fault'), 'rgb(179, 20, 28)', 'the colour of errors');
+        equal(await page.textContent('#compare-names'), 'Left: one.ppm. Right: Picture.', 'the names of the comparison before');
         equal(await figures(page), 0, 'the comparison before stays');
+        await shoot(page, 'phone-refused');
+        await shown(other);
+        equal(await page.textContent('#compare-fault'), '', 'the refusal after another comparison');
         // A file is dropped on the page, whichever view is shown.
         await page.tap('#tab-exact');
         await page.evaluate((list) => {
@@ -230,7 +271,7 @@ export const tests = {
             const drop = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
             document.getElementById('canvas').dispatchEvent(drop);
         }, Array.from(Buffer.from('P6 1 1 255\n123')));
-        await says('one.ppm has 1 × 1 pixels, and Picture has');
+        await refused('one.ppm has 1 × 1 pixels, and Picture has');
         rmSync(folder, { recursive: true });
     },
 

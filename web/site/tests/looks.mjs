@@ -85,6 +85,20 @@ export const tests = {
         }
     },
 
+    async 'the help of each view is in sight in a low window'({ open, url }) {
+        for (const language of ['en', 'es']) {
+            const page = await openLive(open, url, SCENE, { viewport: { width: 1366, height: 650 } });
+            await page.selectOption('#language', language);
+            for (const [name, ready] of [['live', '#live-axes:not(:empty)'], ['compare', '#compare-figures[data-differing]']]) {
+                await page.click(`#tab-${name}`);
+                await page.waitForSelector(ready);
+                const { y, height } = await page.locator(`#${name}-help`).boundingBox();
+                check(height > 30 && y + height <= 650, `the help of ${name} in ${language} ends at ${y + height}`);
+                await shoot(page, `low-${name}-${language}`);
+            }
+        }
+    },
+
     async 'everything is reached with the keyboard'({ open, url }) {
         const page = await open(url);
         await digest(page);
