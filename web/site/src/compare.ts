@@ -5,14 +5,13 @@ import { namedOf, type Named } from './files';
 import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
 import type { Source } from './pixel';
-import { Faulty, type Facts, type Preparer } from './preparer';
+import { Faulty } from './module';
+import type { Facts, Preparer } from './preparer';
 import { shown, type Rgb } from './ppm';
 import { developed, erase, paint, shownConfig, shownWidth } from './shown';
 import type { Texts } from './store';
 import { Viewer } from './viewer';
-import { messageOf, say, write } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { element, messageOf, say, write } from './words';
 
 /** Largest width of the pictures in pixels. */
 const WIDTH = 480;

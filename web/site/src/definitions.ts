@@ -1,5 +1,5 @@
 // What the lines of a scene define: the words for the numbers of objects and materials.
-import { say } from './words';
+import { say, write } from './words';
 
 /** The lines of a scene that define objects, and those that define materials, each in the order of their numbers. */
 export interface Definitions {
@@ -29,3 +29,15 @@ export const nameOf = (word: string, line: number): string => `${word}, ${say('l
 
 /** Returns the words for an object, such as "cylinder, line 20". */
 export const objectName = ({ tag, line }: Definition): string => nameOf(say(tag === 'sphere' ? 'sphere' : 'cylinder'), line);
+
+/** Returns a link with words that `goTo` obeys: it shows the line of a definition in the editor. */
+export function linkTo({ line }: Definition, words: () => string, goTo: (line: number) => void): HTMLElement {
+    const link = document.createElement('a');
+    link.href = '#scene-editor';
+    link.addEventListener('click', (event) => {
+        event.preventDefault();
+        goTo(line);
+    });
+    write(link, words);
+    return link;
+}

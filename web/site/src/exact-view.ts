@@ -3,9 +3,7 @@ import { definitions, objectName, type Definition } from './definitions';
 import { Preparer, type Facts } from './preparer';
 import { shownConfig, shownWidth } from './shown';
 import type { Texts } from './store';
-import { say, write } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { element, say, write } from './words';
 
 /** Largest width of a view in pixels. */
 const WIDTH = 1280;

@@ -1,13 +1,11 @@
 // The life of a pixel of the exact picture, as the statement tells it: draws, rays, hits, colours and bytes.
 import { Asked } from './asked';
-import { definitions, objectName, type Definition } from './definitions';
+import { definitions, linkTo, objectName, type Definition } from './definitions';
 import type { Question } from './explaining';
 import { limited } from './limited';
 import type { Rgb } from './ppm';
 import type { Texts } from './store';
-import { filled, messageOf, ofLanguage, say, write } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { element, filled, messageOf, ofLanguage, say, write } from './words';
 
 /** A finished picture: its texts, its pixels, the numbers of random vectors before its rows, and the clicked pixel. */
 export interface Explained {
@@ -161,7 +159,7 @@ export class ExplainView {
     readonly #inputs = ['column', 'row', 'sample'].map((name) => element<HTMLInputElement>(`explain-${name}`));
     readonly #cancel = element<HTMLButtonElement>('explain-cancel');
     /** The worker. Another question ends one that is busy, and takes a new one. The button is shown meanwhile. */
-    #worker: Asked<Omit<Question, 'question'>, { question: number; life: string }> | null = null;
+    #worker: Asked<Question, string> | null = null;
     #newest = 0;
     #clicked: Explained['place'] = null;
     #objects: Definition[] = [];
@@ -215,7 +213,7 @@ export class ExplainView {
             this.#worker ??= new Asked('explaining.js');
             this.#cancel.hidden = false;
             const answer = await this.#worker.ask({ texts: [texts.config, texts.scene], numbers });
-            const life = JSON.parse(answer.life) as Life;
+            const life = JSON.parse(answer) as Life;
             this.#cancel.hidden = true;
             if (life.message) {
                 throw new Error(life.message);
@@ -322,15 +320,6 @@ export class ExplainView {
     /** Makes a cell a link to the line of an object. */
     #link(object: number, cell: HTMLElement): void {
         const one = this.#objects[object - 1];
-        if (one) {
-            const link = document.createElement('a');
-            link.href = '#scene-editor';
-            link.addEventListener('click', (event) => {
-                event.preventDefault();
-                this.goTo(one.line);
-            });
-            write(link, () => objectName(one));
-            cell.append(link);
-        }
+        one && cell.append(linkTo(one, () => objectName(one), this.goTo));
     }
 }

@@ -2,7 +2,6 @@
 
 /** What the page asks for: both texts, a pixel, a sample, and the number of random vectors before the pixel's row. */
 export interface Question {
-    question: number;
     texts: [config: string, scene: string];
     numbers: [column: number, row: number, sample: number, vectors: number];
 }
@@ -37,5 +36,5 @@ async function answer({ texts, numbers }: Question): Promise<string> {
 
 addEventListener('message', ({ data }: MessageEvent<Question>) => {
     const failed = (error: unknown) => JSON.stringify({ message: String(error) });
-    void answer(data).catch(failed).then((life) => postMessage({ question: data.question, life }));
+    void answer(data).catch(failed).then((life) => postMessage(life));
 });

@@ -1,9 +1,24 @@
 // Checks both texts with the renderer in a worker, marks the faults in the editors, and lists them below.
 import { Asked } from './asked';
-import { TYPING, type Editor } from './editor';
-import { MOST_FAULTS, textOf, type Fault, type TextNumber } from './module';
+import { TYPING, type Editor, type Mark } from './editor';
+import { faultOf, isFault, MOST_FAULTS, textOf, type Fault, type TextNumber } from './module';
 import type { Answer, Request } from './preparing';
-import { messageOf, say } from './words';
+import { say, write } from './words';
+
+/** Returns the row for a fault: its line, which `show` shows and whose text `module` begins, and its message. */
+export function rowOf({ line, message }: Mark, module: string, show: () => void): HTMLElement {
+    const [row, words] = [document.createElement('div'), document.createElement('pre')];
+    words.textContent = message;
+    if (line > 0) {
+        const button = document.createElement('button');
+        button.type = 'button';
+        write(button, () => module + say('line', line));
+        button.addEventListener('click', show);
+        row.append(button);
+    }
+    row.append(words);
+    return row;
+}
 
 /** The checker of both texts. */
 export class Checker {
@@ -35,25 +50,11 @@ export class Checker {
             this.#timers[text] = window.setTimeout(() => this.show(text, all), TYPING);
         }
         this.editors[text].mark(faults.map((fault) => ({ ...fault, message: textOf(fault) })));
-        this.lists[text].replaceChildren(...faults.map((fault) => this.#row(text, fault)));
+        this.lists[text].replaceChildren(...faults.map((fault) =>
+            rowOf({ ...fault, message: textOf(fault) }, '', () => this.editors[text].show(fault))));
         if (faults.length === MOST_FAULTS) {
             this.lists[text].append(say('firstFaults', MOST_FAULTS));
         }
-    }
-
-    #row(text: TextNumber, fault: Fault): HTMLElement {
-        const row = document.createElement('div');
-        const message = document.createElement('pre');
-        message.textContent = textOf(fault);
-        if (fault.line > 0) {
-            const button = document.createElement('button');
-            button.type = 'button';
-            button.textContent = say('line', fault.line);
-            button.addEventListener('click', () => this.editors[text].show(fault));
-            row.append(button);
-        }
-        row.append(message);
-        return row;
     }
 
     /** Returns the faults of a text. They are shown only if the text is still in the editor. */
@@ -64,9 +65,8 @@ export class Checker {
             return known.faults;
         }
         const request = { kind: 'check', text, content } as const;
-        const faults = await this.#worker.ask({ request }).then(({ fault, facts }) =>
-            (fault ? [{ ...fault, text }] : JSON.parse(facts) as Fault[])).catch((error: unknown) =>
-            [{ text, line: 0, column: 0, length: 0, message: messageOf(error) }]);
+        const answer = await this.#worker.ask({ request }).catch(faultOf);
+        const faults = isFault(answer) ? [{ ...answer, text }] : JSON.parse(answer.facts) as Fault[];
         if (this.editors[text].text === content) {
             this.#known[text] = { content, faults };
             this.show(text, faults);

@@ -7,11 +7,10 @@ import type { Mode, Shaders } from './gpu/shaders';
 import { definitions, objectName, type Definition } from './definitions';
 import { Gestures } from './gestures';
 import type { Source } from './pixel';
-import { Faulty, type Facts, type Preparer } from './preparer';
+import { Faulty } from './module';
+import type { Facts, Preparer } from './preparer';
 import { developed, erase, paint, paintRows, shownConfig, shownWidth, TESTS } from './shown';
-import { messageOf, say, write, type Key } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { element, type Key, messageOf, say, write } from './words';
 
 /** Largest width of the view in pixels, with WebGPU and without. */
 const [WIDTH, WIDTH_WITHOUT] = [480, 160];

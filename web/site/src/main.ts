@@ -15,9 +15,7 @@ import { Picture } from './picture';
 import * as store from './store';
 import { isSame, type Current, type Texts } from './store';
 import * as view from './view';
-import { dated, messageOf, say, speak, write, type Language } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { dated, element, type Language, messageOf, say, speak, write } from './words';
 
 /** Time without typing after which the texts are checked, in milliseconds. */
 const PAUSE = 200;
@@ -83,7 +81,7 @@ class Page {
             say: (text) => this.say(text),
         });
         this.#checker = new Checker(module, this.#editors, [element('config-faults'), element('scene-faults')]);
-        this.#studio = new Studio(module, renderer, {
+        this.#studio = new Studio(module, renderer, this.#picture, {
             texts: () => this.#shown,
             changeConfig: async (change, isSaved) => {
                 this.#editors[0].text = change(this.#texts.config);
@@ -93,9 +91,6 @@ class Page {
             goTo: (line) => this.#editors[1].goTo(line),
             left: () => this.leave(false),
             unsay: () => this.#unsay(),
-            picture: () => this.#picture.pixels,
-            explained: () => this.#picture.explained,
-            choose: (column, row) => this.#picture.choose(column, row),
         });
         addEventListener('pagehide', () => this.#keep());
         document.addEventListener('keydown', (event) => {
@@ -249,15 +244,16 @@ class Page {
     }
 
     /**
-     * Replaces both texts. What the user had typed becomes one of the earlier texts; returns false if that failed.
-     * `losesTyped` is false if what was typed stays in the new texts.
+     * Replaces both texts. What the user had typed becomes one of the earlier texts. `losesTyped` is false if what was
+     * typed stays in the new texts.
      */
-    load(texts: Texts & Pick<Current, 'unsaved'>, { isTyped = false, isLink = false, losesTyped = this.#isTyped, name }: Loading = {}): boolean {
+    load(texts: Texts & Pick<Current, 'unsaved'>, { isTyped = false, isLink = false, losesTyped = this.#isTyped, name }: Loading = {}): void {
         const own = store.modules();
         const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
-        const isKept = !(losesTyped || losesModules)
-            || this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
+        if (losesTyped || losesModules) {
+            this.keepEarlier(this.#texts);
+        }
         const load = this.#loads.push([this.#texts, texts]) - 1;
         this.#isLoading = true;
         for (const [number, name] of (['config', 'scene'] as const).entries()) {
@@ -276,7 +272,6 @@ class Page {
         if (texts.modules) {
             this.#studio.modules = texts.modules;
         }
-        return isKept;
     }
 
     /** Removes all pictures, because texts of another origin are loaded. */
@@ -296,7 +291,7 @@ class Page {
         await this.render();
     }
 
-    /** Keeps texts that are not those of the editors as earlier texts. */
+    /** Keeps texts that are about to be replaced as earlier texts. */
     keepEarlier(texts: Texts): void {
         this.#tryTo(() => store.keepEarlier({ ...texts, modules: store.modules() }));
     }
@@ -367,14 +362,12 @@ class Page {
         });
     }
 
-    /** Calls `act`. If it fails, tells so and returns false. */
-    #tryTo(act: () => void): boolean {
+    /** Calls `act`. If it fails, tells so. */
+    #tryTo(act: () => void): void {
         try {
             act();
-            return true;
         } catch (error) {
             this.say(() => say('notKept', messageOf(error)));
-            return false;
         }
     }
 

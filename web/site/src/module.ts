@@ -1,6 +1,6 @@
 // Loads the WebAssembly module of web/wasm, and calls its functions with texts instead of addresses.
 import type { Module } from './gpu/compose';
-import { ofLanguage } from './words';
+import { messageOf, ofLanguage, say, type Key } from './words';
 
 /** The number of a text: 0 is the configuration, 1 the scene. */
 export type TextNumber = 0 | 1;
@@ -30,6 +30,22 @@ export function textOf({ message, hints = ['', ''] }: Fault): string {
 /** Returns why there is no picture, in the page's language. */
 export const causeOf = ({ message, hints }: Fault): string => ofLanguage([message, hints?.[1] || message]);
 
+/** Returns the fault that an exception means, which is about neither text. */
+export const faultOf = (error: unknown): Fault =>
+    (error instanceof Faulty ? error.fault : { text: 2, line: 0, column: 0, length: 0, message: messageOf(error) });
+
+/** A fault as an exception. */
+export class Faulty extends Error {
+    constructor(readonly fault: Fault) {
+        super(fault.message);
+    }
+
+    /** Returns the message for a view: after `key` for a fault of the texts, and otherwise as one of the renderer. */
+    say(key: Key): string {
+        return say(this.fault.text < 2 ? key : 'failed', causeOf(this.fault));
+    }
+}
+
 /** Largest number of faults of a text that the module returns. */
 export const MOST_FAULTS = 20;
 
@@ -48,19 +64,16 @@ export interface Progress {
     row(row: number, pixels: Uint8ClampedArray, vectors: number): void;
 }
 
-interface Exports {
+/** Functions that return 0 for a result and 1 for a fault. A number that they do not have is 0. */
+type Asked = 'render' | 'prepare' | 'aim' | 'packed' | 'truth' | 'steps';
+
+interface Exports extends Record<Asked, (number: number) => number> {
     memory: WebAssembly.Memory;
     room(text: number, length: number): number;
     check(text: number): number;
     fault_at(index: number): void;
-    render(layout: number, isPublished: number, isPortable: number): number;
     digest(): void;
     table(text: number): void;
-    prepare(): number;
-    aim(): number;
-    packed(part: number): number;
-    truth(kind: number): number;
-    steps(pixel: number): number;
     step_names(): void;
     wgsl(): void;
     result(): number;
@@ -135,9 +148,16 @@ export class Renderer {
         });
     }
 
-    /** Renders the two texts. Returns the picture as a PPM file, or the fault. */
-    render(): Uint8Array<ArrayBuffer> | Fault {
-        return this.#exports.render(0, 0, 0) === 0 ? this.#result().slice() : this.#fault();
+    /**
+     * Calls a function, and returns its result. Throws {@link Faulty} for its fault. The result is a PPM file for 'render', nothing for 'prepare'
+     * and 'aim', a buffer for the shaders (0 to 3, and 8 for the hierarchy) or the facts (4) for 'packed', the f64 of a
+     * {@link Truth}, or the f32 of a pixel's steps.
+     */
+    ask(name: Asked, number = 0): Uint8Array<ArrayBuffer> {
+        if (this.#exports[name](number) !== 0) {
+            throw new Faulty(this.#fault());
+        }
+        return this.#result().slice();
     }
 
     /** Returns the SHA-256 digest of the last result, which it replaces. */
@@ -155,31 +175,6 @@ export class Renderer {
         });
     }
 
-    /** Reads both texts for the shaders. Returns their fault or null. */
-    prepare(): Fault | null {
-        return this.#exports.prepare() === 0 ? null : this.#fault();
-    }
-
-    /** Reads the configuration again for the shaders. Returns its fault or null. */
-    aim(): Fault | null {
-        return this.#exports.aim() === 0 ? null : this.#fault();
-    }
-
-    /** Returns a buffer for the shaders (0 to 3, and 8 for the hierarchy) or the facts about the picture (4). */
-    packed(part: number): Uint8Array<ArrayBuffer> | Fault {
-        return this.#bytesOr(this.#exports.packed(part));
-    }
-
-    /** Returns a picture in deterministic mode as the bytes of f64. */
-    truth(kind: Truth): Uint8Array<ArrayBuffer> | Fault {
-        return this.#bytesOr(this.#exports.truth(kind));
-    }
-
-    /** Returns the steps of a pixel's path as the bytes of f32. */
-    steps(pixel: number): Uint8Array<ArrayBuffer> | Fault {
-        return this.#bytesOr(this.#exports.steps(pixel));
-    }
-
     /** Returns the names of a step's numbers. */
     stepNames(): string[] {
         this.#exports.step_names();
@@ -190,10 +185,6 @@ export class Renderer {
     wgsl(): Module[] {
         this.#exports.wgsl();
         return JSON.parse(this.#text()) as Module[];
-    }
-
-    #bytesOr(status: number): Uint8Array<ArrayBuffer> | Fault {
-        return status === 0 ? this.#result().slice() : this.#fault();
     }
 
     #result(): Uint8Array<ArrayBuffer> {

@@ -1,5 +1,4 @@
 // The picture with its bar, its digest and the buttons that save it.
-import { render, type Watcher } from './engine';
 import { save } from './files';
 import type { Fault } from './module';
 import { ExactView } from './exact-view';
@@ -9,9 +8,8 @@ import { erase, paint, put, resize } from './shown';
 import { stepOf } from './step';
 import { isSame, type Texts } from './store';
 import { Viewer } from './viewer';
-import { say, write } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { element, say, write } from './words';
+import type { Message, Task } from './worker';
 
 /** The part of the page that shows the picture. */
 export class Picture {
@@ -31,13 +29,14 @@ export class Picture {
         },
     });
     readonly #view: ExactView;
-    #stop: (() => void) | null = null;
+    #worker: Worker | null = null;
     #state = () => '';
     /** Whether a message of the page stays until the user acts, so that a running picture does not replace it. */
     #isWarned = false;
     /** Whether the canvas has the picture of the last texts, or a part of it. */
     #isBegun = true;
     #ppm: Uint8Array<ArrayBuffer> | null = null;
+    #pixels: Rgb | null = null;
     #vectors: number[] = [];
     /** The pixel of the picture that was clicked last. */
     #place: [column: number, row: number] | null = null;
@@ -89,7 +88,7 @@ export class Picture {
 
     /** The pixels of the picture, if it is finished. */
     get pixels(): Rgb | null {
-        return this.#ppm && read(this.#ppm);
+        return this.#pixels ??= this.#ppm && read(this.#ppm);
     }
 
     /** What explains a pixel of the picture, if it is finished: texts, pixels, and the pixel that was clicked last. */
@@ -136,7 +135,7 @@ export class Picture {
     /** Forgets the finished picture, because one of other texts follows. */
     #forget(texts: Texts | null): void {
         this.#texts = texts;
-        this.#ppm = null;
+        this.#ppm = this.#pixels = null;
         this.#place = null;
         this.#digest.replaceChildren();
         this.#saves.forEach((button) => (button.disabled = true));
@@ -144,7 +143,7 @@ export class Picture {
 
     /** Renders the texts. A picture that is not finished is cancelled. */
     render(module: WebAssembly.Module, texts: Texts): void {
-        this.#stop?.();
+        this.#stop();
         this.#isBegun = false;
         this.#forget(texts);
         this.#cancel.disabled = false;
@@ -153,65 +152,76 @@ export class Picture {
         this.#bar.removeAttribute('value');
         this.say(() => say('preparing'));
         const start = performance.now();
-        let isCurrent = true;
-        // A cancelled worker may still send what it has sent before.
-        const current = <A extends unknown[]>(act: (...values: A) => void) => (...values: A) => {
-            if (isCurrent) {
-                act(...values);
+        let [size, shownWidth, rows] = [() => '', 0, 1];
+        const failed = (text: string) => {
+            this.#end();
+            this.say(() => say('failed', text));
+        };
+        const worker = new Worker('worker.js', { type: 'module' });
+        worker.onmessage = ({ data }: MessageEvent<Message>) => {
+            switch (data.kind) {
+                case 'begin': {
+                    const { width, height, step } = data;
+                    [shownWidth, rows] = [Math.ceil(width / step), height];
+                    this.#canvas.ariaBusy = 'false';
+                    this.#isBegun = true;
+                    resize(this.#canvas, shownWidth, Math.ceil(height / step));
+                    this.#canvas.dataset.step = String(step);
+                    size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
+                    this.#tell(() => `${say('rendering')} ${size()}`);
+                    break;
+                }
+                case 'rows': {
+                    const [share, seconds] = [data.done / rows, (performance.now() - start) / 1000];
+                    this.#bar.value = share;
+                    this.#bar.title = `${data.done} / ${rows} ${say('rows')}`;
+                    const left = Math.ceil((seconds * (1 - share)) / share);
+                    element('left').textContent = `${Math.floor(100 * share)} %${seconds > 1 ? `, ${say('timeLeft', left)}` : ''}`;
+                    data.pixels.length > 0 && put(this.#canvas, new ImageData(data.pixels, shownWidth), data.first);
+                    break;
+                }
+                case 'done':
+                    this.#end();
+                    this.#finish(data, size, ((performance.now() - start) / 1000).toFixed(2));
+                    break;
+                case 'fault':
+                    this.#end();
+                    this.onFault(data.fault);
+                    break;
+                case 'failed':
+                    failed(data.text);
             }
         };
-        let size = () => '';
-        const watcher: Watcher = {
-            begin: current((width, height, step) => {
-                this.#canvas.ariaBusy = 'false';
-                this.#isBegun = true;
-                resize(this.#canvas, Math.ceil(width / step), Math.ceil(height / step));
-                this.#canvas.dataset.step = String(step);
-                size = () => `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
-                this.#tell(() => `${say('rendering')} ${size()}`);
-            }),
-            progress: current((done, height) => {
-                const [share, seconds] = [done / height, (performance.now() - start) / 1000];
-                this.#bar.value = share;
-                this.#bar.title = `${done} / ${height} ${say('rows')}`;
-                const left = Math.ceil((seconds * (1 - share)) / share);
-                element('left').textContent = `${Math.floor(100 * share)} %${seconds > 1 ? `, ${say('timeLeft', left)}` : ''}`;
-            }),
-            show: current((pixels, first) => put(this.#canvas, pixels, first)),
-            done: current((ppm, digest, vectors) => {
-                this.#end();
-                [this.#ppm, this.#vectors] = [ppm, vectors];
-                this.#saves.forEach((button) => (button.disabled = false));
-                const seconds = ((performance.now() - start) / 1000).toFixed(2);
-                this.#tell(() => `${size()}, ${seconds} ${say('seconds')}`);
-                const code = document.createElement('code');
-                code.textContent = digest;
-                const same = document.createElement('span');
-                write(same, () => say('same'));
-                this.#digest.replaceChildren('SHA-256 ', code, ' — ', same);
-                this.onDone();
-                void this.#view.renew();
-            }),
-            fault: current((fault) => {
-                this.#end();
-                this.onFault(fault);
-            }),
-            failed: current((text) => {
-                this.#end();
-                this.say(() => say('failed', text));
-            }),
-        };
-        const cancel = render(module, texts, watcher);
-        this.#stop = () => {
-            isCurrent = false;
-            cancel();
-        };
+        worker.onerror = ({ message }) => failed(message || say('noModule', 'worker.js'));
+        worker.postMessage({ module, ...texts } satisfies Task);
+        this.#worker = worker;
+    }
+
+    /** Takes the finished picture. */
+    #finish({ ppm, digest, vectors }: Message & { kind: 'done' }, size: () => string, seconds: string): void {
+        [this.#ppm, this.#vectors] = [ppm, vectors];
+        this.#saves.forEach((button) => (button.disabled = false));
+        this.#tell(() => `${size()}, ${seconds} ${say('seconds')}`);
+        const [code, same] = [document.createElement('code'), document.createElement('span')];
+        code.textContent = digest;
+        write(same, () => say('same'));
+        this.#digest.replaceChildren('SHA-256 ', code, ' — ', same);
+        this.onDone();
+        void this.#view.renew();
+    }
+
+    /** Ends the worker. What it has already sent counts no more. */
+    #stop(): void {
+        if (this.#worker) {
+            this.#worker.onmessage = null;
+            this.#worker.terminate();
+            this.#worker = null;
+        }
     }
 
     /** Cancels the picture. The rows that are finished stay. */
     cancel(): void {
-        if (this.#stop) {
-            this.#stop();
+        if (this.#worker) {
             this.#end();
             this.say(() => say('cancelled'));
         }
@@ -222,7 +232,7 @@ export class Picture {
         if (!this.#isBegun) {
             erase(this.#canvas);
         }
-        this.#stop = null;
+        this.#stop();
         this.#canvas.ariaBusy = 'false';
         this.#cancel.disabled = true;
         this.#bar.hidden = true;

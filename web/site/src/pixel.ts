@@ -1,15 +1,14 @@
 // The path of a pixel: the steps by Rust and by the shaders side by side, and the ray's way in a plan of the scene.
 import { Refused } from './gpu/device';
 import type { Shaders } from './gpu/shaders';
-import { definitions, nameOf, objectName, type Definitions } from './definitions';
+import { definitions, linkTo, nameOf, objectName, type Definitions } from './definitions';
 import type { Explained } from './explain';
 import { plan } from './plan';
-import { Faulty, type Facts, type Preparer } from './preparer';
+import { Faulty } from './module';
+import type { Facts, Preparer } from './preparer';
 import { developed, paint } from './shown';
 import { limited } from './limited';
-import { messageOf, say, write } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { element, messageOf, say, write } from './words';
 
 /** A scene with its camera, by both implementations. */
 export interface Source {
@@ -229,15 +228,11 @@ export class PixelView {
                 for (const [cell, number, step] of WHOLE.has(name) ? cells : []) {
                     const said = () => (step ? meaning(number, name, kindOf(step), known) : '');
                     const place = name === 'object' ? known.objects[number] : name === 'material' ? known.materials[number] : null;
-                    if (said()) {
-                        const link = document.createElement(place ? 'a' : 'span');
-                        place && link.setAttribute('href', '#scene-editor');
-                        link.addEventListener('click', (event) => {
-                            event.preventDefault();
-                            place && this.goTo(place.line);
-                        });
-                        write(link, () => `${number} (${said()})`);
-                        row.cells[cell]?.replaceChildren(link);
+                    const words = () => `${number} (${said()})`;
+                    if (said() && place) {
+                        row.cells[cell]?.replaceChildren(linkTo(place, words, this.goTo));
+                    } else if (said()) {
+                        write(row.cells[cell] as HTMLElement, words);
                     }
                 }
                 if (!isSame) {

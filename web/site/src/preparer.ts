@@ -1,9 +1,8 @@
 // Asks a worker to read scenes for the shaders, and for the same pictures by Rust.
 import { Asked } from './asked';
-import { causeOf, type Fault, type Truth } from './module';
-import type { Answer, Request } from './preparing';
+import { Faulty, faultOf, isFault, type Truth } from './module';
+import type { Answer, Found, Request } from './preparing';
 import type { Texts } from './store';
-import { messageOf, say, type Key } from './words';
 
 /** A vector: x, y and z. */
 export type Vector = [number, number, number];
@@ -32,18 +31,6 @@ export interface Prepared {
     buffers: Uint8Array<ArrayBuffer>[];
 }
 
-/** A fault of the texts, as an exception. */
-export class Faulty extends Error {
-    constructor(readonly fault: Fault) {
-        super(fault.message);
-    }
-
-    /** Returns the message for a view: after `key` for a fault of the texts, and otherwise as one of the renderer. */
-    say(key: Key): string {
-        return say(this.fault.text < 2 ? key : 'failed', causeOf(this.fault));
-    }
-}
-
 /** A worker with one scene. */
 export class Preparer {
     readonly #worker: Asked<{ request: Request }, Answer>;
@@ -64,26 +51,24 @@ export class Preparer {
 
     /** Returns a picture in deterministic mode: three numbers for each pixel, or six of what its ray hits. */
     async truth(truth: Truth): Promise<Float64Array<ArrayBuffer>> {
-        const { bytes } = await this.#ask({ kind: 'truth', truth });
+        const { bytes } = await this.#ask({ kind: 'truth', number: truth });
         return new Float64Array(bytes[0]?.buffer ?? new ArrayBuffer(0));
     }
 
     /** Returns the steps of a pixel's path by Rust in f32. */
     async steps(pixel: number): Promise<Float32Array<ArrayBuffer>> {
-        const { bytes } = await this.#ask({ kind: 'steps', pixel });
+        const { bytes } = await this.#ask({ kind: 'steps', number: pixel });
         return new Float32Array(bytes[0]?.buffer ?? new ArrayBuffer(0));
     }
 
-    #prepared({ bytes, facts }: Answer): Prepared {
+    #prepared({ bytes, facts }: Found): Prepared {
         return { buffers: bytes, facts: JSON.parse(facts) as Facts };
     }
 
-    async #ask(request: Request): Promise<Answer> {
-        const answer = await this.#worker.ask({ request }).catch((error: unknown) => {
-            throw new Faulty({ text: 2, line: 0, column: 0, length: 0, message: messageOf(error) });
-        });
-        if (answer.fault) {
-            throw new Faulty(answer.fault);
+    async #ask(request: Request): Promise<Found> {
+        const answer = await this.#worker.ask({ request }).catch(faultOf);
+        if (isFault(answer)) {
+            throw new Faulty(answer);
         }
         return answer;
     }

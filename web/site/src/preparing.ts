@@ -1,83 +1,64 @@
 // A worker that checks texts, reads scenes for the shaders, and renders the same pictures by Rust.
-import { isFault, Renderer, type Fault, type TextNumber, type Truth } from './module';
+import { Faulty, faultOf, Renderer, type Fault, type TextNumber, type Truth } from './module';
 
 /** What the page asks for. */
 export type Request =
     | { kind: 'check'; text: TextNumber; content: string }
     | { kind: 'prepare'; config: string; scene: string }
     | { kind: 'aim'; config: string }
-    | { kind: 'truth'; truth: Truth }
-    | { kind: 'steps'; pixel: number };
+    | { kind: 'truth'; number: Truth }
+    | { kind: 'steps'; number: number };
 
-/** A question with its number. The first message of the page has the module. */
-export type Question = { module: WebAssembly.Module } | { question: number; request: Request };
+/** A question. The first message of the page has the module. */
+export type Question = { module: WebAssembly.Module } | { request: Request };
 
-/** The answer to a question: bytes and facts, or a fault. */
-export interface Answer {
-    question: number;
+/** What answers a question without a fault. */
+export interface Found {
     /** The buffers of the shaders for `prepare`, the first of them for `aim`, and one list of numbers otherwise. */
     bytes: Uint8Array<ArrayBuffer>[];
     /** The facts for `prepare` and `aim`, and the faults of a text for `check`, as JSON. */
     facts: string;
-    fault: Fault | null;
 }
+
+/** The answer to a question. */
+export type Answer = Found | Fault;
 
 let module: WebAssembly.Module | null = null;
 let renderer: Renderer | null = null;
 
-function answer(loaded: Renderer, request: Request): Pick<Answer, 'bytes' | 'facts'> | Fault {
+function answer(loaded: Renderer, request: Request): Found {
+    const read = (...parts: number[]) => ({
+        bytes: parts.map((part) => loaded.ask('packed', part)), facts: new TextDecoder().decode(loaded.ask('packed', 4)) });
     switch (request.kind) {
         case 'check':
             loaded.write(request.text, request.content);
             return { bytes: [], facts: JSON.stringify(loaded.check(request.text)) };
-        case 'prepare': {
+        case 'prepare':
             loaded.write(0, request.config);
             loaded.write(1, request.scene);
-            const fault = loaded.prepare();
-            return fault ?? read(loaded, [0, 1, 2, 3, 8]);
-        }
-        case 'aim': {
+            loaded.ask('prepare');
+            return read(0, 1, 2, 3, 8);
+        case 'aim':
             loaded.write(0, request.config);
-            const fault = loaded.aim();
-            return fault ?? read(loaded, [0]);
-        }
-        case 'truth': {
-            const colors = loaded.truth(request.truth);
-            return isFault(colors) ? colors : { bytes: [colors], facts: '' };
-        }
-        case 'steps': {
-            const steps = loaded.steps(request.pixel);
-            return isFault(steps) ? steps : { bytes: [steps], facts: '' };
-        }
+            loaded.ask('aim');
+            return read(0);
+        default:
+            return { bytes: [loaded.ask(request.kind, request.number)], facts: '' };
     }
 }
 
-function read(loaded: Renderer, parts: number[]): Pick<Answer, 'bytes' | 'facts'> | Fault {
-    const bytes: Uint8Array<ArrayBuffer>[] = [];
-    for (const part of parts) {
-        const buffer = loaded.packed(part);
-        if (isFault(buffer)) {
-            return buffer;
-        }
-        bytes.push(buffer);
-    }
-    const facts = loaded.packed(4);
-    return isFault(facts) ? facts : { bytes, facts: new TextDecoder().decode(facts) };
-}
-
-async function respond(question: number, request: Request): Promise<void> {
-    let result: Pick<Answer, 'bytes' | 'facts'> | Fault;
+async function respond(request: Request): Promise<void> {
     try {
-        renderer ??= module && (await Renderer.create(module));
-        result = renderer ? answer(renderer, request) : { text: 2, line: 0, column: 0, length: 0, message: '' };
+        renderer ??= await Renderer.create(module as WebAssembly.Module);
+        const found = answer(renderer, request);
+        postMessage(found, { transfer: found.bytes.map(({ buffer }) => buffer) });
     } catch (error) {
-        // The memory is exhausted. The next question begins with a new instance.
-        renderer = null;
-        result = { text: 2, line: 0, column: 0, length: 0, message: String(error) };
+        if (!(error instanceof Faulty)) {
+            // The memory is exhausted. The next question begins with a new instance.
+            renderer = null;
+        }
+        postMessage(faultOf(error));
     }
-    const { bytes, facts } = isFault(result) ? { bytes: [], facts: '' } : result;
-    const fault = isFault(result) ? result : null;
-    postMessage({ question, bytes, facts, fault } satisfies Answer, { transfer: bytes.map((one) => one.buffer) });
 }
 
 // The questions are answered in order, because one renderer answers them all.
@@ -86,6 +67,6 @@ addEventListener('message', ({ data }: MessageEvent<Question>) => {
     if ('module' in data) {
         module = data.module;
     } else {
-        last = last.then(() => respond(data.question, data.request));
+        last = last.then(() => respond(data.request));
     }
 });

@@ -4,9 +4,7 @@ import { save as download } from './files';
 import type { TextNumber } from './module';
 import type { Current } from './store';
 import { isServed, files, MISSING, save, versions, type Files, type Pair } from './view';
-import { messageOf, say, write } from './words';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+import { element, messageOf, say, write } from './words';
 
 /** Time between two questions whether a file has changed, in milliseconds. */
 const PAUSE = 1000;

@@ -1,12 +1,11 @@
 // The editor of the WGSL modules, with the faults of the compiler and the knobs of the text.
 import { Editor } from './editor';
+import { rowOf } from './faults';
 import type { Edits, Module, ShaderFault } from './gpu/compose';
 import { Knobs } from './knobs';
 import * as store from './store';
-import { messageOf, say, write } from './words';
+import { element, messageOf, say, write } from './words';
 import { wgsl } from './wgsl';
-
-const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
 /** Time without typing after which the modules are compiled, in milliseconds. */
 const PAUSE = 200;
@@ -26,7 +25,6 @@ export interface Listener {
 /** The editor. */
 export class ShaderEditor {
     readonly #select = element<HTMLSelectElement>('module');
-    readonly #list = element('shader-faults');
     readonly #modules: Module[];
     readonly #editor: Editor;
     readonly #knobs: Knobs;
@@ -73,29 +71,18 @@ export class ShaderEditor {
     show(faults: ShaderFault[]): void {
         this.#faults = faults;
         this.#mark();
-        this.#list.replaceChildren(...faults.slice(0, 5).map((fault) => this.#line(fault)));
+        element('shader-faults').replaceChildren(...faults.slice(0, 5).map((fault) =>
+            rowOf(fault, `${fault.module} `, () => this.#goTo(fault))));
         faults.length > 0 && this.#editor.reveal();
     }
 
-    #line(fault: ShaderFault): HTMLElement {
-        const line = document.createElement('div');
-        const message = document.createElement('pre');
-        message.textContent = fault.message;
-        if (fault.line > 0) {
-            const button = document.createElement('button');
-            button.type = 'button';
-            write(button, () => `${fault.module} ${say('line', fault.line)}`);
-            button.addEventListener('click', () => {
-                if (this.#select.value !== fault.module) {
-                    this.#select.value = fault.module;
-                    this.#load();
-                }
-                this.#editor.show(fault);
-            });
-            line.append(button);
+    /** Shows the place of a fault in its module. */
+    #goTo(fault: ShaderFault): void {
+        if (this.#select.value !== fault.module) {
+            this.#select.value = fault.module;
+            this.#load();
         }
-        line.append(message);
-        return line;
+        this.#editor.show(fault);
     }
 
     get #module(): Module | undefined {

@@ -12,12 +12,12 @@ import { ShaderEditor } from './shader-editor';
 import * as store from './store';
 import type { Renderer } from './module';
 import { PixelView, type Source } from './pixel';
-import type { Rgb } from './ppm';
+import type { Picture } from './picture';
 import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
-import { messageOf, say, write } from './words';
-import type { Explained, ExplainView } from './explain';
+import { element, messageOf, say, write } from './words';
+import type { ExplainView } from './explain';
 
 /** What the views need of the page. */
 export interface Owner {
@@ -32,11 +32,6 @@ export interface Owner {
     left(): void;
     /** Removes the last message, because the shaders have changed. */
     unsay(): void;
-    /** The exact picture, if it is finished. */
-    picture(): Rgb | null;
-    explained(): Explained | null;
-    /** Chooses a pixel of the exact picture to explain. */
-    choose(column: number, row: number): void;
 }
 
 /** The parts that exist once a view of the shaders is shown. */
@@ -57,7 +52,7 @@ export class Studio {
     /** Counts the views of links. */
     #views = 0;
     #device: Device | null = null;
-    readonly #part = document.getElementById('shader-part') as HTMLDetailsElement;
+    readonly #part = element<HTMLDetailsElement>('shader-part');
     #editor: ShaderEditor | null = null;
     #reading = Promise.resolve();
     /** The views that have not seen the last texts. */
@@ -66,14 +61,15 @@ export class Studio {
     constructor(
         private readonly module: WebAssembly.Module,
         private readonly renderer: Renderer,
+        private readonly picture: Picture,
         private readonly owner: Owner,
     ) {
         this.#tabs = new Tabs((name) => void this.#shown(name), () => owner.left());
         this.#part.addEventListener('toggle', () => this.#part.open && this.#edit());
         this.#part.open = Object.keys(store.modules()).length > 0;
-        document.getElementById('gpu-again')!.addEventListener('click', () => void this.#again());
-        const files = document.getElementById('files') as HTMLInputElement;
-        onFiles(document.getElementById('compare-files')!, files, 'pictures', (chosen) => void this.#compare(chosen));
+        element('gpu-again').addEventListener('click', () => void this.#again());
+        const files = element<HTMLInputElement>('files');
+        onFiles(element('compare-files'), files, 'pictures', (chosen) => void this.#compare(chosen));
     }
 
     /** Takes the texts of the editors, which are valid. */
@@ -146,7 +142,7 @@ export class Studio {
     /** Returns the view that explains a pixel. Its code is loaded when it is needed. */
     async #explained(): Promise<ExplainView> {
         const { ExplainView } = await import('./explain');
-        return this.#explain ??= new ExplainView(() => this.owner.explained(), (line) => this.owner.goTo(line),
+        return this.#explain ??= new ExplainView(() => this.picture.explained, (line) => this.owner.goTo(line),
             (...pixel) => this.#made?.comparison.beside(...pixel) ?? null);
     }
 
@@ -169,7 +165,7 @@ export class Studio {
             await comparison.show(this.owner.texts());
         }
         if (name === 'pixel-pane') {
-            await pixel.renew(this.owner.explained());
+            await pixel.renew(this.picture.explained);
         }
     }
 
@@ -178,7 +174,7 @@ export class Studio {
         this.#tabs.show('compare-pane');
         this.#parts ??= this.#make();
         const { comparison } = await this.#parts;
-        await comparison.showFiles(files, this.owner.picture());
+        await comparison.showFiles(files, this.picture.pixels);
         this.reveal('compare-pane');
     }
 
@@ -187,7 +183,7 @@ export class Studio {
         if (this.#tabs.current === 'explain-pane') {
             await this.#explain?.renew();
         }
-        await (await this.#parts)?.comparison.renew(this.owner.picture());
+        await (await this.#parts)?.comparison.renew(this.picture.pixels);
     }
 
     /** Shows a view, and scrolls to its start: on a phone the page may be scrolled below it. */
@@ -253,7 +249,7 @@ export class Studio {
             refused,
             broken,
             clicked: (column, row) => follow(comparison.source, column, row),
-            chosen: (column, row) => this.owner.choose(column, row),
+            chosen: (column, row) => this.picture.choose(column, row),
             closed: () => {
                 this.#stale.add('compare-pane');
                 void this.#shown(this.#tabs.current);
@@ -267,7 +263,7 @@ export class Studio {
 
     /** Opens WebGPU for the views. */
     async #connect(parts: Parts): Promise<void> {
-        write(document.getElementById('live-status')!, () => say('gpuOpening'));
+        write(element('live-status'), () => say('gpuOpening'));
         const device = await Device.open().catch(Unavailable.of);
         this.#use(parts, device);
         if (device instanceof Device) {
@@ -292,7 +288,7 @@ export class Studio {
     async #again(): Promise<void> {
         const parts = await this.#parts;
         if (parts) {
-            const button = document.getElementById('gpu-again') as HTMLButtonElement;
+            const button = element<HTMLButtonElement>('gpu-again');
             button.disabled = true;
             await this.#connect(parts);
             button.disabled = false;
@@ -309,9 +305,9 @@ export class Studio {
         parts.live.shaders = parts.shaders[0] ?? null;
         parts.comparison.shaders = parts.shaders[1] ?? null;
         this.#editor?.show([]);
-        document.getElementById('live-none')!.hidden = device instanceof Device;
+        element('live-none').hidden = device instanceof Device;
         if (device instanceof Unavailable) {
-            write(document.getElementById('gpu-cause')!, () => say(device.key, device.detail));
+            write(element('gpu-cause'), () => say(device.key, device.detail));
         }
     }
 

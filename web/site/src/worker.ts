@@ -1,5 +1,5 @@
 // Renders one picture in a worker, and sends rows while it renders. The page ends a picture by ending the worker.
-import { Renderer, type Fault } from './module';
+import { Faulty, Renderer, type Fault } from './module';
 import { stepOf } from './step';
 
 /** What the page sends, once. */
@@ -79,15 +79,12 @@ async function run({ module, config, scene }: Task): Promise<void> {
     const renderer = await Renderer.create(module, rows);
     renderer.write(0, config);
     renderer.write(1, scene);
-    const result = renderer.render();
-    if (result instanceof Uint8Array) {
-        send({ kind: 'done', ppm: result, digest: renderer.digest(), vectors: rows.vectors }, [result.buffer]);
-    } else {
-        send({ kind: 'fault', fault: result });
-    }
+    const ppm = renderer.ask('render');
+    send({ kind: 'done', ppm, digest: renderer.digest(), vectors: rows.vectors }, [ppm.buffer]);
 }
 
 addEventListener('message', (event: MessageEvent<Task>) => {
     // A module whose memory is exhausted ends with an exception.
-    run(event.data).catch((error: unknown) => send({ kind: 'failed', text: String(error) }));
+    run(event.data).catch((error: unknown) =>
+        send(error instanceof Faulty ? { kind: 'fault', fault: error.fault } : { kind: 'failed', text: String(error) }));
 });

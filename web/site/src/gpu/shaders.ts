@@ -116,6 +116,15 @@ export class Shaders {
         return Object.assign([...buffers], { [HIERARCHY]: this.#hierarchy, [ENDED]: ended });
     }
 
+    /** Selects the pixels of the next run. */
+    #select({ head, inputs }: Loaded, first: number, count: number): void {
+        const patched = head.slice();
+        const view = new DataView(patched.buffer);
+        view.setUint32(FIRST_PIXEL, first, true);
+        view.setUint32(PIXEL_COUNT, count, true);
+        this.device.gpu.queue.writeBuffer(inputs[0] as GPUBuffer, 0, patched);
+    }
+
     /** Throws {@link Refused} if a loop of the kernel did not end itself. */
     async #check(kernel: Kernel): Promise<void> {
         if (kernel.loops.length > 0) {
@@ -148,7 +157,7 @@ export class Shaders {
             return false;
         }
         const { gpu } = this.device;
-        const { facts, head, inputs, attenuations, colors, states, batch } = loaded;
+        const { facts, inputs, attenuations, colors, states, batch } = loaded;
         const pixels = facts.width * facts.height;
         gpu.queue.writeBuffer(this.#frame, 0, new Uint32Array([frame]));
         const tests = this.#hierarchy ? facts.tests : facts.shapes.length;
@@ -160,11 +169,7 @@ export class Shaders {
         let isComplete = true;
         for (let first = 0; first < pixels; first += run) {
             const count = Math.min(run, pixels - first);
-            const patched = head.slice();
-            const view = new DataView(patched.buffer);
-            view.setUint32(FIRST_PIXEL, first, true);
-            view.setUint32(PIXEL_COUNT, count, true);
-            gpu.queue.writeBuffer(inputs[0] as GPUBuffer, 0, patched);
+            this.#select(loaded, first, count);
             const encoder = gpu.createCommandEncoder();
             const last = mode === 'accumulate' ? this.#frame : states;
             this.device.dispatch(encoder, kernel, this.#bindings(kernel, [...inputs, attenuations, part, last]), count);
@@ -233,11 +238,7 @@ export class Shaders {
         if (!loaded || inHierarchy !== (this.#hierarchy !== null)) {
             return new Float32Array(0);
         }
-        const patched = loaded.head.slice();
-        const view = new DataView(patched.buffer);
-        view.setUint32(FIRST_PIXEL, pixel, true);
-        view.setUint32(PIXEL_COUNT, 1, true);
-        this.device.gpu.queue.writeBuffer(loaded.inputs[0] as GPUBuffer, 0, patched);
+        this.#select(loaded, pixel, 1);
         const size = 4 * numbers * loaded.facts.depth;
         const steps = this.device.buffer(size);
         const encoder = this.device.gpu.createCommandEncoder();
