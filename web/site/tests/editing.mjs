@@ -1,5 +1,5 @@
 // Tests of the editors: errors, completion, examples.
-import { check, completionsTakeKeys, digest, equal, shoot, SMALL, textOf, type, watchPauses } from './tools.mjs';
+import { check, checkPauses, completionsTakeKeys, digest, equal, shoot, SMALL, textOf, type, watchPauses } from './tools.mjs';
 
 export const tests = {
     async 'an error stands at its line in the words of the renderer'({ open, url }) {
@@ -176,8 +176,6 @@ export const tests = {
         await page.waitForSelector('#scene-faults pre');
         equal(await page.textContent('#scene-faults button'), 'Line 6001', 'the line of the fault');
         await page.waitForTimeout(300);
-        const longest = await page.evaluate(() => window.longest);
-        console.log(`the page did not answer for ${longest.toFixed(0)} ms`);
-        check(longest < 3000, `the page did not answer for ${longest} ms`);
+        await checkPauses(page);
     },
 };

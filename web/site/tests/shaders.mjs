@@ -109,7 +109,7 @@ export const tests = {
         await page.waitForFunction(() => {
             const [line, list] = ['#shader-editor .cm-activeLine', '#shader-faults'].map((name) => document.querySelector(name).getBoundingClientRect());
             return line.top > 0 && line.bottom <= list.top;
-        }, null, { timeout: 5000 });
+        });
     },
 
     async 'faults of WGSL are told at their place'({ open, url }) {

@@ -7,8 +7,11 @@ import { check, digest, equal, render, serve, shoot, site, SMALL } from './tools
 /** Largest size of the compressed files that the first picture needs, in bytes. */
 const MOST_BYTES = 800_000;
 
-/** Limits in milliseconds. Machines that run other work at the same time are slower than the promise of 3 seconds. */
-const LIMIT = Number(process.env.FIRST_PICTURE_LIMIT ?? 30_000);
+/**
+ * How many times as long as the computing of the first picture it may take until that picture is there. On a machine
+ * without other work, FIRST_PICTURE_LIMIT is the limit in milliseconds.
+ */
+const [MOST_TIMES, LIMIT] = [8, Number(process.env.FIRST_PICTURE_LIMIT ?? Infinity)];
 
 export const tests = {
     async 'the first picture comes soon'({ open, url }) {
@@ -18,8 +21,10 @@ export const tests = {
         const rows = performance.now() - start;
         await digest(page);
         const whole = performance.now() - start;
-        console.log(`first rows after ${rows.toFixed(0)} ms, the whole picture after ${whole.toFixed(0)} ms: ${await page.textContent('#status')}`);
-        check(whole < LIMIT, `${whole} ms`);
+        const status = await page.textContent('#status');
+        console.log(`first rows after ${rows.toFixed(0)} ms, the whole picture after ${whole.toFixed(0)} ms: ${status}`);
+        const computed = 1000 * Number(/, ([\d.]+) s$/.exec(status)?.[1]);
+        check(whole < MOST_TIMES * computed && whole < LIMIT, `${whole} ms, of which the picture takes ${computed}`);
         await shoot(page, 'start');
         const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
         const names = [...new Set(['index.html', ...files.map((file) => file.slice(url.length))])];

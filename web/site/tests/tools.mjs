@@ -164,6 +164,18 @@ export const watchPauses = (page) => page.evaluate(() => {
     }, 10);
 });
 
+/** Checks that no pause since {@link watchPauses} was much longer than a piece of work that the page does at once. */
+export async function checkPauses(page) {
+    const [longest, work] = await page.evaluate(() => {
+        const { longest } = window;
+        const start = performance.now();
+        Array.from({ length: 200_000 }, (_, index) => (index * 7919) % 200_003).sort((one, other) => one - other);
+        return [longest, performance.now() - start];
+    });
+    console.log(`the page did not answer for ${longest.toFixed(0)} ms; sorting 200,000 numbers takes ${work.toFixed(0)} ms`);
+    check(longest < 50 * work, `the page did not answer for ${longest} ms`);
+}
+
 /** A small scene that is rendered at once. */
 export const SMALL = {
     config: 'image_width: 64\nsamples_per_pixel: 4\n',
