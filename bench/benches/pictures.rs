@@ -8,7 +8,7 @@ use std::time::Instant;
 use cpu::internals::Camera;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
-use cpu::internals::accel::object::order_of;
+use cpu::internals::accel::object::file_index_of;
 use cpu::internals::layout::Objects;
 use cpu::internals::layout::aos::{AosImage, AosObjects};
 use cpu::internals::layout::soa::SoaImage;
@@ -58,7 +58,7 @@ fn read() {
         let mut objects = AosObjects::build(&scene).expect("it fits");
         let extent = Extent::new(&objects, &camera, &scene.materials_in_use().expect("they fit"));
         let search = Accel::new(&mut objects, &extent).expect("it fits");
-        assert!(matches!(search, Accel::LargeBvh(_)) && order_of(&objects, 0) < OBJECTS as u32);
+        assert!(matches!(search, Accel::LargeBvh(_)) && file_index_of(&objects, 0) < OBJECTS as u32);
         search
     };
     let (read, built) = (fastest(3, parse), fastest(3, build));

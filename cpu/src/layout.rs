@@ -31,7 +31,7 @@ pub struct Placed<R> {
     /// The shape, in the form that the formulas use.
     pub record: R,
     /// The object's place among all objects of the scene file, from 0.
-    pub order: u32,
+    pub file_index: u32,
     /// The object's material, an index into [`Scene::materials`].
     pub material: MaterialId,
 }
@@ -66,20 +66,20 @@ pub trait Objects: Sized {
     ///
     /// # Panics
     /// If there is no such cylinder.
-    fn axis(&self, index: usize) -> Vec3;
+    fn file_axis(&self, index: usize) -> Vec3;
     /// Moves the sphere at `spheres[i]` to the index `i`, for each `i`, and the cylinders in the same way. Each list
     /// must have every index once. Afterwards the lists have no meaning.
     fn reorder(&mut self, spheres: &mut [u32], cylinders: &mut [u32]);
 }
 
-/// Moves the item at `order[i]` to the index `i`, for each `i`, by calls of `swap` with two indices. `order` must have
-/// every index once. Sets each `order[i]` to `i`.
-fn reorder(order: &mut [u32], mut swap: impl FnMut(usize, usize)) {
-    for first in 0..order.len() {
+/// Moves the item at `sources[i]` to the index `i`, for each `i`, by calls of `swap` with two indices. `sources` must
+/// have every index once. Sets each `sources[i]` to `i`.
+fn reorder(sources: &mut [u32], mut swap: impl FnMut(usize, usize)) {
+    for first in 0..sources.len() {
         let mut at = first;
         // This follows a cycle of moves. Each swap brings one item to its place, and the last swap brings two.
         loop {
-            let from = std::mem::replace(&mut order[at], at as u32) as usize;
+            let from = std::mem::replace(&mut sources[at], at as u32) as usize;
             if from == first {
                 break;
             }
@@ -97,18 +97,18 @@ fn in_file_order(scene: &Scene) -> impl Iterator<Item = (&Object, u32)> {
 
 /// Returns the spheres of `scene` in the order of the scene file.
 fn spheres(scene: &Scene) -> impl Iterator<Item = Placed<SphereRecord>> {
-    in_file_order(scene).filter_map(|(object, order)| {
+    in_file_order(scene).filter_map(|(object, file_index)| {
         let Shape::Sphere(Sphere { center, radius }) = object.shape else { return None };
-        Some(Placed { record: SphereRecord::new(center, radius), order, material: object.material })
+        Some(Placed { record: SphereRecord::new(center, radius), file_index, material: object.material })
     })
 }
 
 /// Returns the cylinders of `scene` in the order of the scene file, each with its axis as in the file.
 fn cylinders(scene: &Scene) -> impl Iterator<Item = (Placed<CylinderRecord>, Vec3)> {
-    in_file_order(scene).filter_map(|(object, order)| {
+    in_file_order(scene).filter_map(|(object, file_index)| {
         let Shape::Cylinder(Cylinder { center, radius, axis }) = object.shape else { return None };
         let record = CylinderRecord::new(center, radius, axis);
-        Some((Placed { record, order, material: object.material }, axis))
+        Some((Placed { record, file_index, material: object.material }, axis))
     })
 }
 
@@ -198,22 +198,25 @@ mod tests {
                 fn a_sphere_has_its_record_place_and_material() {
                     let record = SphereRecord::new([1.0, 2.0, 3.0].into(), 4.0);
                     let objects = objects::<L>(SCENE);
-                    assert_eq!(objects.sphere(0), Placed { record, order: 0, material: 0 });
-                    assert_eq!((objects.sphere(1).order, objects.sphere(1).material), (2, 1));
+                    assert_eq!(objects.sphere(0), Placed { record, file_index: 0, material: 0 });
+                    assert_eq!((objects.sphere(1).file_index, objects.sphere(1).material), (2, 1));
                 }
 
                 #[test]
                 fn a_cylinder_has_its_record_place_and_material() {
                     let record = CylinderRecord::new([5.0, 6.0, 7.0].into(), 8.0, [0.0, 2.0, 0.0].into());
                     let objects = objects::<L>(SCENE);
-                    assert_eq!(objects.cylinder(0), Placed { record, order: 1, material: 1 });
-                    assert_eq!((objects.cylinder(1).order, objects.cylinder(1).material), (3, 0));
+                    assert_eq!(objects.cylinder(0), Placed { record, file_index: 1, material: 1 });
+                    assert_eq!((objects.cylinder(1).file_index, objects.cylinder(1).material), (3, 0));
                 }
 
                 #[test]
                 fn an_axis_is_that_of_the_file() {
                     let objects = objects::<L>(SCENE);
-                    assert_eq!([0, 1].map(|at| objects.axis(at)), [Vec3::new(0.0, 2.0, 0.0), Vec3::new(3.0, 0.0, 0.0)]);
+                    assert_eq!(
+                        [0, 1].map(|at| objects.file_axis(at)),
+                        [Vec3::new(0.0, 2.0, 0.0), Vec3::new(3.0, 0.0, 0.0)]
+                    );
                 }
 
                 #[test]
@@ -222,7 +225,7 @@ mod tests {
                     after.reorder(&mut [2, 0, 1], &mut [1, 0]);
                     assert_eq!([0, 1, 2].map(|at| after.sphere(at)), [2, 0, 1].map(|at| before.sphere(at)));
                     assert_eq!([0, 1].map(|at| after.cylinder(at)), [1, 0].map(|at| before.cylinder(at)));
-                    assert_eq!([0, 1].map(|at| after.axis(at)), [1, 0].map(|at| before.axis(at)));
+                    assert_eq!([0, 1].map(|at| after.file_axis(at)), [1, 0].map(|at| before.file_axis(at)));
                 }
 
                 #[test]
@@ -247,7 +250,7 @@ mod tests {
                 #[test]
                 #[should_panic(expected = "out of bounds")]
                 fn there_is_no_axis_beyond_the_last() {
-                    let _ = objects::<L>(SCENE).axis(2);
+                    let _ = objects::<L>(SCENE).file_axis(2);
                 }
 
                 #[test]

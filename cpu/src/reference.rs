@@ -91,7 +91,7 @@ pub fn render_recorded<P: Intersect>(
     let samples = if deterministic { 1 } else { config.samples_per_pixel };
     let mut jitter = Uniform::new(config.ray_rng_seed);
     let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
-    let mut path = Path { config, scene, vectors, counts: Counts::default() };
+    let mut paths = Paths { config, scene, vectors, counts: Counts::default() };
     for row in 0..size.height() {
         for column in 0..size.width() {
             let mut sum = Vec3::ZERO;
@@ -102,25 +102,25 @@ pub fn render_recorded<P: Intersect>(
                     y = jitter.draw(-0.5, 0.5);
                 }
                 let target = camera.origin + camera.delta_x * (column as f64 + x) + camera.delta_y * (row as f64 + y);
-                let start = path.vectors.words();
-                sum = sum + path.color::<P>(camera.position, target - camera.position, config.max_depth)?;
-                sample(path.vectors.words() - start);
+                let start = paths.vectors.words();
+                sum = sum + paths.color::<P>(camera.position, target - camera.position, config.max_depth)?;
+                sample(paths.vectors.words() - start);
             }
             pixel(row * size.width() + column, sum / samples as f64);
         }
     }
-    Ok(path.counts)
+    Ok(paths.counts)
 }
 
 /// The scene, and the state that all paths of a picture share. Paths are traced one after the other.
-struct Path<'a> {
+struct Paths<'a> {
     config: &'a Config,
     scene: &'a Scene,
     vectors: ScatterVectors,
     counts: Counts,
 }
 
-impl Path<'_> {
+impl Paths<'_> {
     /// Returns the colour that a ray contributes (specification, section 8.1). The recursion of the specification is a
     /// loop here, so that no depth overflows the call stack.
     ///

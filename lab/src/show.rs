@@ -8,10 +8,10 @@ use std::ops::ControlFlow;
 
 use clap::ValueEnum;
 use cpu::internals::accel::closest_hit::ClosestHit;
-use cpu::internals::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
+use cpu::internals::accel::object::{NO_OBJECT, ObjectId, ObjectRef, file_index_of};
 use cpu::internals::accel::stack::Stack;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::internals::geometry::ray::facing;
+use cpu::internals::geometry::ray::front_and_normal;
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::layout::{Objects, Placed};
 use cpu::internals::math::vec3::Vec3;
@@ -144,8 +144,8 @@ impl<'a, L: Layout> Tracer<'a, L> {
         let surface = SurfaceHit::new(objects, &ray, &hit);
         match quantity {
             Quantity::Depth => [hit.lambda * ray.direction.length(); 3],
-            Quantity::Normal => facing(ray.direction, surface.outward.unit()).1.to_array(),
-            Quantity::Object => [f64::from(order_of(objects, hit.object)); 3],
+            Quantity::Normal => front_and_normal(ray.direction, surface.outward.unit()).1.to_array(),
+            Quantity::Object => [f64::from(file_index_of(objects, hit.object)); 3],
             Quantity::Material => [f64::from(surface.material); 3],
             Quantity::Part => match (ObjectRef::of(objects, hit.object), hit.part) {
                 (ObjectRef::Sphere(_), _) => [0.0; 3],
@@ -246,8 +246,8 @@ impl<O: Objects> Objects for Counted<'_, O> {
         self.objects.cylinder(index)
     }
 
-    fn axis(&self, index: usize) -> Vec3 {
-        self.objects.axis(index)
+    fn file_axis(&self, index: usize) -> Vec3 {
+        self.objects.file_axis(index)
     }
 
     fn reorder(&mut self, _: &mut [u32], _: &mut [u32]) {}

@@ -7,7 +7,7 @@ use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::{Path, PathBuf};
 
 use cpu::internals::input::error::Picture;
-use cpu::internals::input::reader::Input;
+use cpu::internals::input::reader::LimitedFile;
 use cpu::internals::input::text::MAX_FILE_BYTES;
 use cpu::{Config, Error, Scene};
 use output::{Options, Output};
@@ -210,10 +210,10 @@ pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure 
 fn read<T>(
     path: &Path,
     kind: Kind,
-    parse: impl FnOnce(&mut Recorder<BufReader<Input>>) -> Result<T, Error>,
+    parse: impl FnOnce(&mut Recorder<BufReader<LimitedFile>>) -> Result<T, Error>,
 ) -> Result<T, Failure> {
     let path = input(path);
-    let file = Input::open(&path, MAX_FILE_BYTES).map_err(|error| Error::from(error).in_file(&path))?;
+    let file = LimitedFile::open(&path, MAX_FILE_BYTES).map_err(|error| Error::from(error).in_file(&path))?;
     let input = BufReader::with_capacity(1 << 16, file);
     located::read(input, kind, &path, parse)
         .map_err(|(error, lines)| lines.map_or_else(|| error.in_file(&path).into(), Failure::from))

@@ -1,4 +1,4 @@
-// One bounce of a path, and the attenuation by all bounces; twin of Path::scatter in cpu/src/reference.rs.
+// One bounce of a path, and the attenuation by all bounces; twin of Paths::scatter in cpu/src/reference.rs.
 
 // The materials that attenuate each invocation's path, from the first hit on. Each invocation has max_depth entries.
 @group(0) @binding(4) var<storage, read_write> attenuations: array<u32>;

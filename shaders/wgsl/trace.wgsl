@@ -1,4 +1,4 @@
-// The colour that arrives along one path in deterministic mode; twin of Path::color in cpu/src/reference.rs.
+// The colour that arrives along one path in deterministic mode; twin of Paths::color in cpu/src/reference.rs.
 
 // The state of a path between two runs: its next ray, and the number of its attenuations so far. `ended` is 1 if the
 // path has ended and the colour of its pixel has been written.

@@ -4,7 +4,7 @@
 use cpu::internals::InstructionSet;
 use cpu::internals::accel::{
     choice::Accel, closest_hit::ClosestHit, every_object::intersect_every_object, extent::Extent, object::NO_OBJECT,
-    object::ObjectId, object::count, object::order_of, stack::Stack,
+    object::ObjectId, object::count, object::file_index_of, stack::Stack,
 };
 use cpu::internals::input::scene::{Shape, Sphere};
 use cpu::internals::layout::{Objects, aos::AosObjects};
@@ -45,7 +45,7 @@ impl Ours {
         let extent = Extent { max_coordinate, moderate: true, has_tiny: false };
         let accel = Accel::new(&mut objects, &extent)?;
         let mut numbers: Vec<_> = (0..count(&objects) as ObjectId).collect();
-        numbers.sort_unstable_by_key(|&id| order_of(&objects, id));
+        numbers.sort_unstable_by_key(|&id| file_index_of(&objects, id));
         Ok(Self { objects, accel, numbers })
     }
 
@@ -80,7 +80,7 @@ impl Ours {
 #[inline(always)]
 fn nearest(objects: &AosObjects, hit: &ClosestHit) -> NearestHit {
     if hit.is_hit() {
-        NearestHit { place: order_of(objects, hit.object), lambda: hit.lambda }
+        NearestHit { place: file_index_of(objects, hit.object), lambda: hit.lambda }
     } else {
         NearestHit::NOTHING
     }

@@ -32,10 +32,10 @@ use std::ops::Range;
 /// isolated, because the search would take as long as building the tree.
 const MOST_FOR_ISOLATION: usize = 1 << 17;
 
-/// Maximum number of objects for which the nodes have the boxes of the form [`WideBoxes`](boxes::WideBoxes). With up to
-/// 100,000 objects these are up to a fifth faster than [`ByteBoxes`](byte_boxes::ByteBoxes). With a million objects,
+/// Maximum number of objects for which the nodes have the boxes of the form [`FloatBoxes`](boxes::FloatBoxes). With up
+/// to 100,000 objects these are up to a fifth faster than [`ByteBoxes`](byte_boxes::ByteBoxes). With a million objects,
 /// which fit into no cache, they are slower by a tenth to a quarter (bench/src/bin/nearest.rs).
-pub const MOST_WIDE: usize = 200_000;
+pub const MOST_IN_FLOAT_BOXES: usize = 200_000;
 
 /// The tree over all objects of a scene but the dominant sphere, which is tested separately.
 #[derive(Debug)]

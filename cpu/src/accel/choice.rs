@@ -7,7 +7,7 @@
 //! 3. [`FlatFilter`] for up to 64 objects with coordinates of up to 2e7 and no such tiny object, if there are few
 //!    cylinders: up to 20 beside a dominant sphere such as a ground, or else at most as many as spheres, which are at
 //!    least 9; for other objects a tree is faster;
-//! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
+//! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`FloatBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
 //! How is a scene of 200 objects searched? A [`Bvh`] has nodes of up to 16 children. So a scene of 9 to 256 objects
@@ -31,7 +31,7 @@
 //! hierarchy of its own (`shaders/twin/src/hierarchy.rs`).
 
 use crate::accel::{
-    accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes,
+    accelerator::Accelerator, bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::FloatBoxes, bvh::byte_boxes::ByteBoxes,
     closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, flat_filter, flat_filter::FlatFilter, may_hit,
     object::ObjectId, object::count, small_scene::SmallScene, stack::Stack,
 };
@@ -50,7 +50,7 @@ pub enum Accel {
     /// precision.
     FlatFilter(FlatFilter),
     /// The tree of boxes, for more objects.
-    Bvh(Bvh<WideBoxes>),
+    Bvh(Bvh<FloatBoxes>),
     /// The tree of boxes in little memory, for any number of objects.
     LargeBvh(Bvh<ByteBoxes>),
 }
@@ -84,7 +84,7 @@ impl Accel {
             && flat_filter::saves_time(objects)
         {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
-        } else if count(objects) <= bvh::MOST_WIDE {
+        } else if count(objects) <= bvh::MOST_IN_FLOAT_BOXES {
             Self::Bvh(Bvh::new(objects, extent, None)?)
         } else {
             Self::LargeBvh(Bvh::new(objects, extent, None)?)

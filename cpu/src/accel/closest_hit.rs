@@ -6,7 +6,7 @@
 
 use std::cmp::Ordering;
 
-use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
+use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, file_index_of};
 use crate::counters::{Counter, add};
 use crate::exact::order::{self, Surface, is_certainly_closer};
 use crate::exact::{self, error_bound::Decision};
@@ -50,7 +50,7 @@ impl ClosestHit {
         match ObjectRef::of(objects, self.object) {
             ObjectRef::Sphere(index) => Surface::Sphere(objects.sphere(index).record),
             ObjectRef::Cylinder(index) => {
-                Surface::Cylinder(objects.cylinder(index).record, objects.axis(index), self.part)
+                Surface::Cylinder(objects.cylinder(index).record, objects.file_axis(index), self.part)
             }
         }
     }
@@ -65,7 +65,7 @@ pub(crate) fn is_exactly_closer<O: Objects>(objects: &O, ray: Ray, hit: ClosestH
     if !closest.is_hit() {
         return true;
     }
-    let rank = |hit: &ClosestHit| tie::rank(order_of(objects, hit.object), hit.part != CylinderPart::Side);
+    let rank = |hit: &ClosestHit| tie::rank(file_index_of(objects, hit.object), hit.part != CylinderPart::Side);
     // If a number is not finite, there are no exact lambdas, and the computed ones are compared.
     let surfaces = [&hit.surface(objects), &closest.surface(objects)];
     let compared = order::compare(&ray, surfaces, [hit.lambda, closest.lambda]);
@@ -89,10 +89,10 @@ impl ClosestHit {
     #[inline(always)]
     pub(crate) fn intersect_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::SphereTests, 1);
-        let lambda = match exact::sphere::filtered_or_least(&objects.sphere(index).record, ray) {
+        let lambda = match exact::sphere::filtered_or_lower_bound(&objects.sphere(index).record, ray) {
             Ok(lambda) => lambda,
-            Err(least) if is_certainly_closer(self.lambda, least) => None,
-            Err(_) => precise_sphere(objects, index, *ray),
+            Err(lower_bound) if is_certainly_closer(self.lambda, lower_bound) => None,
+            Err(_) => resolve_sphere(objects, index, *ray),
         };
         self.update_by_lambda(objects, index, ray, lambda);
     }
@@ -105,7 +105,7 @@ impl ClosestHit {
         add(Counter::SphereTests, 1);
         let lambda = match exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray) {
             Decision::Certain(lambda) => lambda,
-            Decision::Uncertain => precise_sphere(objects, index, *ray),
+            Decision::Uncertain => resolve_sphere(objects, index, *ray),
         };
         self.update_by_lambda(objects, index, ray, lambda);
     }
@@ -139,7 +139,7 @@ impl ClosestHit {
         add(Counter::CylinderTests, 1);
         let hit = match exact::cylinder::filtered(&objects.cylinder(index).record, ray) {
             Decision::Certain(hit) => hit,
-            Decision::Uncertain => precise_cylinder(objects, index, *ray),
+            Decision::Uncertain => resolve_cylinder(objects, index, *ray),
         };
         if let Some((lambda, part)) = hit {
             let object = ObjectRef::Cylinder(index).number(objects.sphere_count());
@@ -152,7 +152,7 @@ impl ClosestHit {
 /// again, and `ray` is no reference. So rays that do not need this function keep both in registers.
 #[cold]
 #[inline(never)]
-fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64> {
+fn resolve_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64> {
     exact::sphere::compensated_or_precise(&objects.sphere(index).record, &ray)
 }
 
@@ -164,33 +164,33 @@ fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64
 fn with_uncertain_spheres<O: Objects>(objects: &O, spheres: u64, ray: Ray, mut closest: ClosestHit) -> ClosestHit {
     let (mut left, mut put_off, mut first) = (spheres, 0_u64, 0);
     // The lower bound of the first sphere's lambda, and that of all other spheres.
-    let [mut least, mut second] = [f64::INFINITY; 2];
+    let [mut lower_bound, mut second] = [f64::INFINITY; 2];
     while left != 0 {
         let index = left.trailing_zeros() as usize;
         add(Counter::SphereTests, 1);
-        match exact::sphere::filtered_or_least(&objects.sphere(index).record, &ray) {
+        match exact::sphere::filtered_or_lower_bound(&objects.sphere(index).record, &ray) {
             Ok(lambda) => closest.update_by_lambda(objects, index, &ray, lambda),
-            Err(lambda) => {
+            Err(bound) => {
                 put_off |= 1 << index;
-                second = second.min(least.max(lambda));
-                if lambda < least {
-                    (least, first) = (lambda, index);
+                second = second.min(lower_bound.max(bound));
+                if bound < lower_bound {
+                    (lower_bound, first) = (bound, index);
                 }
             }
         }
         left &= left - 1;
     }
-    while put_off != 0 && !is_certainly_closer(closest.lambda, least) {
-        closest.update_by_lambda(objects, first, &ray, precise_sphere(objects, first, ray));
+    while put_off != 0 && !is_certainly_closer(closest.lambda, lower_bound) {
+        closest.update_by_lambda(objects, first, &ray, resolve_sphere(objects, first, ray));
         put_off &= !(1 << first);
-        (first, least) = (put_off.trailing_zeros() as usize, second);
+        (first, lower_bound) = (put_off.trailing_zeros() as usize, second);
     }
     closest
 }
 
-/// Returns lambda and part by the precise formulas, or `None` for a miss. See [`precise_sphere`] for the parameters.
+/// Returns lambda and part by the precise formulas, or `None` for a miss. See [`resolve_sphere`] for the parameters.
 #[cold]
 #[inline(never)]
-fn precise_cylinder<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<(f64, CylinderPart)> {
-    exact::cylinder::compensated_or_precise(&objects.cylinder(index).record, &objects.axis(index), &ray)
+fn resolve_cylinder<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<(f64, CylinderPart)> {
+    exact::cylinder::compensated_or_precise(&objects.cylinder(index).record, &objects.file_axis(index), &ray)
 }

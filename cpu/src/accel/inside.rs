@@ -59,8 +59,8 @@ impl ConservativeRay<f64> {
     #[inline(always)]
     fn starts_in_cylinder(&self, target: &Target, max_coordinate: f64) -> bool {
         let (across, slope, along) = self.cylinder_quadratic(target);
-        let least_half_height = target.half_height - max_coordinate * (2.0 * SLACK);
-        let is_between_caps = (slope * LAMBDA_MIN - along).abs() < least_half_height;
+        let lowered_half_height = target.half_height - max_coordinate * (2.0 * SLACK);
+        let is_between_caps = (slope * LAMBDA_MIN - along).abs() < lowered_half_height;
         self.starts_within(&across) & is_between_caps & is_steep(slope, self.length_squared)
     }
 }
@@ -70,8 +70,8 @@ impl<T: Rounding> ConservativeRay<T> {
     #[inline(always)]
     pub fn starts_within(&self, &ConservativeQuadratic { a, h, c, size }: &ConservativeQuadratic<T>) -> T::Mask {
         const SQUARED: f64 = LAMBDA_MIN * LAMBDA_MIN;
-        let most_c = c + (size + self.length_squared * T::of(SQUARED)) * T::of(QUADRATIC_MARGIN);
-        (a * T::of(SQUARED) - h * T::of(2.0 * LAMBDA_MIN) + most_c).less(T::of(0.0))
+        let raised_c = c + (size + self.length_squared * T::of(SQUARED)) * T::of(QUADRATIC_MARGIN);
+        (a * T::of(SQUARED) - h * T::of(2.0 * LAMBDA_MIN) + raised_c).less(T::of(0.0))
     }
 }
 

@@ -57,10 +57,10 @@ pub fn count(objects: &impl Objects) -> usize {
 }
 
 /// Returns the object's place among all objects of the scene file, from 0.
-pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
+pub fn file_index_of(objects: &impl Objects, id: ObjectId) -> u32 {
     match ObjectRef::of(objects, id) {
-        ObjectRef::Sphere(index) => objects.sphere(index).order,
-        ObjectRef::Cylinder(index) => objects.cylinder(index).order,
+        ObjectRef::Sphere(index) => objects.sphere(index).file_index,
+        ObjectRef::Cylinder(index) => objects.cylinder(index).file_index,
     }
 }
 

@@ -181,9 +181,9 @@ mod tests {
                 hit |= u32::from(any.iter().any(Option::is_some)) << index;
             }
             for index in 0..objects.cylinder_count() {
-                let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
-                let exact = Exact::cylinder(&record, &axis, &ray);
-                let any = [record.intersect(&ray), Plain::cylinder(&record, &axis, &ray), exact];
+                let (record, file_axis) = (objects.cylinder(index).record, objects.file_axis(index));
+                let exact = Exact::cylinder(&record, &file_axis, &ray);
+                let any = [record.intersect(&ray), Plain::cylinder(&record, &file_axis, &ray), exact];
                 hit |= u32::from(any.iter().any(Option::is_some)) << (objects.sphere_count() + index);
             }
             for set in InstructionSet::available() {

@@ -1,6 +1,6 @@
 //! Compares each acceleration structure with the one that intersects every object.
 
-use crate::accel::bvh::{Bvh, MOST_WIDE, farthest_for};
+use crate::accel::bvh::{Bvh, MOST_IN_FLOAT_BOXES, farthest_for};
 use crate::accel::choice::{Accel, Structure};
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
@@ -8,7 +8,7 @@ use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
 use crate::accel::flat_filter::{FlatFilter, MAX_COORDINATE};
 use crate::accel::may_hit::target::targets;
-use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, order_of};
+use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef, file_index_of};
 use crate::accel::stack::Stack;
 use crate::geometry::ray::Ray;
 use crate::input::scene::Scene;
@@ -148,14 +148,14 @@ fn each_number_of_objects_gets_its_structure() {
         (40, 2.0, 1000, |accel| matches!(accel, Accel::FlatFilter(_))),
         (90, 2.0, 1000, |accel| matches!(accel, Accel::Bvh(_))),
         (1000, 1.0, 300, |accel| matches!(accel, Accel::Bvh(_))),
-        (MOST_WIDE, 0.05, 40, |accel| matches!(accel, Accel::LargeBvh(_))),
+        (MOST_IN_FLOAT_BOXES, 0.05, 40, |accel| matches!(accel, Accel::LargeBvh(_))),
     ];
     for (seed, (count, size, rays, is_expected)) in (1..).zip(cases) {
         let mut objects = objects(count, size, seed);
         let accel = accel(&mut objects);
         assert!(is_expected(&accel), "{count} objects");
         let mut visited = Vec::new();
-        let has_boxes = accel.visit_boxes(|_| true, |id| visited.push(order_of(&objects, id)));
+        let has_boxes = accel.visit_boxes(|_| true, |id| visited.push(file_index_of(&objects, id)));
         visited.sort_unstable();
         // The sphere below the objects is the first one of the scene, and it is visited too.
         assert_eq!(visited, if has_boxes { (0..=count as u32).collect() } else { Vec::new() });

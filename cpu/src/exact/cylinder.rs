@@ -23,7 +23,7 @@ use crate::exact::cylinder_compensated::{CompensatedCaps, CompensatedSide};
 use crate::exact::cylinder_decision::{CylinderHit, decide, is_inside, with_caps};
 use crate::exact::cylinder_plain::{PlainCaps, PlainSide, is_long};
 use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
-use crate::exact::exact_vector::{Exact3, Exactly, NotFinite, exact_least_lambda, to_dyadic};
+use crate::exact::exact_vector::{Exact3, ExactResult, NotFinite, exact_least_lambda, to_dyadic};
 use crate::exact::{error_bound::Decision, error_bound::in_scale};
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
 use crate::math::{dyadic::Dyadic, rounding::Rounding, vec3::Vec3};
@@ -31,8 +31,8 @@ use crate::simd::fused::run_fused;
 
 /// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
 /// misses all three. Of parts at the same lambda, the first in this order counts. [`CylinderRecord::intersect`] follows
-/// this rule with rounding errors, but here rounding never changes a decision. `axis` is the axis of the scene file,
-/// and its length is the cylinder's height. `record` must be made from this axis, and the length must be finite.
+/// this rule with rounding errors, but here rounding never changes a decision. `file_axis` is the axis of the scene
+/// file, and its length is the cylinder's height. `record` must be made from this axis, and the length must be finite.
 ///
 /// ```
 /// use cpu::intersect::{self, CylinderPart, CylinderRecord};
@@ -46,17 +46,17 @@ use crate::simd::fused::run_fused;
 /// ```
 #[inline(always)]
 #[must_use]
-pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-    debug_assert!(is_made_from(record, *axis));
+pub fn intersect(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+    debug_assert!(is_made_from(record, *file_axis));
     match filtered(record, ray) {
         Decision::Certain(hit) => hit,
-        Decision::Uncertain => compensated_or_precise(record, axis, ray),
+        Decision::Uncertain => compensated_or_precise(record, file_axis, ray),
     }
 }
 
 /// Whether the record is that of a cylinder with this axis, or the axis has no direction in `f64`.
-fn is_made_from(record: &CylinderRecord, axis: Vec3) -> bool {
-    let (unit, height) = axis.unit_and_length();
+fn is_made_from(record: &CylinderRecord, file_axis: Vec3) -> bool {
+    let (unit, height) = file_axis.unit_and_length();
     (unit, height / 2.0) == (record.axis, record.half_height) || !unit.is_finite()
 }
 
@@ -68,24 +68,24 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<
 }
 
 /// Intersects a ray for which [`filtered`] is uncertain. The [compensated](crate::exact::cylinder_compensated) formulas
-/// are tried first. If they are uncertain too, [`precise`] gives the result. `axis` is the axis of the scene file.
+/// are tried first. If they are uncertain too, [`precise`] gives the result. `file_axis` is the axis of the scene file.
 #[cold]
 #[inline(never)]
-pub fn compensated_or_precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-    match compensated(record, axis, ray) {
+pub fn compensated_or_precise(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+    match compensated(record, file_axis, ray) {
         Decision::Certain(hit) => {
             add(Counter::Compensated, 1);
             hit
         }
-        Decision::Uncertain => precise(record, axis, ray),
+        Decision::Uncertain => precise(record, file_axis, ray),
     }
 }
 
 /// Returns the hit by the [compensated](crate::exact::cylinder_compensated) formulas, if rounding certainly has not
 /// changed it.
-pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<CylinderHit<f64>> {
-    run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<CylinderHit<f64>> {
-        let caps = CompensatedCaps(*axis);
+pub fn compensated(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Decision<CylinderHit<f64>> {
+    run_fused!(|record: &CylinderRecord, file_axis: &Vec3, ray: &Ray| -> Decision<CylinderHit<f64>> {
+        let caps = CompensatedCaps(*file_axis);
         // If a cylinder is not long, most uncertain rays from inside are uncertain only because of a cap.
         if !is_long(record) && is_inside(&record.seen_from(ray.origin)) && in_scale(ray.direction.dot(ray.direction)) {
             let decision = with_caps(record, ray, &caps, Decision::Uncertain);
@@ -93,36 +93,36 @@ pub fn compensated(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Decision<
                 return decision;
             }
         }
-        decide(record, ray, &CompensatedSide::new(record, *axis, ray), &caps)
+        decide(record, ray, &CompensatedSide::new(record, *file_axis, ray), &caps)
     })
 }
 
-/// Intersects a ray by dyadic arithmetic. This takes some thousand operations, and few rays need it. `axis` is the axis
-/// of the scene file.
+/// Intersects a ray by dyadic arithmetic. This takes some thousand operations, and few rays need it. `file_axis` is the
+/// axis of the scene file.
 #[cold]
 #[inline(never)]
-pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+pub fn precise(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     add(Counter::Fallbacks, 1);
-    closest_exactly(record, *axis, ray).unwrap_or_else(|NotFinite| record.intersect(ray))
+    closest_exactly(record, *file_axis, ray).unwrap_or_else(|NotFinite| record.intersect(ray))
 }
 
-/// Returns the rounded lambda and the part of the ray's hit with the cylinder, or `None` if it misses. `axis` is the
-/// axis of the scene file, and its length is the cylinder's height. The error says that an input is not finite.
-fn closest_exactly(record: &CylinderRecord, axis: Vec3, ray: &Ray) -> Exactly<(f64, CylinderPart)> {
-    let inputs = Inputs::new(record, axis, ray)?;
-    let parts = [inputs.side(), inputs.cap(false)?, inputs.cap(true)?];
+/// Returns the rounded lambda and the part of the ray's hit with the cylinder, or `None` if it misses. `file_axis` is
+/// the axis of the scene file, and its length is the cylinder's height. The error says that an input is not finite.
+fn closest_exactly(record: &CylinderRecord, file_axis: Vec3, ray: &Ray) -> ExactResult<(f64, CylinderPart)> {
+    let terms = ExactTerms::new(record, file_axis, ray)?;
+    let parts = [terms.side(), terms.cap(false)?, terms.cap(true)?];
     Ok(closest_part(parts).map(|(lambda, part)| (lambda.rounded(), part)))
 }
 
-/// The inputs of the formulas of side and caps as exact numbers: a ray, a cylinder, and the products that both formulas
+/// The terms of the formulas of side and caps as exact numbers: a ray, a cylinder, and the products that both formulas
 /// use.
-struct Inputs {
+struct ExactTerms {
     /// `d`: the ray's direction.
     direction: Exact3,
     /// `q`: the vector from the cylinder's centre to the ray's origin.
     from_center: Exact3,
     /// `V`: the axis of the scene file, which is as long as the cylinder is high.
-    axis: Exact3,
+    file_axis: Exact3,
     radius_squared: Dyadic,
     /// Half of `V.V`.
     half: Dyadic,
@@ -131,21 +131,26 @@ struct Inputs {
     /// `q.V`.
     start_along: Dyadic,
     /// [`exact_least_lambda`].
-    least: Dyadic,
+    lambda_min: Dyadic,
 }
 
-impl Inputs {
-    fn new(&CylinderRecord { center, radius, .. }: &CylinderRecord, axis: Vec3, ray: &Ray) -> Result<Self, NotFinite> {
-        let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
+impl ExactTerms {
+    fn new(
+        &CylinderRecord { center, radius, .. }: &CylinderRecord,
+        file_axis: Vec3,
+        ray: &Ray,
+    ) -> Result<Self, NotFinite> {
+        let (direction, file_axis) = (Exact3::new(ray.direction)?, Exact3::new(file_axis)?);
         let from_center = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
-        let (half, slope, start_along) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), from_center.dot(&axis));
-        let (radius_squared, least) = (to_dyadic(radius)?.squared(), exact_least_lambda()?);
-        Ok(Self { direction, from_center, axis, radius_squared, half, slope, start_along, least })
+        let (half, slope, start_along) =
+            (file_axis.dot(&file_axis).times_power_of_two(-1), direction.dot(&file_axis), from_center.dot(&file_axis));
+        let (radius_squared, lambda_min) = (to_dyadic(radius)?.squared(), exact_least_lambda()?);
+        Ok(Self { direction, from_center, file_axis, radius_squared, half, slope, start_along, lambda_min })
     }
 
     /// Returns the side's lambda, or `None` if the ray misses the side.
     fn side(&self) -> Option<ExactLambda> {
-        let length_squared = self.half.scaled(1);
+        let length_squared = self.half.times_power_of_two(1);
         let flat = |product: Dyadic, along: Dyadic| &(&product * &length_squared) - &along;
         let a = flat(self.direction.dot(&self.direction), self.slope.squared());
         let minus_h = flat(self.from_center.dot(&self.direction), &self.start_along * &self.slope);
@@ -155,8 +160,8 @@ impl Inputs {
 
     /// Whether a root is in range, and its point is between the caps' planes.
     fn side_counts(&self, root: &ExactLambda) -> bool {
-        let Self { half, slope, start_along, least, .. } = self;
-        root.is_at_least(least)
+        let Self { half, slope, start_along, lambda_min, .. } = self;
+        root.is_at_least(lambda_min)
             && root.is_linear_form_nonnegative(&(half - start_along), &-slope)
             && root.is_linear_form_nonnegative(&(half + start_along), slope)
     }
@@ -173,18 +178,18 @@ impl Inputs {
     }
 
     /// Returns a cap's lambda, or `None` if the ray misses the cap. The rule is that of [`crate::geometry::cap`].
-    fn cap(&self, is_bottom: bool) -> Exactly<ExactLambda> {
-        let Self { direction, from_center, axis, radius_squared, half, slope, least, .. } = self;
-        let parallel = &to_dyadic(PARALLEL)?.squared() * &half.scaled(1);
+    fn cap(&self, is_bottom: bool) -> ExactResult<ExactLambda> {
+        let Self { direction, from_center, file_axis, radius_squared, half, slope, lambda_min, .. } = self;
+        let parallel = &to_dyadic(PARALLEL)?.squared() * &half.times_power_of_two(1);
         if (&slope.squared() - &parallel).sign() == Ordering::Less {
             return Ok(None);
         }
         let (numerator, denominator) = self.plane(is_bottom);
-        if (&numerator - &(least * &denominator)).sign() == Ordering::Less {
+        if (&numerator - &(lambda_min * &denominator)).sign() == Ordering::Less {
             return Ok(None);
         }
         // `point` is the vector from the cap's centre to the ray's point, times the denominator.
-        let to_cap = axis.times(&to_dyadic(if is_bottom { -0.5 } else { 0.5 })?);
+        let to_cap = file_axis.times(&to_dyadic(if is_bottom { -0.5 } else { 0.5 })?);
         let point = from_center.minus(&to_cap).times(&denominator).plus(&direction.times(&numerator));
         let outside = &point.dot(&point) - &(radius_squared * &denominator.squared());
         Ok((outside.sign() != Ordering::Greater).then(|| ExactLambda::fraction(numerator, denominator)))
@@ -203,12 +208,17 @@ fn closest_part(parts: [Option<ExactLambda>; 3]) -> Option<(ExactLambda, Cylinde
 
 /// Returns the exact lambda of the ray's hit with a part of the cylinder, which it must hit. The other parameters and
 /// the error are those of [`closest_exactly`].
-pub(crate) fn exact_lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Exactly<ExactLambda> {
-    let inputs = Inputs::new(record, axis, ray)?;
+pub(crate) fn exact_lambda(
+    record: &CylinderRecord,
+    file_axis: Vec3,
+    ray: &Ray,
+    part: CylinderPart,
+) -> ExactResult<ExactLambda> {
+    let terms = ExactTerms::new(record, file_axis, ray)?;
     if part == CylinderPart::Side {
-        return Ok(inputs.side());
+        return Ok(terms.side());
     }
-    let (numerator, denominator) = inputs.plane(part == CylinderPart::Bottom);
+    let (numerator, denominator) = terms.plane(part == CylinderPart::Bottom);
     Ok(Some(ExactLambda::fraction(numerator, denominator)))
 }
 

@@ -11,7 +11,9 @@
 //! `a = p.p`, `h = -q.p` and `c = q.q - r^2 V.V`. By Lagrange's identity the discriminant equals
 //! `V.V (a r^2 - ((O - C).p)^2)`, whose terms do not grow with the distance along the axis.
 
-use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
+use crate::exact::compensated_roots::{
+    Discriminant, Quadratic, Roots, certainly_in_range_and_finite, difference_of_squares,
+};
 use crate::exact::cylinder_decision::{CapFormulas, CapPlane, Crossing, SideFacts, SideFormulas, is_inside, magnitude};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
@@ -28,7 +30,7 @@ pub const SHARE_IN_H: f64 = f64::from_bits((1023 - 90) << 52);
 pub const SHARE_IN_C: f64 = 4.0;
 /// The share of `a |O - C|^2` in the terms of the discriminant by Lagrange's identity, 2^-52. It covers the square of
 /// the error of `(O - C).p`.
-pub const SHARE_OF_REACH: f64 = f64::EPSILON;
+pub const SHARE_IN_D: f64 = f64::EPSILON;
 
 /// The quadratic of a ray and the side of a cylinder.
 pub struct SideTerms<T: Rounding> {
@@ -43,26 +45,29 @@ pub struct SideTerms<T: Rounding> {
 }
 
 impl<T: Rounding> SideTerms<T> {
-    /// Returns the quadratic. `axis` is the axis of the scene file.
+    /// Returns the quadratic. `file_axis` is the axis of the scene file.
     #[inline(always)]
-    pub fn new(record: &CylinderRecord<T>, axis: Vec3<T>, ray: &Ray<T>) -> Self {
+    pub fn new(record: &CylinderRecord<T>, file_axis: Vec3<T>, ray: &Ray<T>) -> Self {
         let (from_center, error) = vector_difference(ray.origin, record.center);
-        let (q, rest) = cross_with_error((from_center, error), axis);
-        let p = accurate_cross(ray.direction, axis);
-        let (axis_squared, distance_squared) = (axis.dot(axis), from_center.dot(from_center));
+        let (q, rest) = cross_with_error((from_center, error), file_axis);
+        let p = accurate_cross(ray.direction, file_axis);
+        let (file_axis_squared, distance_squared) = (file_axis.dot(file_axis), from_center.dot(from_center));
         let a = p.dot(p);
-        let (c, squares) = difference_of_squares((q, rest), radius_term(record.radius, axis));
+        let (c, squares) = difference_of_squares((q, rest), radius_term(record.radius, file_axis));
         let q = q + rest;
-        let whole = distance_squared * axis_squared;
-        let terms_of_h = (a * (squares + whole * T::of(SHARE_IN_H))).sqrt();
+        let whole = distance_squared * file_axis_squared;
+        let size_of_h = (a * (squares + whole * T::of(SHARE_IN_H))).sqrt();
         let aside = from_center.dot(p) + error.dot(p);
         let (of_radius, of_distance) = (a * record.radius_squared, a * distance_squared);
-        let size = of_radius + (aside.abs() * of_distance.sqrt() + of_distance * T::of(SHARE_OF_REACH));
+        let size = of_radius + (aside.abs() * of_distance.sqrt() + of_distance * T::of(SHARE_IN_D));
         Self {
-            quadratic: Quadratic { a, h: -q.dot(p), c, terms_of_c: squares + whole * T::of(SHARE_IN_C), terms_of_h },
-            far: Discriminant { value: axis_squared * (of_radius - aside * aside), size: axis_squared * size },
+            quadratic: Quadratic { a, h: -q.dot(p), c, size_of_c: squares + whole * T::of(SHARE_IN_C), size_of_h },
+            far: Discriminant {
+                value: file_axis_squared * (of_radius - aside * aside),
+                size: file_axis_squared * size,
+            },
             from_center,
-            in_scale: in_scale(axis_squared) & in_scale(a) & in_scale(squares),
+            in_scale: in_scale(file_axis_squared) & in_scale(a) & in_scale(squares),
         }
     }
 }
@@ -80,10 +85,10 @@ pub struct CompensatedSide<'a, T: Rounding> {
 }
 
 impl<'a, T: Rounding> CompensatedSide<'a, T> {
-    /// Computes the roots by the discriminant whose terms are smaller. `axis` is the axis of the scene file.
+    /// Computes the roots by the discriminant whose terms are smaller. `file_axis` is the axis of the scene file.
     #[inline(always)]
-    pub fn new(record: &'a CylinderRecord<T>, axis: Vec3<T>, ray: &'a Ray<T>) -> Self {
-        let terms = SideTerms::new(record, axis, ray);
+    pub fn new(record: &'a CylinderRecord<T>, file_axis: Vec3<T>, ray: &'a Ray<T>) -> Self {
+        let terms = SideTerms::new(record, file_axis, ray);
         let (near, far) = (terms.quadratic.near(), &terms.far);
         let is_near = near.size.less(far.size);
         let [value, size] = [(near.value, far.value), (near.size, far.size)].map(|(a, b)| T::select(is_near, a, b));
@@ -119,16 +124,16 @@ impl<T: Rounding> SideFormulas<T> for CompensatedSide<'_, T> {
         let either = |yes: T::Mask, no: T::Mask| (is_small & yes) | (!is_small & no);
         let start = [terms.from_center.dot(record.axis), ray.direction.dot(record.axis)];
         let [small, large] = roots.magnitudes(&terms.quadratic);
-        let [lambda, error] = [(small.0, large.0), (small.1, large.1)].map(|(a, b)| T::select(is_small, a, b));
-        let hits = either(roots.small_is_ahead, roots.accurate & !backward) & is_in_range(lambda);
-        Crossing::new(record, ray, start, (lambda, error), hits, either(roots.small_fails, roots.large_fails))
+        let [lambda, error_bound] = [(small.0, large.0), (small.1, large.1)].map(|(a, b)| T::select(is_small, a, b));
+        let hits = either(roots.small_is_ahead, roots.accurate & !backward) & certainly_in_range_and_finite(lambda);
+        Crossing::new(record, ray, start, (lambda, error_bound), hits, either(roots.small_fails, roots.large_fails))
     }
 }
 
 /// Returns `r^2 V.V`, rounded, and its rounding error, itself rounded.
 #[inline(always)]
-fn radius_term<T: Rounding>(radius: T, axis: Vec3<T>) -> (T, T) {
-    let ((rr, rr_error), (sum, sum_error)) = (two_product(radius, radius), dot_with_error(axis, axis));
+fn radius_term<T: Rounding>(radius: T, file_axis: Vec3<T>) -> (T, T) {
+    let ((rr, rr_error), (sum, sum_error)) = (two_product(radius, radius), dot_with_error(file_axis, file_axis));
     let (product, error) = two_product(rr, sum);
     (product, error + (rr * sum_error + rr_error * sum))
 }
@@ -137,30 +142,30 @@ fn radius_term<T: Rounding>(radius: T, axis: Vec3<T>) -> (T, T) {
 /// rounding errors.
 pub const SHARE_OF_SIZE: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// Returns the plane of the cap around `center`. `axis` is the axis of the scene file, and `twice_to_cap` is the axis
-/// or, for the bottom cap, its opposite.
+/// Returns the plane of the cap around `center`. `file_axis` is the axis of the scene file, and `twice_to_cap` is the
+/// axis or, for the bottom cap, its opposite.
 #[inline(always)]
 pub fn plane<T: Rounding>(
     record: &CylinderRecord<T>,
-    axis: Vec3<T>,
+    file_axis: Vec3<T>,
     ray: &Ray<T>,
     center: Vec3<T>,
     twice_to_cap: Vec3<T>,
 ) -> CapPlane<T> {
-    let (from_middle, error) = vector_difference(record.center + record.center, ray.origin + ray.origin);
-    let (twice, more) = vector_difference(from_middle, -twice_to_cap);
+    let (twice_to_center, error) = vector_difference(record.center + record.center, ray.origin + ray.origin);
+    let (twice_to_cap_center, more) = vector_difference(twice_to_center, -twice_to_cap);
     let (error, two) = (error + more, T::of(2.0));
-    let (sum, sum_error) = dot_with_error(twice, axis);
-    let to_plane = (sum + (sum_error + error.dot(axis))) / (record.half_height * (two + two));
+    let (sum, sum_error) = dot_with_error(twice_to_cap_center, file_axis);
+    let to_plane = (sum + (sum_error + error.dot(file_axis))) / (record.half_height * (two + two));
     let size = to_plane.abs() + CapPlane::size(record, center - ray.origin) * T::of(SHARE_OF_SIZE);
     let plane = CapPlane::at(record, ray, center, (to_plane, size));
     // The errors of the distance and of the slope, twice each.
-    let error = size / to_plane.abs() * T::of(32.0 * T::UNIT_ROUNDOFF)
+    let error_bound = size / to_plane.abs() * T::of(32.0 * T::UNIT_ROUNDOFF)
         + magnitude(ray.direction) / plane.slope.abs() * T::of(16.0 * T::UNIT_ROUNDOFF);
-    let error = error + T::of(ROUNDINGS_OF_CAP * T::UNIT_ROUNDOFF);
+    let error_bound = error_bound + T::of(ROUNDINGS_OF_CAP * T::UNIT_ROUNDOFF);
     // The square of a short axis may underflow.
-    let in_scale = in_scale(axis.dot(axis));
-    CapPlane { error, fails: plane.fails & in_scale, accurate: plane.accurate & in_scale, ..plane }
+    let in_scale = in_scale(file_axis.dot(file_axis));
+    CapPlane { error_bound, fails: plane.fails & in_scale, accurate: plane.accurate & in_scale, ..plane }
 }
 
 /// The caps by the compensated formula. This holds the axis of the scene file.
@@ -174,22 +179,22 @@ impl<T: Rounding> CapFormulas<T> for CompensatedCaps<T> {
 }
 
 /// Returns the lambda of the ray's hit on a part of the cylinder, with twice the bound of its error, or `None` if that
-/// is uncertain. `axis` is the axis of the scene file.
+/// is uncertain. `file_axis` is the axis of the scene file.
 #[inline(always)]
-pub(crate) fn lambda(record: &CylinderRecord, axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
+pub(crate) fn lambda(record: &CylinderRecord, file_axis: Vec3, ray: &Ray, part: CylinderPart) -> Option<(f64, f64)> {
     let (center, twice_to_cap) = match part {
         CylinderPart::Side => {
-            let side = CompensatedSide::new(record, axis, ray);
+            let side = CompensatedSide::new(record, file_axis, ray);
             let (entry, exit) = (side.crossing(false), side.crossing(true));
             let crossing = if entry.hits { entry } else { exit };
-            return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error));
+            return (crossing.hits && (entry.hits || entry.fails())).then_some((crossing.lambda, crossing.error_bound));
         }
-        CylinderPart::Top => (record.top, axis),
-        CylinderPart::Bottom => (record.bottom, -axis),
+        CylinderPart::Top => (record.top, file_axis),
+        CylinderPart::Bottom => (record.bottom, -file_axis),
     };
-    let plane = plane(record, axis, ray, center, twice_to_cap);
+    let plane = plane(record, file_axis, ray, center, twice_to_cap);
     let lambda = plane.to_plane / plane.slope;
-    plane.accurate.then_some((lambda, lambda * plane.error))
+    plane.accurate.then_some((lambda, lambda * plane.error_bound))
 }
 
 #[cfg(test)]

@@ -90,21 +90,21 @@ pub(super) fn with_caps<T: Rounding<Mask = bool>>(
     caps: &impl CapFormulas<T>,
     leaving: Decision<CylinderHit<T>>,
 ) -> Decision<CylinderHit<T>> {
-    // Here `facing` is the centre of the cap that faces the ray. A branch that chooses it would be mispredicted, and a
-    // selection would become a branch. So it is computed by the formula of `record.top` and `record.bottom`.
+    // Here `facing_center` is the centre of the cap that faces the ray. A branch that chooses it would be mispredicted,
+    // and a selection would become a branch. So it is computed by the formula of `record.top` and `record.bottom`.
     let slope = ray.direction.dot(record.axis);
-    let along = record.axis * record.half_height.flipped_by(slope);
-    let (facing, other) = (record.center - along, record.center + along);
+    let to_other = record.axis * record.half_height.flipped_by(slope);
+    let (facing_center, other_center) = (record.center - to_other, record.center + to_other);
     let part = |is_top: bool| if is_top { CylinderPart::Top } else { CylinderPart::Bottom };
     let down = slope.less(T::of(0.0));
-    match filtered_cap(record, ray, &caps.plane(record, ray, facing, down), part(down)) {
+    match filtered_cap(record, ray, &caps.plane(record, ray, facing_center, down), part(down)) {
         Decision::Certain(None) => {}
         decision => return decision,
     }
     if let Decision::Certain(Some(_)) = leaving {
         return leaving;
     }
-    match filtered_cap(record, ray, &caps.plane(record, ray, other, !down), part(!down)) {
+    match filtered_cap(record, ray, &caps.plane(record, ray, other_center, !down), part(!down)) {
         Decision::Certain(None) => leaving,
         decision => decision,
     }
@@ -173,7 +173,7 @@ pub(crate) fn is_inside<T: Rounding>(view: &CylinderView<T>) -> T::Mask {
 pub struct Crossing<T: Real> {
     pub(super) lambda: T,
     /// Twice the bound of the error of lambda, or more.
-    pub(super) error: T,
+    pub(super) error_bound: T,
     /// The point certainly is between the caps' planes, and lambda certainly is in range.
     pub hits: T::Mask,
     /// `hits` holds, and the ray's origin certainly is between the caps' planes too. So the ray crosses no cap's plane
@@ -188,30 +188,30 @@ pub struct Crossing<T: Real> {
 }
 
 impl<T: Rounding> Crossing<T> {
-    /// Returns the crossing at `lambda`. `error` is twice the bound of its error, or more. `accurate` and `behind` tell
-    /// whether lambda certainly is in range and accurate, or certainly below the smallest lambda. `start` and `slope`
-    /// are distances along the axis. `start` leads from the middle of the cylinder to the ray's origin, and `slope` is
-    /// the way of the ray's point if lambda grows by one.
+    /// Returns the crossing at `lambda`. `error_bound` is twice the bound of its error, or more. `accurate` and
+    /// `behind` tell whether lambda certainly is in range and accurate, or certainly below the smallest lambda.
+    /// `start_along` and `slope` are distances along the axis. `start_along` leads from the middle of the cylinder to
+    /// the ray's origin, and `slope` is the way of the ray's point if lambda grows by one.
     #[inline(always)]
     pub(super) fn new(
         record: &CylinderRecord<T>,
         ray: &Ray<T>,
-        [start, slope]: [T; 2],
-        (lambda, error): (T, T),
+        [start_along, slope]: [T; 2],
+        (lambda, error_bound): (T, T),
         accurate: T::Mask,
         behind: T::Mask,
     ) -> Self {
         // The plain formula computes the point first, and then its distance along the axis. The margin covers the
         // difference of the two results.
-        let along = start + lambda * slope;
-        let margin = margin_of_point(record, ray, error);
+        let along = start_along + lambda * slope;
+        let margin = margin_of_point(record, ray, error_bound);
         let (within, beyond) = (record.half_height - margin, record.half_height + margin);
         let hits = accurate & along.abs().less(within);
         Self {
             lambda,
-            error,
+            error_bound,
             hits,
-            straight: hits & start.abs().less(within),
+            straight: hits & start_along.abs().less(within),
             behind,
             above: accurate & beyond.less(along),
             below: accurate & beyond.less(-along),
@@ -248,7 +248,7 @@ pub struct CapPlane<T: Rounding> {
     /// The distance and the slope give a lambda that is accurate enough to be accepted.
     pub accurate: T::Mask,
     /// Twice the bound of the relative error of an accepted lambda, or more.
-    pub(super) error: T,
+    pub(super) error_bound: T,
 }
 
 impl<T: Rounding> CapPlane<T> {
@@ -256,7 +256,7 @@ impl<T: Rounding> CapPlane<T> {
     /// a wide floor is as certain as a narrow one. `to_center` is the vector from the ray's origin to the cap's centre.
     #[inline(always)]
     pub(super) fn size(record: &CylinderRecord<T>, to_center: Vec3<T>) -> T {
-        extent_of_axis(record) + magnitude(to_center)
+        reach_of_axis(record) + magnitude(to_center)
     }
 
     /// Returns the plane of the cap around `center`, for its distance from the ray's origin. The error of the distance
@@ -275,18 +275,27 @@ impl<T: Rounding> CapPlane<T> {
         let too_near = (distance + distance_error).less((slope_magnitude - slope_error) * T::of(LAMBDA_MIN));
         let accurate = size.less(distance * T::of(4.0 * condition))
             & size_of_direction.less(slope_magnitude * T::of(8.0 * condition));
-        let error = T::of(2.0 * CYLINDER_BOUND.lambda_error());
-        Self { center, to_plane, slope, fails: parallel | (not_parallel & too_near), not_parallel, accurate, error }
+        let error_bound = T::of(2.0 * CYLINDER_BOUND.lambda_error());
+        Self {
+            center,
+            to_plane,
+            slope,
+            fails: parallel | (not_parallel & too_near),
+            not_parallel,
+            accurate,
+            error_bound,
+        }
     }
 
     /// Returns lambda, and whether the ray certainly hits the cap or certainly misses it.
     #[inline(always)]
     pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
         let lambda = self.to_plane / self.slope;
-        let in_range = self.accurate & CYLINDER_BOUND.in_range(lambda);
-        let from_center = (ray.at(lambda) - self.center).length();
-        let margin = margin_of_point(record, ray, lambda * self.error);
-        let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
+        let in_range = self.accurate & CYLINDER_BOUND.certainly_in_range(lambda);
+        let distance_from_center = (ray.at(lambda) - self.center).length();
+        let margin = margin_of_point(record, ray, lambda * self.error_bound);
+        let (within, beyond) =
+            (distance_from_center.less(record.radius - margin), (record.radius + margin).less(distance_from_center));
         Outcome {
             lambda,
             hits: self.not_parallel & in_range & within,
@@ -298,15 +307,15 @@ impl<T: Rounding> CapPlane<T> {
 /// Returns `|center|_1 + half_height`, an upper bound of the coordinates of points on the axis, in scene units. Here
 /// `|v|_1` is the sum of the magnitudes of a vector's components. The result is constant for all rays.
 #[inline(always)]
-fn extent_of_axis<T: Real>(record: &CylinderRecord<T>) -> T {
-    magnitude(record.center) + record.half_height + T::of(LEAST_EXTENT)
+fn reach_of_axis<T: Real>(record: &CylinderRecord<T>) -> T {
+    magnitude(record.center) + record.half_height + T::of(LEAST_REACH)
 }
 
-/// Returns a bound of the distance, in scene units, by which rounding moves the ray's point. `error` is twice the bound
-/// of the error of lambda, or more.
+/// Returns a bound of the distance, in scene units, by which rounding moves the ray's point. `error_bound` is twice the
+/// bound of the error of lambda, or more.
 #[inline(always)]
-fn margin_of_point<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, error: T) -> T {
-    error * magnitude(ray.direction) + (extent_of_axis(record) + record.radius) * T::of(64.0 * T::UNIT_ROUNDOFF)
+fn margin_of_point<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, error_bound: T) -> T {
+    error_bound * magnitude(ray.direction) + (reach_of_axis(record) + record.radius) * T::of(64.0 * T::UNIT_ROUNDOFF)
 }
 
 /// Returns an upper bound of the vector's length: the sum of its components' magnitudes, which is at most 1.74 times
@@ -323,4 +332,4 @@ pub(super) fn magnitude<T: Real>(vector: Vec3<T>) -> T {
 pub const CYLINDER_BOUND: BoundConstants = BoundConstants { error_constant: 192.0, condition_limit: 65536.0 };
 
 /// Covers underflow in lengths, 2^-300: it is added to each bound of coordinates.
-pub const LEAST_EXTENT: f64 = f64::from_bits((1023 - 300) << 52);
+pub const LEAST_REACH: f64 = f64::from_bits((1023 - 300) << 52);

@@ -95,10 +95,10 @@ impl<T: Rounding> SideLanes<T> {
     pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>, caps: &impl CapFormulas<T>) -> CylinderHits<T> {
         let Self { entry, exit, nothing, through, inside, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
-        let (near, far) =
+        let (facing_center, other_center) =
             (Vec3::select(down, record.top, record.bottom), Vec3::select(down, record.bottom, record.top));
-        let facing = caps.plane(record, ray, near, down).disc(record, ray);
-        let other = caps.plane(record, ray, far, !down).disc(record, ray);
+        let facing = caps.plane(record, ray, facing_center, down).disc(record, ray);
+        let other = caps.plane(record, ray, other_center, !down).disc(record, ray);
         let by_facing = open & facing.hits;
         let by_exit = through | (open & !facing.hits & exit.hits);
         let by_other = open & !facing.hits & !exit.hits & other.hits;

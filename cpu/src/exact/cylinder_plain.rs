@@ -54,9 +54,9 @@ pub struct PlainSide<'a, T: Real> {
     half_b: T,
     /// `(b/2)^2 - a c`, and its square root.
     discriminant: T,
-    root: T,
-    /// `start` and `slope` of [`Crossing::new`].
-    start_and_slope: [T; 2],
+    sqrt_d: T,
+    /// `start_along` and `slope` of [`Crossing::new`].
+    along_and_slope: [T; 2],
 }
 
 impl<'a, T: Rounding> PlainSide<'a, T> {
@@ -67,12 +67,12 @@ impl<'a, T: Rounding> PlainSide<'a, T> {
         let (a, half_b, discriminant) = record.quadratic(view, ray.direction);
         let bound = ErrorBound::of_size(CYLINDER_BOUND, size(record, view, a, length_squared, is_long));
         let inside = is_inside(view);
-        let start_and_slope = [view.along, ray.direction.dot(record.axis)];
+        let along_and_slope = [view.along, ray.direction.dot(record.axis)];
         // If a ray is nearly parallel to the axis, the terms of `a` cancel.
         let condition = CYLINDER_BOUND.condition_limit;
         let a_is_accurate = length_squared.less_equal(a * T::of(SHARE_ACROSS_AXIS * condition * condition));
-        let root = discriminant.sqrt();
-        Self { record, ray, bound, inside, a, a_is_accurate, half_b, discriminant, root, start_and_slope }
+        let sqrt_d = discriminant.sqrt();
+        Self { record, ray, bound, inside, a, a_is_accurate, half_b, discriminant, sqrt_d, along_and_slope }
     }
 }
 
@@ -88,17 +88,17 @@ impl<T: Rounding> SideFormulas<T> for PlainSide<'_, T> {
     where
         T: Rounding<Mask = bool>,
     {
-        self.a_is_accurate & self.bound.is_too_small(self.a, -self.half_b - self.root, self.root)
+        self.a_is_accurate & self.bound.is_too_small(self.a, -self.half_b - self.sqrt_d, self.sqrt_d)
     }
 
     #[inline(always)]
     fn crossing(&self, at_exit: bool) -> Crossing<T> {
-        let &Self { record, ray, a, half_b, root, .. } = self;
-        let numerator = if at_exit { -half_b + root } else { -half_b - root };
-        let Outcome { lambda, hits, fails } = self.bound.root(a, numerator, root);
-        let error = lambda * T::of(2.0 * CYLINDER_BOUND.lambda_error());
+        let &Self { record, ray, a, half_b, sqrt_d, .. } = self;
+        let numerator = if at_exit { -half_b + sqrt_d } else { -half_b - sqrt_d };
+        let Outcome { lambda, hits, fails } = self.bound.root(a, numerator, sqrt_d);
+        let error_bound = lambda * T::of(2.0 * CYLINDER_BOUND.lambda_error());
         let [accurate, behind] = [hits, fails].map(|mask| self.a_is_accurate & mask);
-        Crossing::new(record, ray, self.start_and_slope, (lambda, error), accurate, behind)
+        Crossing::new(record, ray, self.along_and_slope, (lambda, error_bound), accurate, behind)
     }
 }
 

@@ -55,7 +55,7 @@ impl BoundConstants {
 
     /// Whether `lambda`, which must be accurate, certainly is at least [`LAMBDA_MIN`].
     #[inline(always)]
-    pub(crate) fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
+    pub(crate) fn certainly_in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
         (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.lambda_error())).less_equal(lambda)
     }
 }
@@ -71,15 +71,15 @@ pub const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
 /// `|O - C|^2 + r^2` is multiplied by this power of two, so that it or `M` overflows if it is not below [`OVERFLOW`].
 pub const HEADROOM: f64 = f64::from_bits((1023 + 24) << 52);
 /// The smallest squared length of a direction that is in scale, 2^-300. Underflow in its computation is negligible.
-pub const SHORTEST: f64 = f64::from_bits((1023 - 300) << 52);
+pub const SMALLEST_IN_SCALE: f64 = f64::from_bits((1023 - 300) << 52);
 /// The largest squared length of a direction that is in scale, 2^300.
-pub const LONGEST: f64 = f64::from_bits((1023 + 300) << 52);
+pub const LARGEST_IN_SCALE: f64 = f64::from_bits((1023 + 300) << 52);
 
 /// Whether a direction is in scale: the square of its length lies between 2^-300 and 2^300. If a direction is not in
 /// scale, every result is uncertain. This does not depend on the object.
 #[inline(always)]
 pub fn in_scale<T: Rounding>(length_squared: T) -> T::Mask {
-    T::of(SHORTEST).less_equal(length_squared) & length_squared.less_equal(T::of(LONGEST))
+    T::of(SMALLEST_IN_SCALE).less_equal(length_squared) & length_squared.less_equal(T::of(LARGEST_IN_SCALE))
 }
 
 /// What is certain about the hit at one root, or with one disc. If neither `hits` nor `fails` holds, it is uncertain
@@ -101,7 +101,7 @@ pub struct ErrorBound<T> {
     /// `M`, the size of the terms that cancel in the discriminant, times [`HEADROOM`].
     size: T,
     /// `E`, the bound of the error in the discriminant.
-    error: T,
+    error_bound: T,
 }
 
 impl<T: Rounding> ErrorBound<T> {
@@ -115,45 +115,45 @@ impl<T: Rounding> ErrorBound<T> {
     /// Returns the error bound of a discriminant, for the size of its terms times [`HEADROOM`].
     #[inline(always)]
     pub(crate) fn of_size(constants: BoundConstants, size: T) -> Self {
-        Self { constants, size, error: size * T::of(constants.error_of_size()) + T::of(UNDERFLOW) }
+        Self { constants, size, error_bound: size * T::of(constants.error_of_size()) + T::of(UNDERFLOW) }
     }
 
     /// Whether the ray's line certainly misses the surface, for this computed discriminant.
     #[inline(always)]
     pub(crate) fn misses(&self, discriminant: T) -> T::Mask {
-        self.error.less(-discriminant)
+        self.error_bound.less(-discriminant)
     }
 
-    /// Returns the lambda `numerator / a`, and whether it certainly is in range or certainly is not. `root` is the
+    /// Returns the lambda `numerator / a`, and whether it certainly is in range or certainly is not. `sqrt_d` is the
     /// square root of the discriminant.
     #[inline(always)]
-    pub(crate) fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
+    pub(crate) fn root(&self, a: T, numerator: T, sqrt_d: T) -> Outcome<T> {
         let lambda = numerator / a;
         let share = 1.0 / self.constants.condition_limit;
         // The compiler computes the first sum once for both roots. If both sides are infinite, the root is not
         // accurate.
-        let least = (self.size * T::of(share / HEADROOM) + T::of(UNDERFLOW))
+        let threshold = (self.size * T::of(share / HEADROOM) + T::of(UNDERFLOW))
             + numerator * numerator * T::of(NUMERATOR_WEIGHT * share);
-        let accurate = least.less(root * numerator);
-        let hits = accurate & self.constants.in_range(lambda);
-        Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
+        let accurate = threshold.less(sqrt_d * numerator);
+        let hits = accurate & self.constants.certainly_in_range(lambda);
+        Outcome { lambda, hits, fails: self.is_too_small(a, numerator, sqrt_d) }
     }
 
     /// Returns a lower bound of the exact lambda of the root `numerator / a`, with a relative error below 2^-50. It is
     /// negative infinity if no bound is known.
     #[inline(always)]
-    pub(crate) fn lower_bound_of_lambda(&self, a: T, numerator: T, root: T) -> T {
-        let least = (numerator - self.error / root) / a;
+    pub(crate) fn lower_bound_of_lambda(&self, a: T, numerator: T, sqrt_d: T) -> T {
+        let lower_bound = (numerator - self.error_bound / sqrt_d) / a;
         // A number that overflows makes this -inf or NaN.
-        T::select(T::of(f64::NEG_INFINITY).less(least), least, T::of(f64::NEG_INFINITY))
+        T::select(T::of(f64::NEG_INFINITY).less(lower_bound), lower_bound, T::of(f64::NEG_INFINITY))
     }
 
     /// Whether the lambda `numerator / a` certainly is below [`LAMBDA_MIN`]. This is cheaper than
     /// [`ErrorBound::root`], because there is no division.
     #[inline(always)]
-    pub(crate) fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
+    pub(crate) fn is_too_small(&self, a: T, numerator: T, sqrt_d: T) -> T::Mask {
         // The limit is lowered by more than the relative error of `a` and the rounding of the limit.
-        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.constants.lambda_error());
-        self.error.less((a * least - numerator) * root)
+        let lowered_lambda_min = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.constants.lambda_error());
+        self.error_bound.less((a * lowered_lambda_min - numerator) * sqrt_d)
     }
 }

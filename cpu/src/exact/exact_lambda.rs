@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use crate::geometry::ray::LAMBDA_MIN;
-use crate::math::dyadic::{Dyadic, exact, power_of_two, sign_with_root, sign_with_roots};
+use crate::math::dyadic::{Dyadic, of_finite, sign_with_sqrt, sign_with_two_sqrts, times_power_of_two};
 use crate::math::{double_double::DoubleDouble, real::Real};
 
 /// The equation `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0`, and the discriminant `D = h^2 - a c` is at
@@ -50,13 +50,14 @@ impl ExactLambda {
     pub(crate) fn fraction(numerator: Dyadic, denominator: Dyadic) -> Self {
         debug_assert!(numerator.sign() == Ordering::Greater && denominator.sign() == Ordering::Greater);
         // Nothing reads `c`, because the numerator of the larger root does not cancel.
-        let quadratic = ExactQuadratic { a: denominator, h: numerator, c: exact(0.0), discriminant: exact(0.0) };
+        let quadratic =
+            ExactQuadratic { a: denominator, h: numerator, c: of_finite(0.0), discriminant: of_finite(0.0) };
         Self { quadratic, is_larger: true }
     }
 
-    /// Whether the lambda is at least `least`.
-    pub(crate) fn is_at_least(&self, least: &Dyadic) -> bool {
-        self.is_linear_form_nonnegative(&-least, &exact(1.0))
+    /// Whether the lambda is at least `limit`.
+    pub(crate) fn is_at_least(&self, limit: &Dyadic) -> bool {
+        self.is_linear_form_nonnegative(&-limit, &of_finite(1.0))
     }
 
     /// Whether `x + y lambda >= 0`.
@@ -64,7 +65,7 @@ impl ExactLambda {
         let ExactQuadratic { a, h, discriminant, .. } = &self.quadratic;
         // The form is multiplied by `a`, which is positive. The result is `a x + y h + s y sqrt(D)`, where
         // `s` is -1 for the smaller root and 1 for the larger one.
-        sign_with_root(&(&(a * x) + &(y * h)), &self.of_root(y), discriminant) != Ordering::Less
+        sign_with_sqrt(&(&(a * x) + &(y * h)), &self.of_root(y), discriminant) != Ordering::Less
     }
 
     /// Compares two lambdas.
@@ -74,7 +75,7 @@ impl ExactLambda {
         // is -1 for the smaller root and 1 for the larger one.
         let difference = &(&right.a * &left.h) - &(&left.a * &right.h);
         let (of_left, of_right) = (self.of_root(&right.a), -&other.of_root(&left.a));
-        sign_with_roots(&difference, (&of_left, &left.discriminant), (&of_right, &right.discriminant))
+        sign_with_two_sqrts(&difference, (&of_left, &left.discriminant), (&of_right, &right.discriminant))
     }
 
     /// Returns `factor` with the sign that `sqrt(D)` has in this root.
@@ -86,21 +87,22 @@ impl ExactLambda {
     pub(crate) fn rounded(&self) -> f64 {
         let ExactQuadratic { a, h, c, discriminant } = &self.quadratic;
         // f64 must not overflow. So h and sqrt(D) are scaled by a common power of two, and a and c by powers of their
-        // own. A zero has no order, so it does not change the common power. If h and D are both zero, the root is zero
-        // with any power.
-        let root_order = discriminant.order().map(|order| (order + 1).div_euclid(2));
-        let scale = h.order().max(root_order).unwrap_or(0);
+        // own. A zero has no exponent, so it does not change the common power. If h and D are both zero, the root is
+        // zero with any power.
+        let exponent_of_sqrt = discriminant.top_exponent().map(|exponent| (exponent + 1).div_euclid(2));
+        let scale = h.top_exponent().max(exponent_of_sqrt).unwrap_or(0);
         let h = h.to_double_double(-scale);
-        let root = discriminant.to_double_double(-2 * scale).sqrt();
-        let (sum, root_is_added) = if h.less(DoubleDouble::of(0.0)) { (h - root, false) } else { (h + root, true) };
+        let sqrt_d = discriminant.to_double_double(-2 * scale).sqrt();
+        let (sum, sqrt_d_is_added) =
+            if h.less(DoubleDouble::of(0.0)) { (h - sqrt_d, false) } else { (h + sqrt_d, true) };
         // The numerator of one root does not cancel. The other root follows from the product of both, c / a.
-        let (quotient, power) = if root_is_added == self.is_larger {
-            let (a, order) = a.to_part_and_power();
-            (sum / a, scale - order)
+        let (quotient, power) = if sqrt_d_is_added == self.is_larger {
+            let (a, exponent) = a.to_fraction_and_power();
+            (sum / a, scale - exponent)
         } else {
-            let (c, order) = c.to_part_and_power();
-            (c / sum, order - scale)
+            let (c, exponent) = c.to_fraction_and_power();
+            (c / sum, exponent - scale)
         };
-        power_of_two(quotient.high, power).max(LAMBDA_MIN)
+        times_power_of_two(quotient.high, power).max(LAMBDA_MIN)
     }
 }

@@ -8,7 +8,7 @@ use crate::math::{dyadic::Dyadic, vec3::Vec3};
 pub struct NotFinite;
 
 /// What exact arithmetic finds, or `None`.
-pub(crate) type Exactly<R> = Result<Option<R>, NotFinite>;
+pub(crate) type ExactResult<R> = Result<Option<R>, NotFinite>;
 
 /// A vector of three exact numbers.
 pub struct Exact3([Dyadic; 3]);

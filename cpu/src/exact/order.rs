@@ -20,7 +20,7 @@ use std::cmp::Ordering;
 use crate::counters::{Counter, add};
 use crate::exact::{
     cylinder, cylinder_compensated, cylinder_decision::CYLINDER_BOUND, cylinder_decision::magnitude,
-    error_bound::UNDERFLOW, exact_lambda::ExactLambda, exact_vector::Exactly, sphere, sphere_compensated,
+    error_bound::UNDERFLOW, exact_lambda::ExactLambda, exact_vector::ExactResult, sphere, sphere_compensated,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, error_free::two_sum, real::Real, rounding::Rounding, vec3::Vec3};
@@ -60,7 +60,7 @@ pub(crate) fn compare(ray: &Ray, surfaces: [&Surface; 2], lambdas: [f64; 2]) -> 
     if let Some(order) = compare_nested(ray, surfaces, lambdas) {
         return Some(order);
     }
-    if let [Some(left), Some(right)] = surfaces.map(|surface| surface.bounds(ray)) {
+    if let [Some(left), Some(right)] = surfaces.map(|surface| surface.lambda_interval(ray)) {
         if left[1] < right[0] {
             return Some(Ordering::Less);
         }
@@ -69,11 +69,11 @@ pub(crate) fn compare(ray: &Ray, surfaces: [&Surface; 2], lambdas: [f64; 2]) -> 
         }
     }
     add(Counter::NearHitsExactly, 1);
-    exactly(ray, surfaces)
+    compare_exactly(ray, surfaces)
 }
 
 /// Compares in dyadic arithmetic only, with the result of [`compare`].
-pub(crate) fn exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
+pub(crate) fn compare_exactly(ray: &Ray, surfaces: [&Surface; 2]) -> Option<Ordering> {
     let [left, right] = surfaces.map(|surface| surface.exact_lambda(ray).ok().flatten());
     Some(left?.compare(&right?))
 }
@@ -86,16 +86,16 @@ struct Cap {
     /// Twice the centre, without a rounding error. A coordinate has no meaning if its sum overflows.
     twice_center: Wide3,
     /// The cylinder's axis in the scene file.
-    axis: Vec3,
+    file_axis: Vec3,
 }
 
 impl Cap {
     /// Whether both caps certainly are in one plane.
     fn is_in_plane_of(&self, other: &Self) -> bool {
-        let (normal, apart) = (normal(self.axis), self.twice_center - other.twice_center);
+        let (normal, apart) = (normal(self.file_axis), self.twice_center - other.twice_center);
         let is_zero = |component: DoubleDouble, factor: f64| component.high == 0.0 || factor == 0.0;
         let is_across = is_zero(apart.x, normal.x) && is_zero(apart.y, normal.y) && is_zero(apart.z, normal.z);
-        is_across && normal == self::normal(other.axis)
+        is_across && normal == self::normal(other.file_axis)
     }
 }
 
@@ -112,10 +112,10 @@ fn compare_caps(ray: &Ray, left: &Cap, right: &Cap) -> Option<Ordering> {
         // A lambda is the quotient of the magnitudes of two dot products, the distance and the slope.
         let (origin, direction) =
             ((ray.origin + ray.origin).map(DoubleDouble::of), ray.direction.map(DoubleDouble::of));
-        let (distance, size) = dot_magnitude(left.twice_center - origin, left.axis);
-        let (slope, size_of_slope) = dot_magnitude(direction, left.axis);
-        let (other_distance, other_size) = dot_magnitude(right.twice_center - origin, right.axis);
-        let (other_slope, other_size_of_slope) = dot_magnitude(direction, right.axis);
+        let (distance, size) = dot_magnitude(left.twice_center - origin, left.file_axis);
+        let (slope, size_of_slope) = dot_magnitude(direction, left.file_axis);
+        let (other_distance, other_size) = dot_magnitude(right.twice_center - origin, right.file_axis);
+        let (other_slope, other_size_of_slope) = dot_magnitude(direction, right.file_axis);
         let difference = (distance * other_slope - other_distance * slope).high;
         let size = size * other_size_of_slope + other_size * size_of_slope;
         (difference.abs() > size * ERROR_OF_CAP_ORDER + UNDERFLOW).then(|| difference.total_cmp(&0.0))
@@ -139,9 +139,9 @@ fn compare_nested(ray: &Ray, surfaces: [&Surface; 2], lambdas: [f64; 2]) -> Opti
     let [left, right] = match surfaces {
         [Surface::Sphere(left), Surface::Sphere(right)] if left.center == right.center => [left.radius, right.radius],
         [
-            &Surface::Cylinder(ref left, axis, CylinderPart::Side),
-            &Surface::Cylinder(ref right, other_axis, CylinderPart::Side),
-        ] if is_on_one_line((left.center, axis), (right.center, other_axis)) => [left.radius, right.radius],
+            &Surface::Cylinder(ref left, file_axis, CylinderPart::Side),
+            &Surface::Cylinder(ref right, other_file_axis, CylinderPart::Side),
+        ] if is_on_one_line((left.center, file_axis), (right.center, other_file_axis)) => [left.radius, right.radius],
         _ => return None,
     };
     let are_exits = [surfaces[0].is_left_at(lambdas[0], ray)?, surfaces[1].is_left_at(lambdas[1], ray)?];
@@ -183,20 +183,20 @@ impl Surface {
             Self::Sphere(record) => (record.center, Vec3::ZERO),
             Self::Cylinder(record, ..) => (record.center, record.axis),
         };
-        let (to_origin, way) = (ray.origin - center, ray.direction * lambda);
-        let outward = (to_origin + way).perpendicular_to(axis).dot(ray.direction);
-        let size = magnitude(ray.direction) * (magnitude(to_origin) + magnitude(way));
+        let (from_center, way) = (ray.origin - center, ray.direction * lambda);
+        let outward = (from_center + way).perpendicular_to(axis).dot(ray.direction);
+        let size = magnitude(ray.direction) * (magnitude(from_center) + magnitude(way));
         let is_certain = size * CYLINDER_BOUND.lambda_error() + UNDERFLOW < outward.abs();
         (is_certain && size < f64::INFINITY).then_some(outward > 0.0)
     }
 
     /// Returns the cap, or `None` for all other surfaces.
     fn cap(&self) -> Option<Cap> {
-        let &Self::Cylinder(CylinderRecord { center, .. }, axis, part) = self else { return None };
+        let &Self::Cylinder(CylinderRecord { center, .. }, file_axis, part) = self else { return None };
         let to_cap = match part {
             CylinderPart::Side => return None,
-            CylinderPart::Top => axis,
-            CylinderPart::Bottom => -axis,
+            CylinderPart::Top => file_axis,
+            CylinderPart::Bottom => -file_axis,
         };
         // A double is exact, but a half may underflow.
         let sum = |center: f64, to_cap: f64| {
@@ -204,26 +204,28 @@ impl Surface {
             DoubleDouble { high, low }
         };
         let twice_center = Vec3::new(sum(center.x, to_cap.x), sum(center.y, to_cap.y), sum(center.z, to_cap.z));
-        Some(Cap { twice_center, axis })
+        Some(Cap { twice_center, file_axis })
     }
 
     /// Returns bounds of the lambda of the ray's hit by the compensated formulas, or `None` if they are uncertain.
-    fn bounds(&self, ray: &Ray) -> Option<[f64; 2]> {
+    fn lambda_interval(&self, ray: &Ray) -> Option<[f64; 2]> {
         let surface = self;
-        let (lambda, error) = run_fused!(|surface: &Surface, ray: &Ray| -> Option<(f64, f64)> {
+        let (lambda, error_bound) = run_fused!(|surface: &Surface, ray: &Ray| -> Option<(f64, f64)> {
             match surface {
                 Surface::Sphere(record) => sphere_compensated::lambda(record, ray),
-                Surface::Cylinder(record, axis, part) => cylinder_compensated::lambda(record, *axis, ray, *part),
+                Surface::Cylinder(record, file_axis, part) => {
+                    cylinder_compensated::lambda(record, *file_axis, ray, *part)
+                }
             }
         })?;
-        Some([lambda - error, lambda + error])
+        Some([lambda - error_bound, lambda + error_bound])
     }
 
     /// Returns the exact lambda of the surface.
-    fn exact_lambda(&self, ray: &Ray) -> Exactly<ExactLambda> {
+    fn exact_lambda(&self, ray: &Ray) -> ExactResult<ExactLambda> {
         match self {
             Self::Sphere(record) => sphere::exact_lambda(record, ray),
-            Self::Cylinder(record, axis, part) => cylinder::exact_lambda(record, *axis, ray, *part),
+            Self::Cylinder(record, file_axis, part) => cylinder::exact_lambda(record, *file_axis, ray, *part),
         }
     }
 }

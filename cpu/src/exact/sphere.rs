@@ -8,8 +8,8 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
-use crate::exact::exact_vector::{Exact3, Exactly, NotFinite, exact_least_lambda, to_dyadic};
-pub use crate::exact::sphere_filter::{filtered, filtered_from, filtered_or_least};
+use crate::exact::exact_vector::{Exact3, ExactResult, NotFinite, exact_least_lambda, to_dyadic};
+pub use crate::exact::sphere_filter::{filtered, filtered_from, filtered_or_lower_bound};
 use crate::exact::{error_bound::Decision, sphere_compensated, sphere_wide};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::simd::fused::run_fused;
@@ -94,7 +94,7 @@ pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
 
 /// Returns the exact lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is
 /// not finite.
-pub(crate) fn exact_lambda(record: &SphereRecord, ray: &Ray) -> Exactly<ExactLambda> {
+pub(crate) fn exact_lambda(record: &SphereRecord, ray: &Ray) -> ExactResult<ExactLambda> {
     let direction = Exact3::new(ray.direction)?;
     let to_center = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
     let c = &to_center.dot(&to_center) - &to_dyadic(record.radius)?.squared();

@@ -6,7 +6,9 @@
 //! terms are about `a r^2`, however far away the sphere is. Kahan's algorithm computes the [cross
 //! product](accurate_cross).
 
-use crate::exact::compensated_roots::{Discriminant, Quadratic, Roots, difference_of_squares, is_in_range};
+use crate::exact::compensated_roots::{
+    Discriminant, Quadratic, Roots, certainly_in_range_and_finite, difference_of_squares,
+};
 use crate::exact::{error_bound::Decision, error_bound::in_scale, sphere_filter::SphereHits};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::error_free::{accurate_cross, two_product, vector_difference};
@@ -37,17 +39,17 @@ impl<T: Rounding> SphereTerms<T> {
         let (to_center, error) = vector_difference(record.center, ray.origin);
         let (c, squares) = difference_of_squares((to_center, error), two_product(record.radius, record.radius));
         let h = direction.dot(to_center);
-        let quadratic = Quadratic { a, h, c, terms_of_c: squares, terms_of_h: (a * squares).sqrt() };
+        let quadratic = Quadratic { a, h, c, size_of_c: squares, size_of_h: (a * squares).sqrt() };
         Self { direction, to_center, error, radius_squared: record.radius_squared, quadratic }
     }
 
     /// Returns `a r^2 - |(C - O) x d|^2`, which is accurate if the ray starts far away.
     #[inline(always)]
     pub fn far(&self) -> Discriminant<T> {
-        let Quadratic { a, terms_of_c, .. } = self.quadratic;
+        let Quadratic { a, size_of_c, .. } = self.quadratic;
         let across = accurate_cross(self.to_center, self.direction) + accurate_cross(self.error, self.direction);
         let (of_radius, of_distance) = (a * self.radius_squared, across.dot(across));
-        let size = of_radius + (of_distance + a * terms_of_c * T::of(SHARE_OF_DISTANCE));
+        let size = of_radius + (of_distance + a * size_of_c * T::of(SHARE_OF_DISTANCE));
         Discriminant { value: of_radius - of_distance, size }
     }
 
@@ -57,8 +59,8 @@ impl<T: Rounding> SphereTerms<T> {
         let Quadratic { a, h, c, .. } = self.quadratic;
         let roots = self.quadratic.roots(discriminant);
         let (small, large) = (c.abs() / roots.w, roots.w / a);
-        let small_hits = roots.small_is_ahead & is_in_range(small);
-        let large_hits = roots.small_fails & T::of(0.0).less_equal(h) & is_in_range(large);
+        let small_hits = roots.small_is_ahead & certainly_in_range_and_finite(small);
+        let large_hits = roots.small_fails & T::of(0.0).less_equal(h) & certainly_in_range_and_finite(large);
         let misses = roots.misses | (roots.accurate & roots.small_fails & roots.large_fails);
         SphereHits {
             lambda: T::select(misses, T::of(f64::INFINITY), T::select(small_hits, small, large)),
@@ -82,7 +84,7 @@ impl SphereTerms<f64> {
         }
         if roots.small_is_ahead {
             let small = c.abs() / roots.w;
-            if is_in_range(small) {
+            if certainly_in_range_and_finite(small) {
                 return Decision::Certain(Some(small));
             }
         }
@@ -91,7 +93,7 @@ impl SphereTerms<f64> {
                 return Decision::Certain(None);
             }
             let large = roots.w / a;
-            if h >= 0.0 && is_in_range(large) {
+            if h >= 0.0 && certainly_in_range_and_finite(large) {
                 return Decision::Certain(Some(large));
             }
         }
@@ -119,7 +121,7 @@ pub(crate) fn lambda(record: &SphereRecord, ray: &Ray) -> Option<(f64, f64)> {
     let (near, far) = (terms.quadratic.near(), terms.far());
     let roots = terms.quadratic.roots(if near.size < far.size { near } else { far });
     let [small, large] = roots.magnitudes(&terms.quadratic);
-    let small_hits = roots.small_is_ahead && is_in_range(small.0);
+    let small_hits = roots.small_is_ahead && certainly_in_range_and_finite(small.0);
     let large_hits = roots.small_fails && terms.quadratic.h >= 0.0;
     let is_certain = in_scale(terms.quadratic.a) && roots.accurate && (small_hits || large_hits);
     is_certain.then_some(if small_hits { small } else { large })
@@ -165,7 +167,7 @@ mod tests {
         let (mut hits, mut misses, mut bounds, mut worst) = (0, 0, 0, 0.0_f64);
         for (record, ray) in cases(200_000) {
             let precise = precise(&record, &ray);
-            if let (Err(least), Some(precise)) = (sphere::filtered_or_least(&record, &ray), precise) {
+            if let (Err(least), Some(precise)) = (sphere::filtered_or_lower_bound(&record, &ray), precise) {
                 assert!(!is_certainly_closer(precise, least), "{least} is above {precise}: {record:?}, {ray:?}");
                 bounds += usize::from(least > precise * 0.999);
             }

@@ -19,7 +19,7 @@ pub const SPHERE_BOUND: BoundConstants = BoundConstants { error_constant: 32.0, 
 /// miss, and `Uncertain` if rounding may have changed a decision or if lambda may be inaccurate.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Decision<Option<T>> {
-    filtered_or_least(record, ray).map_or(Decision::Uncertain, Decision::Certain)
+    filtered_or_lower_bound(record, ray).map_or(Decision::Uncertain, Decision::Certain)
 }
 
 /// Computes the plain formula as [`filtered`] does.
@@ -28,7 +28,10 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>
 /// If the plain formula is uncertain, the error is a [lower bound](ErrorBound::lower_bound_of_lambda) of the hit's
 /// lambda.
 #[inline(always)]
-pub fn filtered_or_least<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Result<Option<T>, T> {
+pub fn filtered_or_lower_bound<T: Rounding<Mask = bool>>(
+    record: &SphereRecord<T>,
+    ray: &Ray<T>,
+) -> Result<Option<T>, T> {
     let a = ray.direction.dot(ray.direction);
     let view = record.seen_from(ray.origin);
     let (h, discriminant) = view.quadratic(ray.direction, a);
@@ -39,20 +42,20 @@ pub fn filtered_or_least<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray
     if bound.misses(discriminant) {
         return Ok(None);
     }
-    let root = discriminant.sqrt();
-    let near_fails = bound.is_too_small(a, h - root, root);
-    if !near_fails {
-        let near = bound.root(a, h - root, root);
-        if near.hits {
-            return Ok(Some(near.lambda));
+    let sqrt_d = discriminant.sqrt();
+    let smaller_fails = bound.is_too_small(a, h - sqrt_d, sqrt_d);
+    if !smaller_fails {
+        let smaller = bound.root(a, h - sqrt_d, sqrt_d);
+        if smaller.hits {
+            return Ok(Some(smaller.lambda));
         }
     }
-    let far = bound.root(a, h + root, root);
-    match (near_fails && far.hits, far.fails) {
-        (true, _) => Ok(Some(far.lambda)),
+    let larger = bound.root(a, h + sqrt_d, sqrt_d);
+    match (smaller_fails && larger.hits, larger.fails) {
+        (true, _) => Ok(Some(larger.lambda)),
         // If the larger root is below the smallest lambda, the smaller root is too.
         (_, true) => Ok(None),
-        _ => Err(bound.lower_bound_of_lambda(a, if near_fails { h + root } else { h - root }, root)),
+        _ => Err(bound.lower_bound_of_lambda(a, if smaller_fails { h + sqrt_d } else { h - sqrt_d }, sqrt_d)),
     }
 }
 
@@ -74,12 +77,12 @@ pub struct SphereHits<T: Real> {
 pub fn filtered_from<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T) -> SphereHits<T> {
     let (h, discriminant) = view.quadratic(direction, a);
     let bound = ErrorBound::new(SPHERE_BOUND, a, view.squares);
-    let root = discriminant.sqrt();
-    let (near, far) = (bound.root(a, h - root, root), bound.root(a, h + root, root));
-    let misses = bound.misses(discriminant) | far.fails;
-    let lambda = T::select(near.hits, near.lambda, far.lambda);
+    let sqrt_d = discriminant.sqrt();
+    let (smaller, larger) = (bound.root(a, h - sqrt_d, sqrt_d), bound.root(a, h + sqrt_d, sqrt_d));
+    let misses = bound.misses(discriminant) | larger.fails;
+    let lambda = T::select(smaller.hits, smaller.lambda, larger.lambda);
     SphereHits {
         lambda: T::select(misses, T::of(f64::INFINITY), lambda),
-        certain: misses | near.hits | (near.fails & far.hits),
+        certain: misses | smaller.hits | (smaller.fails & larger.hits),
     }
 }

@@ -11,7 +11,7 @@
 
 use crate::exact::{error_bound::Decision, error_bound::UNDERFLOW, error_bound::in_scale};
 use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
-use crate::math::{double_double::DoubleDouble, dyadic::power_of_two, error_free::vector_difference, real::Real};
+use crate::math::{double_double::DoubleDouble, dyadic::times_power_of_two, error_free::vector_difference, real::Real};
 
 /// Bounds the errors of the coefficients and of the discriminant, relative to the sizes of their terms: 2^-96.
 pub const WIDE_ERROR: f64 = f64::from_bits((1023 - 96) << 52);
@@ -23,7 +23,7 @@ const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
 #[derive(Clone, Copy)]
 struct Bounded {
     value: DoubleDouble,
-    error: f64,
+    error_bound: f64,
 }
 
 /// What is certain about a root.
@@ -39,20 +39,22 @@ impl Bounded {
     /// Returns a number whose error is relative to the size of its terms.
     #[inline(always)]
     fn of_size(value: DoubleDouble, size: f64) -> Self {
-        Self { value, error: size * WIDE_ERROR + UNDERFLOW }
+        Self { value, error_bound: size * WIDE_ERROR + UNDERFLOW }
     }
 
     /// Returns the lambda `self / divisor`. The divisor must be accurate.
     #[inline(always)]
     fn root(self, divisor: Self, scale: f64) -> Root {
         let DoubleDouble { high, low } = self.value / divisor.value;
-        let relative = divisor.error / divisor.value.high.abs() + WIDE_ERROR;
-        let error = 2.0 * (self.error / divisor.value.high.abs() + high.abs() * relative);
-        let (high, low, error) = (high * scale, low * scale, error * scale);
+        let relative = divisor.error_bound / divisor.value.high.abs() + WIDE_ERROR;
+        let error_bound = 2.0 * (self.error_bound / divisor.value.high.abs() + high.abs() * relative);
+        let (high, low, error_bound) = (high * scale, low * scale, error_bound * scale);
         // A lambda that rounds to the limit is not below it; see `HALF_STEP`.
-        if high + error < LAMBDA_MIN.next_down() {
+        if high + error_bound < LAMBDA_MIN.next_down() {
             Root::Fails
-        } else if (LAMBDA_MIN..f64::INFINITY).contains(&high) && high + (low + error) == high + (low - error) {
+        } else if (LAMBDA_MIN..f64::INFINITY).contains(&high)
+            && high + (low + error_bound) == high + (low - error_bound)
+        {
             Root::Hits(high)
         } else {
             Root::Uncertain
@@ -75,7 +77,7 @@ pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     // `h`, `c` and `a` are multiplied by this power of two, which is 1 for most spheres. `a` is so only in products.
     let scale = match largest.max(record.radius) {
         size if size < LARGE => 1.0,
-        size => power_of_two(1.0, -(((size.to_bits() >> 52) & 0x7FF) as i64 - 1023)),
+        size => times_power_of_two(1.0, -(((size.to_bits() >> 52) & 0x7FF) as i64 - 1023)),
     };
     let scaled = |(high, low): (f64, f64)| DoubleDouble { high: high * scale, low: low * scale };
     let [x, y, z] = ray.direction.map(of).to_array();
@@ -96,17 +98,18 @@ pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     if !in_scale(a.high) {
         return Decision::Uncertain;
     }
-    if d.value.high < -d.error {
+    if d.value.high < -d.error_bound {
         return Decision::Certain(None);
     }
-    let root = d.value.sqrt();
+    let sqrt_d = d.value.sqrt();
     let (sum, is_backward) = match h.value.high < 0.0 {
-        true => (h.value - root, true),
-        false => (h.value + root, false),
+        true => (h.value - sqrt_d, true),
+        false => (h.value + sqrt_d, false),
     };
-    let sum = Bounded { value: sum, error: h.error + d.error / root.high + WIDE_ERROR * sum.high.abs() };
+    let sum =
+        Bounded { value: sum, error_bound: h.error_bound + d.error_bound / sqrt_d.high + WIDE_ERROR * sum.high.abs() };
     // Also refuses what has overflowed or is NaN.
-    if !(d.error < d.value.high * 0.25 && sum.error < sum.value.high.abs() * 0.25) {
+    if !(d.error_bound < d.value.high * 0.25 && sum.error_bound < sum.value.high.abs() * 0.25) {
         return Decision::Uncertain;
     }
     let (of_sum, of_c) = (sum.root(Bounded::of_size(a, a.high), 1.0 / scale), c.root(sum, 1.0));

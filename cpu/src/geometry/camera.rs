@@ -2,7 +2,7 @@
 
 use crate::geometry::ray::Ray;
 use crate::input::{config::Config, error::Error, error::Picture, size::Size};
-use crate::math::dyadic::{Dyadic, power_of_two};
+use crate::math::dyadic::{Dyadic, times_power_of_two};
 use crate::math::{real::Real, tangent::tangent, vec3::Vec3, vec3::broadcast};
 
 /// The largest offset of a sample from the middle of its pixel, in pixels (specification, section 6.2).
@@ -84,8 +84,8 @@ impl Camera {
 /// returned as they are.
 fn scaled(vector: Vec3) -> Vec3 {
     let largest = vector.to_array().into_iter().map(f64::abs).fold(0.0, f64::max);
-    match Dyadic::new(largest).and_then(|largest| largest.order()) {
-        Some(order) if vector.is_finite() => vector.map(|component| power_of_two(component, -order)),
+    match Dyadic::new(largest).and_then(|largest| largest.top_exponent()) {
+        Some(exponent) if vector.is_finite() => vector.map(|component| times_power_of_two(component, -exponent)),
         _ => vector,
     }
 }
@@ -159,7 +159,7 @@ mod tests {
         let north = Vec3::new(0.1, 0.7, -0.2);
         let expected = camera(|config| config.camera_north = north).expect("there is a window");
         for power in [-1070, -600, -200, 200, 600, 1023] {
-            let north = north.map(|component| power_of_two(component, power));
+            let north = north.map(|component| times_power_of_two(component, power));
             let actual = camera(|config| config.camera_north = north).expect("there is a window");
             let difference = (actual.delta_x - expected.delta_x).length() + (actual.origin - expected.origin).length();
             // 2^-1070 is so small that the components have only three or four bits.

@@ -75,10 +75,11 @@ impl CylinderPart {
 }
 
 impl<T: Real> CylinderRecord<T> {
-    /// Returns the record of the cylinder around `center`. The length of `axis` is the height of the cylinder.
+    /// Returns the record of the cylinder around `center`. The length of `file_axis` is the height of the
+    /// cylinder.
     #[inline(always)]
-    pub fn new(center: Vec3<T>, radius: T, axis: Vec3<T>) -> Self {
-        let (unit, height) = axis.unit_and_length();
+    pub fn new(center: Vec3<T>, radius: T, file_axis: Vec3<T>) -> Self {
+        let (unit, height) = file_axis.unit_and_length();
         Self::with_unit_axis(center, radius, unit, height / T::of(2.0))
     }
 
@@ -158,8 +159,8 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
         let (a, half_b, discriminant) = self.quadratic(&view, ray.direction);
         let mut nearest = None;
         if !discriminant.less(T::of(0.0)) {
-            let root = discriminant.sqrt();
-            let mut roots = [(-half_b - root) / a, (-half_b + root) / a].into_iter();
+            let sqrt_d = discriminant.sqrt();
+            let mut roots = [(-half_b - sqrt_d) / a, (-half_b + sqrt_d) / a].into_iter();
             let side = roots.find(|&lambda| in_range(lambda) && self.within_height(ray, lambda));
             nearest = side.map(|lambda| (lambda, CylinderPart::Side));
         }

@@ -40,7 +40,7 @@ pub fn in_range<T: Real>(lambda: T) -> T::Mask {
 /// Returns whether a ray along `direction` comes from outside, and the normal on the side that the ray comes from
 /// (specification, section 8.3). `outward` is the normal that points out of the object.
 #[inline(always)]
-pub fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
+pub fn front_and_normal<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
     let front = direction.dot(outward).less(T::of(0.0));
     (front, Vec3::select(front, outward, -outward))
 }
@@ -66,8 +66,8 @@ mod tests {
 
     #[test]
     fn the_normal_faces_the_ray() {
-        assert_eq!([-UP, UP].map(|direction| facing(direction, UP)), [(true, UP), (false, -UP)]);
-        let (front, _) = facing(Vec3::new(1.0, 0.0, 0.0), UP);
+        assert_eq!([-UP, UP].map(|direction| front_and_normal(direction, UP)), [(true, UP), (false, -UP)]);
+        let (front, _) = front_and_normal(Vec3::new(1.0, 0.0, 0.0), UP);
         assert!(!front, "perpendicular counts as inside, as the statement's 'otherwise' says");
     }
 }

@@ -97,8 +97,8 @@ impl<T: Real<Mask = bool>> SphereRecord<T> {
         if discriminant.less(T::of(0.0)) {
             return None;
         }
-        let root = discriminant.sqrt();
-        [(h - root) / a, (h + root) / a].into_iter().find(|&lambda| in_range(lambda))
+        let sqrt_d = discriminant.sqrt();
+        [(h - sqrt_d) / a, (h + sqrt_d) / a].into_iter().find(|&lambda| in_range(lambda))
     }
 }
 

@@ -13,12 +13,12 @@
 
 use crate::math::real::Real;
 
-/// Returns the rank of a hit among the hits at the same lambda: the hit with the highest rank counts. `order` is the
-/// object's place in the scene file.
+/// Returns the rank of a hit among the hits at the same lambda: the hit with the highest rank counts. `file_index` is
+/// the object's place in the scene file.
 #[inline(always)]
-pub fn rank(order: u32, on_cap: bool) -> i64 {
-    let order = i64::from(order);
-    if on_cap { -1 - order } else { order }
+pub fn rank(file_index: u32, on_cap: bool) -> i64 {
+    let file_index = i64::from(file_index);
+    if on_cap { -1 - file_index } else { file_index }
 }
 
 /// Returns `lambda < closest`: whether a later hit at `lambda`, on a cap, replaces the closest hit so far, which is at

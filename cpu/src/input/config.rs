@@ -60,10 +60,10 @@ impl Default for Config {
 
 /// A function that reads the values of one key into the configuration. It returns `None` if they are missing,
 /// unreadable or out of range.
-type Read = fn(&mut Config, &mut Tokens<'_>) -> Option<()>;
+type ReadKey = fn(&mut Config, &mut Tokens<'_>) -> Option<()>;
 
 /// Every key with the function that reads its values, in the order of the table (specification, section 3.1).
-const KEYS: [(&str, Read); 13] = [
+const KEYS: [(&str, ReadKey); 13] = [
     ("aspect_ratio:", |config, tokens| {
         config.aspect_ratio = [tokens.positive_integer()?, tokens.positive_integer()?];
         Some(())

@@ -12,12 +12,12 @@ use crate::input::{error::Error, text::MAX_FILE_BYTES, text::too_large};
 /// An open file of which at most a limited number of bytes may be read. If the file is longer, reading beyond the limit
 /// is an error, and not the end of the file.
 #[derive(Debug)]
-pub struct Input {
+pub struct LimitedFile {
     file: Take<File>,
     limit: u64,
 }
 
-impl Input {
+impl LimitedFile {
     /// Opens the file at `path`. At most `limit` bytes of it may be read.
     ///
     /// # Errors
@@ -27,7 +27,7 @@ impl Input {
     }
 }
 
-impl Read for Input {
+impl Read for LimitedFile {
     /// Reads bytes of the file. If the file has a byte beyond the limit, the read that reaches it fails with
     /// [`io::ErrorKind::FileTooLarge`].
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
@@ -43,8 +43,11 @@ impl Read for Input {
 ///
 /// # Errors
 /// [`Error::Read`] if the file cannot be opened. Otherwise the error of `parse`, with the file's name.
-pub(super) fn parse<T>(path: &Path, parse: impl FnOnce(BufReader<Input>) -> Result<T, Error>) -> Result<T, Error> {
-    let input = Input::open(path, MAX_FILE_BYTES).map_err(Error::from);
+pub(super) fn parse<T>(
+    path: &Path,
+    parse: impl FnOnce(BufReader<LimitedFile>) -> Result<T, Error>,
+) -> Result<T, Error> {
+    let input = LimitedFile::open(path, MAX_FILE_BYTES).map_err(Error::from);
     input.and_then(|input| parse(BufReader::with_capacity(1 << 16, input))).map_err(|error| error.in_file(path))
 }
 
@@ -56,7 +59,7 @@ pub(super) fn parse<T>(path: &Path, parse: impl FnOnce(BufReader<Input>) -> Resu
 pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     // If memory is short, `read_to_end` returns an error.
-    Input::open(path, limit)?.read_to_end(&mut bytes)?;
+    LimitedFile::open(path, limit)?.read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -119,7 +122,7 @@ mod tests {
             (io::ErrorKind::FileTooLarge, "it is larger than 4 bytes".into())
         );
         assert_eq!(read(&Temporary::new("empty", b"").0, 0).expect("nothing is no more than nothing"), b"");
-        let error = Input::open(Path::new("no/file"), 1).expect_err("there is none");
+        let error = LimitedFile::open(Path::new("no/file"), 1).expect_err("there is none");
         assert_eq!(error.kind(), io::ErrorKind::NotFound);
     }
 

@@ -50,7 +50,7 @@ pub struct AosObjects {
     cylinders: Vec<Placed<CylinderRecord>>,
     /// The cylinders' axes as in the scene file. They are stored separately, because only the compensated and
     /// exact formulas need them.
-    axes: Vec<Vec3>,
+    file_axes: Vec<Vec3>,
 }
 
 impl Objects for AosObjects {
@@ -60,7 +60,7 @@ impl Objects for AosObjects {
         let mut cylinders = (with_room(cylinder_count, OBJECTS)?, with_room(cylinder_count, OBJECTS)?);
         spheres.extend(layout::spheres(scene));
         cylinders.extend(layout::cylinders(scene));
-        Ok(Self { spheres, cylinders: cylinders.0, axes: cylinders.1 })
+        Ok(Self { spheres, cylinders: cylinders.0, file_axes: cylinders.1 })
     }
 
     fn sphere_count(&self) -> usize {
@@ -86,15 +86,15 @@ impl Objects for AosObjects {
         self.cylinders[index]
     }
 
-    fn axis(&self, index: usize) -> Vec3 {
-        self.axes[index]
+    fn file_axis(&self, index: usize) -> Vec3 {
+        self.file_axes[index]
     }
 
     fn reorder(&mut self, spheres: &mut [u32], cylinders: &mut [u32]) {
         layout::reorder(spheres, |left, right| self.spheres.swap(left, right));
         layout::reorder(cylinders, |left, right| {
             self.cylinders.swap(left, right);
-            self.axes.swap(left, right);
+            self.file_axes.swap(left, right);
         });
     }
 }

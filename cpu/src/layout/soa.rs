@@ -59,20 +59,20 @@ fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
 /// file and of their materials. The squared radius and a cylinder's caps are not stored. They are computed again by the
 /// formulas of the records.
 #[derive(Clone, Debug)]
-struct ColumnsOf<const N: usize> {
+struct ObjectColumns<const N: usize> {
     numbers: [Vec<f64>; N],
-    order: Vec<u32>,
+    file_index: Vec<u32>,
     material: Vec<MaterialId>,
 }
 
-impl<const N: usize> ColumnsOf<N> {
+impl<const N: usize> ObjectColumns<N> {
     /// Returns empty arrays with room for `count` objects.
     fn with_room(count: usize) -> Result<Self, Error> {
         let mut numbers = [const { Vec::new() }; N];
         for list in &mut numbers {
             *list = with_room(count, OBJECTS)?;
         }
-        Ok(Self { numbers, order: with_room(count, OBJECTS)?, material: with_room(count, OBJECTS)? })
+        Ok(Self { numbers, file_index: with_room(count, OBJECTS)?, material: with_room(count, OBJECTS)? })
     }
 
     /// Appends an object with its numbers.
@@ -80,14 +80,14 @@ impl<const N: usize> ColumnsOf<N> {
         for (list, number) in self.numbers.iter_mut().zip(numbers) {
             list.push(number);
         }
-        self.order.push(object.order);
+        self.file_index.push(object.file_index);
         self.material.push(object.material);
     }
 
     /// Swaps two objects.
     fn swap(&mut self, left: usize, right: usize) {
         self.numbers.iter_mut().for_each(|list| list.swap(left, right));
-        self.order.swap(left, right);
+        self.file_index.swap(left, right);
         self.material.swap(left, right);
     }
 }
@@ -96,16 +96,17 @@ impl<const N: usize> ColumnsOf<N> {
 #[derive(Clone, Debug)]
 pub struct SoaObjects {
     /// The numbers are centre and radius.
-    spheres: ColumnsOf<4>,
+    spheres: ObjectColumns<4>,
     /// The numbers are centre, radius, axis of length one and half height. Then follows the axis as in the scene file,
     /// which only the compensated and exact formulas need.
-    cylinders: ColumnsOf<11>,
+    cylinders: ObjectColumns<11>,
 }
 
 impl Objects for SoaObjects {
     fn build(scene: &Scene) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = count_kinds(scene)?;
-        let (mut spheres, mut cylinders) = (ColumnsOf::with_room(sphere_count)?, ColumnsOf::with_room(cylinder_count)?);
+        let (mut spheres, mut cylinders) =
+            (ObjectColumns::with_room(sphere_count)?, ObjectColumns::with_room(cylinder_count)?);
         for sphere in layout::spheres(scene) {
             let SphereRecord { center, radius, .. } = sphere.record;
             spheres.push([center.x, center.y, center.z, radius], &sphere);
@@ -119,18 +120,18 @@ impl Objects for SoaObjects {
     }
 
     fn sphere_count(&self) -> usize {
-        self.spheres.order.len()
+        self.spheres.file_index.len()
     }
 
     fn cylinder_count(&self) -> usize {
-        self.cylinders.order.len()
+        self.cylinders.file_index.len()
     }
 
     #[inline(always)]
     fn sphere(&self, index: usize) -> Placed<SphereRecord> {
-        let ColumnsOf { numbers: [x, y, z, radius], order, material } = &self.spheres;
+        let ObjectColumns { numbers: [x, y, z, radius], file_index, material } = &self.spheres;
         let record = SphereRecord::new(Vec3::new(x[index], y[index], z[index]), at(radius, index));
-        Placed { record, order: at(order, index), material: at(material, index) }
+        Placed { record, file_index: at(file_index, index), material: at(material, index) }
     }
 
     #[inline(always)]
@@ -138,20 +139,20 @@ impl Objects for SoaObjects {
         for numbers in &self.spheres.numbers {
             numbers.get(index).into_iter().for_each(prefetch);
         }
-        self.spheres.order.get(index).into_iter().for_each(prefetch);
+        self.spheres.file_index.get(index).into_iter().for_each(prefetch);
     }
 
     #[inline(always)]
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
-        let ColumnsOf { numbers: [x, y, z, radius, axis_x, axis_y, axis_z, half_height, ..], order, material } =
-            &self.cylinders;
+        let ObjectColumns { numbers, file_index, material } = &self.cylinders;
+        let [x, y, z, radius, axis_x, axis_y, axis_z, half_height, ..] = numbers;
         let center = Vec3::new(x[index], y[index], z[index]);
         let axis = Vec3::new(axis_x[index], axis_y[index], axis_z[index]);
         let record = CylinderRecord::with_unit_axis(center, at(radius, index), axis, at(half_height, index));
-        Placed { record, order: at(order, index), material: at(material, index) }
+        Placed { record, file_index: at(file_index, index), material: at(material, index) }
     }
 
-    fn axis(&self, index: usize) -> Vec3 {
+    fn file_axis(&self, index: usize) -> Vec3 {
         let [.., x, y, z] = &self.cylinders.numbers;
         Vec3::new(x[index], y[index], z[index])
     }

@@ -1,6 +1,6 @@
 //! Materials in the form that the renderer uses: with constants that are computed once.
 
-use crate::geometry::ray::facing;
+use crate::geometry::ray::front_and_normal;
 use crate::input::material::Material;
 use crate::materials::{reflection::mirror, refraction::refract, scatter::ScatterParams};
 use crate::math::{real::Real, vec3::NEGLIGIBLE, vec3::Vec3};
@@ -42,16 +42,16 @@ impl PreparedMaterial {
 
     /// Prepares `material` for the convention `scatter` of random vectors.
     pub(crate) fn new(material: &Material, scatter: Scatter) -> Self {
-        let (bsdf_kind, extent, negligible, index) = match *material {
+        let (bsdf_kind, diffusion, negligible, index) = match *material {
             Material::Matte { .. } => (BsdfKind::Matte, 1.0, NEGLIGIBLE, 1.0),
             Material::Metal { diffusion, .. } => (BsdfKind::Metal, diffusion, 0.0, 1.0),
             Material::Refractive { index } => (BsdfKind::Refractive, 0.0, 0.0, index),
         };
         let (scale, shift) = match scatter {
-            // By the specification a draw in [-extent, extent) is u * (extent - -extent) + -extent.
-            Scatter::Statement => (extent + extent, -extent),
+            // By the specification a draw in [-diffusion, diffusion) is u * (diffusion - -diffusion) + -diffusion.
+            Scatter::Statement => (diffusion + diffusion, -diffusion),
             // Adding -0 changes no number, not even the sign of a zero.
-            Scatter::Published | Scatter::Deterministic => (extent, -0.0),
+            Scatter::Published | Scatter::Deterministic => (diffusion, -0.0),
         };
         let scatter_params = ScatterParams { scale, shift, negligible };
         let index_ratios = [1.0 / index, index];
@@ -70,11 +70,11 @@ impl PreparedMaterial {
     #[inline(always)]
     pub fn unperturbed_direction<T: Real>(&self, direction: Vec3<T>, outward: Vec3<T>) -> Vec3<T> {
         match self.bsdf_kind {
-            BsdfKind::Matte => facing(direction, outward).1,
+            BsdfKind::Matte => front_and_normal(direction, outward).1,
             // A normal and its opposite give the same bits of the mirror image, because both signs cancel.
             BsdfKind::Metal => mirror(direction, outward),
             BsdfKind::Refractive => {
-                let (front, normal) = facing(direction, outward);
+                let (front, normal) = front_and_normal(direction, outward);
                 let [entering, leaving] = self.index_ratios;
                 refract(direction, normal, T::select(front, T::of(entering), T::of(leaving)))
             }

@@ -4,7 +4,7 @@
 //! the sine of the angle of refraction. With `rho` as the object's refractive index:
 //!
 //! 1. A ray enters if the dot product of its direction and the outward normal is negative. The ratio is then `1 / rho`,
-//!    and otherwise `rho`. `facing` in `geometry/ray.rs` decides whether a ray enters.
+//!    and otherwise `rho`. `front_and_normal` in `geometry/ray.rs` decides whether a ray enters.
 //! 2. If the ratio times the sine of incidence is larger than 1, the ray is reflected instead.
 //! 3. No random number is drawn, and the reflectance is 1 in every channel. So the renderer records no attenuation for
 //!    a refractive surface (`scatter` in `render/path.rs`, and `render/specular_chains.rs`). `input/material.rs` has

@@ -49,27 +49,28 @@ impl Dyadic {
     }
 
     /// Returns the number times `2^power`.
-    pub(crate) fn scaled(&self, power: i64) -> Self {
+    pub(crate) fn times_power_of_two(&self, power: i64) -> Self {
         Self { exponent: self.exponent + power, ..self.clone() }
     }
 
     /// Returns the smallest `e` with `|self| < 2^e`, or `None` for zero, which is below every power of two. The
     /// exponent of a zero has no meaning, because it comes from the numbers that cancelled.
-    pub(crate) fn order(&self) -> Option<i64> {
+    pub(crate) fn top_exponent(&self) -> Option<i64> {
         (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
     }
 
-    /// Returns `part` and `power`, so that the number is `part 2^power`. This works for magnitudes beyond the range of
-    /// `f64` too. The part is truncated to 106 bits, with `0.5 <= |part| < 1`. For zero the result is `(0, 0)`.
-    pub(crate) fn to_part_and_power(&self) -> (DoubleDouble, i64) {
-        let power = self.order().unwrap_or(0);
+    /// Returns `fraction` and `power`, so that the number is `fraction 2^power`. This works for magnitudes beyond the
+    /// range of `f64` too. The fraction is truncated to 106 bits, with `0.5 <= |fraction| < 1`. For zero the result is
+    /// `(0, 0)`.
+    pub(crate) fn to_fraction_and_power(&self) -> (DoubleDouble, i64) {
+        let power = self.top_exponent().unwrap_or(0);
         (self.to_double_double(-power), power)
     }
 
     /// Returns the number times `2^power`, truncated to 106 bits.
     pub(crate) fn to_double_double(&self, power: i64) -> DoubleDouble {
-        let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
-        let part = |skipped: i64| power_of_two(self.digits(skipped) as f64, order - 53 - skipped + power);
+        let Some(top_exponent) = self.top_exponent() else { return DoubleDouble::of(0.0) };
+        let part = |skipped: i64| times_power_of_two(self.digits(skipped) as f64, top_exponent - 53 - skipped + power);
         let (high, low) = two_sum(part(0), part(53));
         if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }
     }
@@ -117,7 +118,7 @@ impl Dyadic {
 }
 
 /// Returns a finite number without rounding.
-pub(crate) fn exact(value: f64) -> Dyadic {
+pub(crate) fn of_finite(value: f64) -> Dyadic {
     Dyadic::new(value).expect("the value is finite")
 }
 
@@ -130,7 +131,7 @@ pub(crate) const fn integer_and_exponent(value: f64) -> (u64, i64) {
 }
 
 /// Returns `value 2^power`. The result is infinite if it is too large for `f64`, and zero if it is too small.
-pub(crate) fn power_of_two(mut value: f64, power: i64) -> f64 {
+pub(crate) fn times_power_of_two(mut value: f64, power: i64) -> f64 {
     let mut left = power.clamp(-4000, 4000);
     while left != 0 {
         let step = left.clamp(-1022, 1023);
@@ -141,7 +142,7 @@ pub(crate) fn power_of_two(mut value: f64, power: i64) -> f64 {
 }
 
 /// Compares `x + y sqrt(d)` with zero, for `d >= 0`.
-pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
+pub fn sign_with_sqrt(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
     let y_sign = if d.sign() == Ordering::Equal { Ordering::Equal } else { y.sign() };
     match (x.sign(), y_sign) {
         (sign, Ordering::Equal) | (Ordering::Equal, sign) => sign,
@@ -153,15 +154,15 @@ pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
 }
 
 /// Compares `x + y sqrt(d) + z sqrt(e)` with zero, for `d >= 0` and `e >= 0`.
-pub fn sign_with_roots(x: &Dyadic, (y, d): (&Dyadic, &Dyadic), (z, e): (&Dyadic, &Dyadic)) -> Ordering {
+pub fn sign_with_two_sqrts(x: &Dyadic, (y, d): (&Dyadic, &Dyadic), (z, e): (&Dyadic, &Dyadic)) -> Ordering {
     let z_sign = if e.sign() == Ordering::Equal { Ordering::Equal } else { z.sign() };
-    match (sign_with_root(x, y, d), z_sign) {
+    match (sign_with_sqrt(x, y, d), z_sign) {
         (sign, Ordering::Equal) | (Ordering::Equal, sign) => sign,
         (left, right) if left == right => left,
         (left, _) => {
             // The larger of two squares decides: that of `x + y sqrt(d)`, or that of `z sqrt(e)`.
             let difference = &(&x.squared() + &(&y.squared() * d)) - &(&z.squared() * e);
-            let sign = sign_with_root(&difference, &(x * y).scaled(1), d);
+            let sign = sign_with_sqrt(&difference, &(x * y).times_power_of_two(1), d);
             if left == Ordering::Greater { sign } else { sign.reverse() }
         }
     }
@@ -220,14 +221,14 @@ mod tests {
     fn every_finite_number_is_held_and_no_other() {
         for value in [0.0, 1.0, -1.5, 0.1, f64::MAX, f64::MIN_POSITIVE, 5e-324, -3e-310] {
             let sign = value.partial_cmp(&0.0);
-            assert_eq!((high(&exact(value)), Some(exact(value).sign())), (value, sign));
+            assert_eq!((high(&of_finite(value)), Some(of_finite(value).sign())), (value, sign));
         }
         assert!(Dyadic::new(f64::NAN).is_none() && Dyadic::new(f64::INFINITY).is_none());
     }
 
     #[test]
     fn nothing_is_lost_beside_something_large() {
-        let (large, tiny) = (exact(1e300), exact(5e-324));
+        let (large, tiny) = (of_finite(1e300), of_finite(5e-324));
         let sum = &large + &tiny;
         assert_eq!((&sum - &large).sign(), Ordering::Greater);
         assert_eq!(high(&(&sum - &large)), 5e-324);
@@ -238,31 +239,31 @@ mod tests {
 
     #[test]
     fn roots_are_compared_without_being_taken() {
-        let [one, two, three] = [1.0, 2.0, 3.0].map(exact);
-        assert_eq!(sign_with_root(&-&three, &two, &two), Ordering::Less, "-3 + 2 sqrt(2)");
-        assert_eq!(sign_with_root(&three, &-&two, &two), Ordering::Greater, "3 - 2 sqrt(2)");
-        assert_eq!(sign_with_root(&-&two, &one, &exact(4.0)), Ordering::Equal, "-2 + sqrt(4)");
-        assert_eq!(sign_with_root(&exact(-2.0_f64.next_down()), &one, &exact(4.0)), Ordering::Greater);
-        assert_eq!(sign_with_root(&exact(0.0), &-&one, &two), Ordering::Less);
-        assert_eq!(sign_with_root(&exact(0.0), &one, &exact(0.0)), Ordering::Equal);
+        let [one, two, three] = [1.0, 2.0, 3.0].map(of_finite);
+        assert_eq!(sign_with_sqrt(&-&three, &two, &two), Ordering::Less, "-3 + 2 sqrt(2)");
+        assert_eq!(sign_with_sqrt(&three, &-&two, &two), Ordering::Greater, "3 - 2 sqrt(2)");
+        assert_eq!(sign_with_sqrt(&-&two, &one, &of_finite(4.0)), Ordering::Equal, "-2 + sqrt(4)");
+        assert_eq!(sign_with_sqrt(&of_finite(-2.0_f64.next_down()), &one, &of_finite(4.0)), Ordering::Greater);
+        assert_eq!(sign_with_sqrt(&of_finite(0.0), &-&one, &two), Ordering::Less);
+        assert_eq!(sign_with_sqrt(&of_finite(0.0), &one, &of_finite(0.0)), Ordering::Equal);
     }
 
     #[test]
     fn sums_of_two_roots_are_compared_without_a_root() {
         // sqrt(2) + sqrt(3) is 3.14626436994197234...
-        let [one, two, three] = [1.0, 2.0, 3.0].map(exact);
-        let near = |x: f64| sign_with_roots(&exact(-x), (&one, &two), (&one, &three));
+        let [one, two, three] = [1.0, 2.0, 3.0].map(of_finite);
+        let near = |x: f64| sign_with_two_sqrts(&of_finite(-x), (&one, &two), (&one, &three));
         assert_eq!([near(3.146264369941972), near(3.1462643699419726)], [Ordering::Greater, Ordering::Less]);
-        assert_eq!(sign_with_roots(&exact(0.0), (&two, &two), (&-&one, &exact(8.0))), Ordering::Equal);
+        assert_eq!(sign_with_two_sqrts(&of_finite(0.0), (&two, &two), (&-&one, &of_finite(8.0))), Ordering::Equal);
     }
 
     #[test]
     fn rounding_keeps_106_bits() {
-        let third = &(&exact(1.0) + &exact(2.0_f64.powi(-100))) * &exact(3.0);
+        let third = &(&of_finite(1.0) + &of_finite(2.0_f64.powi(-100))) * &of_finite(3.0);
         let DoubleDouble { high, low } = third.to_double_double(0);
         assert_eq!((high, low), (3.0, 3.0 * 2.0_f64.powi(-100)));
-        assert_eq!(power_of_two(1.5, 3000), f64::INFINITY);
-        assert_eq!(power_of_two(1.5, -3000), 0.0);
-        assert_eq!(power_of_two(1.5, -1), 0.75);
+        assert_eq!(times_power_of_two(1.5, 3000), f64::INFINITY);
+        assert_eq!(times_power_of_two(1.5, -3000), 0.0);
+        assert_eq!(times_power_of_two(1.5, -1), 0.75);
     }
 }

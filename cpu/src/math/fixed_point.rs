@@ -4,7 +4,7 @@
 //! less than one unit `2^-bits`, and `tests/stability/src/proof/series.rs` adds up the errors of a series. The
 //! functions are slow: they decide the few roundings for which faster arithmetic is uncertain.
 
-use crate::math::dyadic::{Dyadic, exact};
+use crate::math::dyadic::{Dyadic, of_finite};
 use crate::math::limbs::{product, quotient, shifted, shifted_right, sum};
 
 /// A factor in the error bound of a series. A series that is summed with `bits` fraction bits has an error of at most
@@ -70,8 +70,8 @@ pub(crate) fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dy
     let of_units = |units| Dyadic::of_limbs(units, -(bits as i64));
     let two = of_units(two_atanh(1, 3, bits));
     let mantissa = of_units(two_atanh(integer - one, integer + one, bits));
-    let error = (power.unsigned_abs() + 1) as f64 * UNITS_PER_BIT * bits as f64;
-    (&(&exact(power as f64) * &two) + &mantissa, exact(error).scaled(-(bits as i64)))
+    let error_bound = (power.unsigned_abs() + 1) as f64 * UNITS_PER_BIT * bits as f64;
+    (&(&of_finite(power as f64) * &two) + &mantissa, of_finite(error_bound).times_power_of_two(-(bits as i64)))
 }
 
 /// Returns sine and cosine of `integer 2^exponent`, and the bound of the error of each. The angle must be from 0 to
@@ -81,7 +81,10 @@ pub(crate) fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dya
     let angle: Vec<u64> = Units::of(integer, (exponent + bits as i64) as usize);
     let [cosine, sine, minus_cosine, minus_sine] =
         quarters(&angle, bits).map(|units| Dyadic::of_limbs(units, -(bits as i64)));
-    ([&sine - &minus_sine, &cosine - &minus_cosine], exact(UNITS_PER_BIT * bits as f64).scaled(-(bits as i64)))
+    (
+        [&sine - &minus_sine, &cosine - &minus_cosine],
+        of_finite(UNITS_PER_BIT * bits as f64).times_power_of_two(-(bits as i64)),
+    )
 }
 
 /// Returns the sums of the terms `angle^k / k!` with `k` = 0, 4, 8, ..., of those with `k` = 1, 5, ..., and so on.

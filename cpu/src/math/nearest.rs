@@ -52,10 +52,10 @@ pub(crate) fn nearest(candidate: f64, compare: impl Fn(Midpoint) -> Option<Order
     Some(result)
 }
 
-/// Returns the sign of a number that differs from `difference` by at most `error`. The result is `None` if both signs
-/// are possible.
-pub(crate) fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
-    match ((difference - error).sign(), (difference + error).sign()) {
+/// Returns the sign of a number that differs from `difference` by at most `error_bound`. The result is `None` if both
+/// signs are possible.
+pub(crate) fn certain_sign(difference: &Dyadic, error_bound: &Dyadic) -> Option<Ordering> {
+    match ((difference - error_bound).sign(), (difference + error_bound).sign()) {
         (Ordering::Greater, _) => Some(Ordering::Greater),
         (_, Ordering::Less) => Some(Ordering::Less),
         _ => None,
@@ -65,7 +65,7 @@ pub(crate) fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Orderi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::dyadic::exact;
+    use crate::math::dyadic::of_finite;
 
     /// Rounds `number` from `candidate`.
     fn rounded(number: &Dyadic, candidate: f64) -> Option<f64> {
@@ -80,7 +80,7 @@ mod tests {
             for share in [0.0, 0.25, 0.5, 0.75, 1.0, 1.25] {
                 let unit = if a == f64::MAX { a - a.next_down() } else { a.next_up() - a };
                 let b = unit * share;
-                let number = &exact(a) + &exact(b);
+                let number = &of_finite(a) + &of_finite(b);
                 for candidate in [a, a.next_up(), a.next_down(), a + b, f64::NAN.max(a)] {
                     assert_eq!(rounded(&number, candidate), Some(a + b), "{a:e} + {b:e} from {candidate:e}");
                 }
@@ -92,7 +92,7 @@ mod tests {
     fn half_a_unit_beyond_the_largest_number_is_infinite() {
         let unit = f64::MAX - f64::MAX.next_down();
         let sum = |share: f64| {
-            let [a, b] = [f64::MAX, unit * share].map(exact);
+            let [a, b] = [f64::MAX, unit * share].map(of_finite);
             rounded(&(&a + &b), f64::INFINITY)
         };
         assert_eq!((sum(0.499), sum(0.5)), (Some(f64::MAX), Some(f64::INFINITY)));
@@ -105,7 +105,7 @@ mod tests {
 
     #[test]
     fn a_sign_is_certain_beyond_the_error_only() {
-        let [large, small] = [2.0, 1.0].map(exact);
+        let [large, small] = [2.0, 1.0].map(of_finite);
         assert_eq!(certain_sign(&large, &small), Some(Ordering::Greater));
         assert_eq!(certain_sign(&-&large, &small), Some(Ordering::Less));
         assert_eq!(certain_sign(&small, &large), None);

@@ -9,7 +9,7 @@ pub mod tables;
 
 use std::cmp::Ordering;
 
-use crate::math::dyadic::{exact, integer_and_exponent};
+use crate::math::dyadic::{integer_and_exponent, of_finite};
 use crate::math::fixed_point::logarithm;
 use crate::math::nearest::{Midpoint, certain_sign, nearest};
 use crate::math::power::quick::Quick;
@@ -22,7 +22,7 @@ pub fn power(base: f64, exponent: f64) -> f64 {
     if base > 0.0 && base < f64::INFINITY && exponent > 0.0 && exponent < f64::INFINITY {
         match quick::power(base, exponent) {
             Quick::Certain(power) => power,
-            Quick::Candidate(candidate) => decided(base, exponent, candidate),
+            Quick::Uncertain(candidate) => decided(base, exponent, candidate),
         }
     } else {
         special(base, exponent)
@@ -76,10 +76,10 @@ fn compare(base: f64, exponent: f64, midpoint: Midpoint, bits: usize) -> Option<
         return Some(Ordering::Equal);
     }
     let (base, power_of_two) = odd_part(base);
-    let (base, base_error) = logarithm(base, power_of_two, bits);
-    let (midpoint, midpoint_error) = logarithm(midpoint.integer, midpoint.exponent, bits);
-    let exponent = exact(exponent);
-    certain_sign(&(&(&exponent * &base) - &midpoint), &(&(&exponent * &base_error) + &midpoint_error))
+    let (base, base_error_bound) = logarithm(base, power_of_two, bits);
+    let (midpoint, midpoint_error_bound) = logarithm(midpoint.integer, midpoint.exponent, bits);
+    let exponent = of_finite(exponent);
+    certain_sign(&(&(&exponent * &base) - &midpoint), &(&(&exponent * &base_error_bound) + &midpoint_error_bound))
 }
 
 /// Whether `base^exponent` equals a midpoint.
@@ -103,8 +103,8 @@ fn is_equal(base: f64, exponent: f64, midpoint: Midpoint) -> bool {
         // Even the power of 3 has more than 54 bits.
         None
     };
-    let power_of_two = &exact(exponent) * &exact(e as f64);
-    odd == Some(midpoint.integer) && (&power_of_two - &exact(midpoint.exponent as f64)).sign() == Ordering::Equal
+    let power_of_two = &of_finite(exponent) * &of_finite(e as f64);
+    odd == Some(midpoint.integer) && (&power_of_two - &of_finite(midpoint.exponent as f64)).sign() == Ordering::Equal
 }
 
 /// Returns `(odd, power)`, so that the positive finite `number` is `odd 2^power` with an odd integer.
@@ -177,7 +177,7 @@ mod tests {
             let (base, exponent) =
                 (numbers(&mut draws, round), draws.draw(0.0, 1.0) * 2.0_f64.powi((round % 9) as i32 - 4));
             let quick = quick::power(base, exponent);
-            let (Quick::Certain(candidate) | Quick::Candidate(candidate)) = quick;
+            let (Quick::Certain(candidate) | Quick::Uncertain(candidate)) = quick;
             certain += usize::from(matches!(quick, Quick::Certain(_)));
             // A wrong candidate does not matter.
             for start in [candidate, candidate.next_up(), candidate.next_down()] {
@@ -193,9 +193,9 @@ mod tests {
         let is_near = |a: DoubleDouble, b: DoubleDouble, bits: i32| (a - b).high.abs() < 0.5_f64.powi(bits);
         assert!(is_near(of(3.0) * tables::reciprocal(3), of(1.0), 104));
         // The logarithm of 8/9 is twice that of 4/3, less that of 2.
-        let of_4_3 = tables::logarithm(96);
-        assert!(is_near(tables::logarithm(144), of_4_3 + of_4_3 - tables::LN_2, 103));
-        assert_eq!(tables::logarithm(128), of(0.0));
+        let of_4_3 = tables::ln_128_over(96);
+        assert!(is_near(tables::ln_128_over(144), of_4_3 + of_4_3 - tables::LN_2, 103));
+        assert_eq!(tables::ln_128_over(128), of(0.0));
         let quarter = tables::exponential(16);
         assert_eq!((quarter * quarter * quarter * quarter).high, std::f64::consts::E);
         assert!(is_near(tables::exponential(-16) * quarter, of(1.0), 100));

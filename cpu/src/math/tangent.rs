@@ -33,14 +33,14 @@ pub fn tangent(angle: f64) -> f64 {
 /// Returns the tangent if `bits` bits decide its rounding, and otherwise `None`.
 fn rounded(angle: f64, bits: usize) -> Option<f64> {
     let (integer, exponent) = integer_and_exponent(angle);
-    let ([sine, cosine], error) = sine_and_cosine(integer, exponent, bits);
+    let ([sine, cosine], error_bound) = sine_and_cosine(integer, exponent, bits);
     let candidate = sine.to_double_double(0).high / cosine.to_double_double(0).high;
     nearest(candidate, |Midpoint { integer, exponent }| {
         // The tangent is above the midpoint if `sine - midpoint cosine` is positive.
         let midpoint = Dyadic::of_limbs(vec![integer], exponent);
         let difference = &sine - &(&midpoint * &cosine);
-        let error = &error + &(&midpoint * &error);
-        certain_sign(&difference, &error)
+        let error_bound = &error_bound + &(&midpoint * &error_bound);
+        certain_sign(&difference, &error_bound)
     })
 }
 

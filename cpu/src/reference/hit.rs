@@ -26,17 +26,17 @@ impl Hit {
                 let record = SphereRecord::new(center, radius);
                 (P::sphere(&record, ray)?, Surface::Sphere(record))
             }
-            Shape::Cylinder(Cylinder { center, radius, axis }) => {
-                let record = CylinderRecord::new(center, radius, axis);
-                let (lambda, part) = P::cylinder(&record, &axis, ray)?;
-                (lambda, Surface::Cylinder(record, axis, part))
+            Shape::Cylinder(Cylinder { center, radius, axis: file_axis }) => {
+                let record = CylinderRecord::new(center, radius, file_axis);
+                let (lambda, part) = P::cylinder(&record, &file_axis, ray)?;
+                (lambda, Surface::Cylinder(record, file_axis, part))
             }
         };
         let point = ray.origin + ray.direction * lambda;
         let outward = match surface {
             Surface::Sphere(sphere) => (point - sphere.center) / sphere.radius,
-            Surface::Cylinder(cylinder, axis, part) => {
-                let (axis, _) = axis.unit_and_length();
+            Surface::Cylinder(cylinder, file_axis, part) => {
+                let (axis, _) = file_axis.unit_and_length();
                 match part {
                     CylinderPart::Side => (point - cylinder.center) - axis * (point - cylinder.center).dot(axis),
                     CylinderPart::Top => axis,

@@ -14,8 +14,8 @@ pub trait Intersect {
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
 
     /// Returns lambda and part of the ray's hit with the cylinder, or `None`; see [`CylinderRecord::intersect`].
-    /// `axis` is that of the scene file.
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
+    /// `file_axis` is the axis of the scene file.
+    fn cylinder(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 
     /// Compares the lambdas of two hits, each given by the lambda and the surface that the ray hits. The result is
     /// `None` if it is not known.
@@ -38,8 +38,8 @@ impl Intersect for Plain {
         nearest::sphere(record.center, record.radius, ray)
     }
 
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-        nearest::cylinder(record.center, record.radius, *axis, ray)
+    fn cylinder(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+        nearest::cylinder(record.center, record.radius, *file_axis, ray)
     }
 }
 
@@ -48,8 +48,8 @@ impl Intersect for Exact {
         exact::sphere::intersect(record, ray)
     }
 
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-        exact::cylinder::intersect(record, axis, ray)
+    fn cylinder(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+        exact::cylinder::intersect(record, file_axis, ray)
     }
 
     /// Lambdas that differ by more than a thousandth are compared as they are, because their errors are far smaller.
@@ -59,7 +59,7 @@ impl Intersect for Exact {
         if (left - right).abs() > left / 1000.0 {
             rounded
         } else {
-            order::exactly(ray, [&of_left, &of_right]).or(rounded)
+            order::compare_exactly(ray, [&of_left, &of_right]).or(rounded)
         }
     }
 }

@@ -61,8 +61,8 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, candidates: &Candidates, ray
     for (id, candidate) in &candidates.span {
         match candidate {
             Candidate::Sphere(record, view) => hits.intersect_sphere(*id, record, &view.lanes(), &rays),
-            Candidate::Cylinder(record, axis, view) => {
-                hits.intersect_cylinder(*id, (record, axis), &view.lanes(), &rays);
+            Candidate::Cylinder(record, file_axis, view) => {
+                hits.intersect_cylinder(*id, (record, file_axis), &view.lanes(), &rays);
             }
         }
     }

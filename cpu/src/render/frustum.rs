@@ -145,7 +145,7 @@ impl Candidates {
                     let record = objects.cylinder(index).record;
                     let view = record.seen_from(camera.position);
                     let view = CylinderView { squares: limited(view.squares), ..view };
-                    Candidate::Cylinder(record, objects.axis(index), view)
+                    Candidate::Cylinder(record, objects.file_axis(index), view)
                 }
             };
             self.span.push((outline.id, candidate));

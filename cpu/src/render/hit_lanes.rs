@@ -2,7 +2,7 @@
 
 use crate::exact::cylinder_lanes::SideLanes;
 use crate::exact::cylinder_plain::{PlainCaps, PlainSide, is_long};
-use crate::render::compensated_lanes::{CylinderAndAxis, uncertain_cylinder};
+use crate::render::compensated_lanes::{CylinderAndFileAxis, uncertain_cylinder};
 use crate::render::{lane_by_lane::closer_of_near, lane_by_lane::lane_by_lane, lane_numbers::ObjectNumber};
 use crate::{
     accel::closest_hit::is_exactly_closer, accel::object::ObjectId, counters::Counter, counters::add, exact,
@@ -175,7 +175,7 @@ impl<V: SimdF64> HitLanes<V> {
     pub(crate) fn intersect_cylinder<O: Objects>(
         &mut self,
         id: ObjectId,
-        cylinder: CylinderAndAxis,
+        cylinder: CylinderAndFileAxis,
         view: &CylinderView<V>,
         rays: &Rays<V, O>,
     ) {
@@ -191,11 +191,11 @@ impl<V: SimdF64> HitLanes<V> {
     pub(crate) fn filtered_cylinder<O: Objects>(
         &mut self,
         id: ObjectId,
-        cylinder: CylinderAndAxis,
+        cylinder: CylinderAndFileAxis,
         view: &CylinderView<V>,
         rays: &Rays<V, O>,
     ) {
-        let (record, axis) = cylinder;
+        let (record, file_axis) = cylinder;
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let side = SideLanes::new(&PlainSide::new(&lanes_record, view, ray, is_long(record)));
@@ -205,7 +205,7 @@ impl<V: SimdF64> HitLanes<V> {
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {
             hits = if is_far(view.squares, uncertain) {
-                lane_by_lane(ray, hits, uncertain, &|ray| exact::cylinder::intersect(record, axis, ray))
+                lane_by_lane(ray, hits, uncertain, &|ray| exact::cylinder::intersect(record, file_axis, ray))
             } else {
                 uncertain_cylinder(ray, hits, uncertain, cylinder)
             };
@@ -240,7 +240,7 @@ mod tests {
             let (sphere, cylinder) = (objects.sphere(0).record, objects.cylinder(0).record);
             hits.intersect_sphere(0, &sphere, &sphere.lanes().seen_from(ray.origin), &rays);
             let view = cylinder.lanes().seen_from(ray.origin);
-            hits.intersect_cylinder(1, (&cylinder, &objects.axis(0)), &view, &rays);
+            hits.intersect_cylinder(1, (&cylinder, &objects.file_axis(0)), &view, &rays);
             let mut lambda = [0.0; 8];
             hits.lambda.store(&mut lambda);
             lambda[0]

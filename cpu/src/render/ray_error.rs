@@ -38,10 +38,10 @@ pub struct RayError {
 impl RayError {
     /// Returns the bounds for the picture of `size` pixels that `camera` takes.
     pub(crate) fn new(camera: &Camera, size: Size) -> Self {
-        let to_origin = camera.origin - camera.position;
+        let to_first_pixel = camera.origin - camera.position;
         let right = camera.delta_x.length() * size.width() as f64;
         let down = camera.delta_y.length() * size.height() as f64;
-        let window = to_origin.length() + right + down;
+        let window = to_first_pixel.length() + right + down;
         let length = ROUNDINGS * (f64::EPSILON / 2.0) * (camera.position.length() + window);
         let distance = distance_of_window(camera);
         // The comparison is false if a number is not finite, and if the window is not in front of the camera.

@@ -97,8 +97,8 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, targets: &[Target], ray: &Ra
     for (index, target) in cylinders.iter().enumerate() {
         if (V::bits(conservative.cylinder(&target.lanes())) & valid) | too_short != 0 {
             let id = ObjectRef::Cylinder(index).number(spheres.len());
-            let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
-            hits.filtered_cylinder(id, (&record, &axis), &record.lanes().seen_from(ray.origin), &rays);
+            let (record, file_axis) = (objects.cylinder(index).record, objects.file_axis(index));
+            hits.filtered_cylinder(id, (&record, &file_axis), &record.lanes().seen_from(ray.origin), &rays);
         }
     }
     hits

@@ -51,17 +51,17 @@ impl ScatterVectors {
         self.words
     }
 
-    /// Returns the next vector. `extent` is 1 for a matte surface, and the diffusion for a metal one. It is half the
-    /// side of the cube in the statement's convention, and the vector's length in the published one.
+    /// Returns the next vector. `diffusion` is that of a metal surface, and 1 for a matte one. It is half the side of
+    /// the cube in the statement's convention, and the vector's length in the published one.
     #[inline]
-    pub(crate) fn next(&mut self, extent: f64) -> Vec3 {
+    pub(crate) fn next(&mut self, diffusion: f64) -> Vec3 {
         let mut in_cube = |half: f64| {
             self.words += DRAWS_OF_SCATTER_SAMPLE as u64;
             Vec3::from([(); DRAWS_OF_SCATTER_SAMPLE].map(|()| self.draws.draw(-half, half)))
         };
         match self.convention {
-            Scatter::Statement => in_cube(extent),
-            Scatter::Published => unit_vector(|| in_cube(1.0)) * extent,
+            Scatter::Statement => in_cube(diffusion),
+            Scatter::Published => unit_vector(|| in_cube(1.0)) * diffusion,
             Scatter::Deterministic => Vec3::ZERO,
         }
     }
@@ -75,9 +75,9 @@ mod tests {
     fn the_statements_vectors_fill_a_cube_three_draws_each() {
         let mut vectors = ScatterVectors::new(Scatter::Statement, 13);
         let mut draws = Uniform::new(13);
-        for extent in [1.0, 2.0, 0.0] {
-            let expected = Vec3::from([(); 3].map(|()| draws.draw(-extent, extent)));
-            assert_eq!(vectors.next(extent), expected);
+        for diffusion in [1.0, 2.0, 0.0] {
+            let expected = Vec3::from([(); 3].map(|()| draws.draw(-diffusion, diffusion)));
+            assert_eq!(vectors.next(diffusion), expected);
         }
     }
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, Write};
 use std::path::Path;
 
-use cpu::internals::input::reader::Input;
+use cpu::internals::input::reader::LimitedFile;
 
 use super::floats::Floats;
 use super::{MAX_FILE_BYTES, Picture, exr, npy, pfm, png, ppm, spare};
@@ -110,7 +110,7 @@ impl Any {
             }
             // A pipe gives its content only once, so all of it is kept.
             drop(file);
-            let bytes = Input::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
+            let bytes = LimitedFile::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
             let bytes = picture_bytes(bytes?)?;
             Self::decode(Cursor::new(&bytes[..]), bytes.len() as u64, layer, notes)
         };

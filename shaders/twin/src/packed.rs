@@ -65,9 +65,9 @@ impl<T: Float> Packed for CylinderRecord<T> {
 
 impl<R: Packed> Packed for Placed<R> {
     fn pack(&self, bytes: &mut Vec<u8>) {
-        let Self { record, order, material } = self;
+        let Self { record, file_index, material } = self;
         record.pack(bytes);
-        order.pack(bytes);
+        file_index.pack(bytes);
         material.pack(bytes);
     }
 }

@@ -81,17 +81,17 @@ impl<T: Real> Picture<T> {
         let camera = Camera::new(config, size).map_err(CpuError::from)?.lanes();
         let background = Background::new(config).lanes();
         let (mut spheres, mut cylinders) = (Vec::new(), Vec::new());
-        for (order, object) in (0..).zip(&scene.objects) {
+        for (file_index, object) in (0..).zip(&scene.objects) {
             let material = object.material;
             match object.shape {
                 Shape::Sphere(shape) => {
                     let record = SphereRecord::new(shape.center.map(T::of), T::of(shape.radius));
-                    spheres.push(Placed { record, order, material });
+                    spheres.push(Placed { record, file_index, material });
                 }
                 Shape::Cylinder(shape) => {
                     let (center, axis) = (shape.center.map(T::of), shape.axis.map(T::of));
                     let record = CylinderRecord::new(center, T::of(shape.radius), axis);
-                    cylinders.push(Placed { record, order, material });
+                    cylinders.push(Placed { record, file_index, material });
                 }
             }
         }

@@ -3,7 +3,7 @@
 //! gives a bound on the difference between f32 and f64 in each pixel.
 
 use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::internals::geometry::ray::facing;
+use cpu::internals::geometry::ray::front_and_normal;
 use cpu::internals::geometry::tie::{is_closer, rank};
 use cpu::internals::layout::Placed;
 use cpu::internals::materials::{reflection, refraction, scatter};
@@ -29,7 +29,7 @@ impl<T: Real<Mask = bool>> Hit<T> {
     /// Returns the hit at `point` of a ray along `direction`. `outward` is the normal that points out of the object.
     #[must_use]
     pub fn facing(direction: Vec3<T>, point: Vec3<T>, outward: Vec3<T>) -> Self {
-        let (front, normal) = facing(direction, outward);
+        let (front, normal) = front_and_normal(direction, outward);
         Self { point, normal, front }
     }
 }
@@ -106,14 +106,14 @@ impl<T: Real<Mask = bool>> Picture<T> {
     /// Returns the closest hit of the ray, found by a loop over all objects, or `None` if the ray escapes.
     pub fn closest_hit(&self, ray: &Ray<T>) -> Option<SurfaceHit<T>> {
         let mut closest = None;
-        for (index, Placed { record, order, .. }) in self.spheres.iter().enumerate() {
+        for (index, Placed { record, file_index, .. }) in self.spheres.iter().enumerate() {
             if let Some(lambda) = record.intersect(ray) {
-                update(&mut closest, lambda, *order, Surface::Sphere(index));
+                update(&mut closest, lambda, *file_index, Surface::Sphere(index));
             }
         }
-        for (index, Placed { record, order, .. }) in self.cylinders.iter().enumerate() {
+        for (index, Placed { record, file_index, .. }) in self.cylinders.iter().enumerate() {
             if let Some((lambda, part)) = record.intersect(ray) {
-                update(&mut closest, lambda, *order, Surface::Cylinder(index, part));
+                update(&mut closest, lambda, *file_index, Surface::Cylinder(index, part));
             }
         }
         let ClosestHit { lambda, order, surface } = closest?;

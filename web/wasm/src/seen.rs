@@ -1,9 +1,9 @@
 //! What the ray through the middle of each pixel hits, by the exact intersections, for the views of the page.
 
 use cpu::internals::Prepared;
-use cpu::internals::accel::object::{NO_OBJECT, order_of};
+use cpu::internals::accel::object::{NO_OBJECT, file_index_of};
 use cpu::internals::accel::stack::Stack;
-use cpu::internals::geometry::ray::facing;
+use cpu::internals::geometry::ray::front_and_normal;
 use cpu::internals::render::surface_hit::SurfaceHit;
 use cpu::internals::simd::portable::Portable;
 use cpu::{Aos, Ray};
@@ -27,9 +27,9 @@ pub fn each(prepared: &Prepared<Aos>, mut add: impl FnMut(Seen)) {
             }
             let surface = SurfaceHit::new(objects, &ray, &hit);
             if start == NO_OBJECT {
-                let [x, y, z] = facing(ray.direction, surface.outward.unit()).1.to_array();
+                let [x, y, z] = front_and_normal(ray.direction, surface.outward.unit()).1.to_array();
                 let distance = hit.lambda * ray.direction.length();
-                seen = [distance, x, y, z, f64::from(order_of(objects, hit.object)), seen[5]];
+                seen = [distance, x, y, z, f64::from(file_index_of(objects, hit.object)), seen[5]];
             }
             let material = &prepared.materials[surface.material as usize];
             let direction = material.unperturbed_direction(ray.direction, surface.outward);

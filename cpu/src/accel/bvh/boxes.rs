@@ -1,4 +1,4 @@
-//! The boxes of a node's children, in two forms: [`WideBoxes`] with coordinates, for small trees, and
+//! The boxes of a node's children, in two forms: [`FloatBoxes`] with coordinates, for small trees, and
 //! [`ByteBoxes`](crate::accel::bvh::byte_boxes::ByteBoxes), for trees that do not fit into the processor's caches.
 //!
 //! Both forms can hold [bounding spheres](crate::accel::bvh::sphere_leaf) instead of boxes. These use the same memory,
@@ -7,13 +7,13 @@
 use std::array;
 
 use crate::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
-use crate::accel::bvh::{planes::Plane, planes::Planes, planes::WIDTH, slab_ray::SlabRay};
+use crate::accel::bvh::{planes::PlaneNumber, planes::Planes, planes::WIDTH, slab_ray::SlabRay};
 use crate::{accel::bounds::Bounds, simd::SimdF32};
 
 /// Up to 16 boxes, which are tested together.
 pub trait Boxes: Clone + std::fmt::Debug {
     /// The numbers that stand for the coordinates.
-    type Number: Plane;
+    type Number: PlaneNumber;
 
     /// No boxes.
     const EMPTY: Self;
@@ -47,9 +47,9 @@ pub trait Boxes: Clone + std::fmt::Debug {
 /// Up to 16 boxes in 384 bytes. Each plane is stored as its coordinate, in scene units. Bounding spheres have the
 /// centres in place of the lower planes, and the radii in place of the first upper planes.
 #[derive(Clone, Copy, Debug)]
-pub struct WideBoxes(Planes<f32>);
+pub struct FloatBoxes(Planes<f32>);
 
-impl Boxes for WideBoxes {
+impl Boxes for FloatBoxes {
     type Number = f32;
 
     const EMPTY: Self = Self([[[0.0; WIDTH]; 3]; 2]);

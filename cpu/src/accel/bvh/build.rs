@@ -4,7 +4,7 @@
 mod item;
 mod split;
 
-use crate::accel::bvh::build::item::{Item, Range};
+use crate::accel::bvh::build::item::{Item, ItemRange};
 use crate::accel::bvh::build::split::{dissolve_small_children, split_into_children};
 use crate::accel::bvh::{
     boxes::Boxes, collapsed_root, node::HIERARCHY, node::Kind, node::Node, planes::WIDTH, sphere_leaf,
@@ -44,7 +44,7 @@ pub(crate) fn build<B: Boxes>(
     let (spheres, cylinders) = (with_room(sphere_count, HIERARCHY)?, with_room(most - sphere_count, HIERARCHY)?);
     // A node has about eight objects, by measurement (bench/src/bin/nearest.rs). The list grows if there are more.
     let nodes = with_room(most / 8 + 1, HIERARCHY)?;
-    let all = Range::new(&items, 0, items.len());
+    let all = ItemRange::new(&items, 0, items.len());
     let half_areas = items.iter().map(|item| f64::from(item.bounds().unpacked().half_area()));
     let only_spheres = items.iter().all(|item| (item.id() as usize) < sphere_count);
     let has_sphere_leaves = sphere_leaves
@@ -72,14 +72,14 @@ pub(crate) fn build<B: Boxes>(
         let mut children = [range; WIDTH];
         let count = if range.count() <= WIDTH {
             for (child, at) in children.iter_mut().zip(range.from..range.to) {
-                *child = Range::new(&items, at, at + 1);
+                *child = ItemRange::new(&items, at, at + 1);
             }
             range.count()
         } else {
             let count = split_into_children(&mut items, &mut children[..most], depth);
             if planned.is_some() && depth < 2 { count } else { dissolve_small_children(&items, &mut children, count) }
         };
-        let kind_of = |child: &Range| match child.only_item(&items) {
+        let kind_of = |child: &ItemRange| match child.only_item(&items) {
             None => Kind::Node,
             Some(item) => Kind::of(ObjectRef::of_number(item.id(), sphere_count)),
         };

@@ -121,7 +121,7 @@ impl Boxes for ByteBoxes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::bvh::boxes::WideBoxes;
+    use crate::accel::bvh::boxes::FloatBoxes;
     use crate::sampling::uniform::Uniform;
     use crate::simd::{Kernel, Simd, instruction_set::InstructionSet};
 
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_sizes_are_as_documented() {
-        assert_eq!([size_of::<WideBoxes>(), size_of::<ByteBoxes>()], [384, 112]);
+        assert_eq!([size_of::<FloatBoxes>(), size_of::<ByteBoxes>()], [384, 112]);
     }
 
     #[test]
@@ -171,7 +171,7 @@ mod tests {
             let offset = if number % 2 == 0 { 0.0 } else { draws.draw(-1e9, 1e9) };
             let given = boxes(&mut draws, 1 + number % WIDTH, scale, offset);
             let all = given.iter().fold(Bounds::EMPTY, |all, bounds| all.union(bounds));
-            let (bytes, wide) = (ByteBoxes::new(&given), WideBoxes::new(&given));
+            let (bytes, wide) = (ByteBoxes::new(&given), FloatBoxes::new(&given));
             for (lane, given) in given.iter().enumerate() {
                 assert_eq!(wide.bounds(lane), *given);
                 let actual = bytes.bounds(lane);
@@ -202,7 +202,7 @@ mod tests {
                 other.high[0] = other.low[0] + 1.0;
             }
             let expected = (0..WIDTH).fold(0, |bits, lane| bits | u32::from(given[lane].overlaps(&other)) << lane);
-            let wide = WideBoxes::new(&given);
+            let wide = FloatBoxes::new(&given);
             for set in InstructionSet::available() {
                 assert_eq!(set.run(Overlaps(&wide, &other)), expected, "{}", set.name());
             }

@@ -6,7 +6,7 @@
 //! level.
 
 use crate::accel::{
-    bounds::Bounds, bvh::boxes::Boxes, bvh::boxes::WideBoxes, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Kind,
+    bounds::Bounds, bvh::boxes::Boxes, bvh::boxes::FloatBoxes, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Kind,
     bvh::node::Node, bvh::planes::WIDTH, bvh::slab_ray::SlabRay,
 };
 use crate::{
@@ -39,7 +39,7 @@ pub(crate) fn planned(objects: usize) -> Option<usize> {
 pub struct CollapsedRoot {
     /// The boxes, 16 in each entry. The list is empty if no collapsed root is [`planned`]. The traversal then begins at
     /// the root.
-    rows: Vec<WideBoxes>,
+    rows: Vec<FloatBoxes>,
     /// Bit `i` is 1 if there is a box `i`.
     occupied: u64,
     /// The index of the node to which each box leads.
@@ -85,7 +85,7 @@ impl CollapsedRoot {
             for (to, (from, _)) in bounds.iter_mut().zip(row) {
                 *to = *from;
             }
-            root.rows.push(WideBoxes::new(&bounds[..row.len()]));
+            root.rows.push(FloatBoxes::new(&bounds[..row.len()]));
         }
         for (&(bounds, child), index) in boxes.iter().zip(&mut root.nodes) {
             *index = child.number;

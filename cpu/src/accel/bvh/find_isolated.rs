@@ -82,7 +82,7 @@ impl<B: Boxes, O: Objects> FindIsolated<'_, B, O> {
 
 #[cfg(test)]
 mod tests {
-    use crate::accel::bvh::{Bvh, boxes::WideBoxes};
+    use crate::accel::bvh::{Bvh, boxes::FloatBoxes};
     use crate::accel::{dominant_sphere::DominantSphere, extent::Extent};
     use crate::input::scene::Scene;
     use crate::layout::{Objects, aos::AosObjects};
@@ -98,7 +98,7 @@ mod tests {
         for (gap, isolated) in [(5e-9, false), (3e-8, true)] {
             let right = 3e-4 + gap;
             let (mut spheres, extent) = objects(&format!("sphere: -3e-4 0 0 3e-4 m\nsphere: {right} 0 0 3e-4 m\n"));
-            let bvh = Bvh::<WideBoxes>::new(&mut spheres, &extent, None).expect("it fits");
+            let bvh = Bvh::<FloatBoxes>::new(&mut spheres, &extent, None).expect("it fits");
             assert_eq!([0, 1].map(|id| bvh.isolated.is(id)), [isolated; 2], "{gap}");
             let (spheres, extent) = objects(&format!("sphere: -.5 0 0 .5 m\nsphere: {right} 0 0 3e-4 m\n"));
             let overlapping = DominantSphere(Some(0)).overlapping(&spheres, &extent).expect("they are few");

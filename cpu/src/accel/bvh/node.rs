@@ -192,18 +192,18 @@ pub(crate) fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::bvh::{boxes::WideBoxes, byte_boxes::ByteBoxes};
+    use crate::accel::bvh::{boxes::FloatBoxes, byte_boxes::ByteBoxes};
 
     #[test]
     fn a_node_of_bytes_has_two_cache_lines() {
-        assert_eq!([size_of::<Node<ByteBoxes>>(), size_of::<Node<WideBoxes>>()], [128, 448]);
-        assert_eq!([align_of::<Node<ByteBoxes>>(), align_of::<Node<WideBoxes>>()], [64, 64]);
+        assert_eq!([size_of::<Node<ByteBoxes>>(), size_of::<Node<FloatBoxes>>()], [128, 448]);
+        assert_eq!([align_of::<Node<ByteBoxes>>(), align_of::<Node<FloatBoxes>>()], [64, 64]);
     }
 
     #[test]
     fn the_children_of_each_kind_follow_one_another() {
         let boxes = [Bounds { low: [0.0; 3], high: [1.0; 3] }; 9];
-        let node = Node::<WideBoxes>::new(&boxes, [2, 3, 4], [7, 0, u32::MAX - 9]);
+        let node = Node::<FloatBoxes>::new(&boxes, [2, 3, 4], [7, 0, u32::MAX - 9]);
         assert_eq!(node.lanes(), [0b11, 0b11100, 0b1_1110_0000]);
         let children: Vec<_> = node.children().map(|(_, Child { kind, number })| (kind, number)).collect();
         assert_eq!(children[..3], [(Kind::Node, 7), (Kind::Node, 8), (Kind::Sphere, 0)]);

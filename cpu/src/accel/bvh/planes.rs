@@ -10,19 +10,19 @@ pub const WIDTH: usize = 16;
 pub type Planes<P> = [[[P; WIDTH]; 3]; 2];
 
 /// A number that stands for the coordinate of a plane.
-pub trait Plane: Copy + Into<f64> {
+pub trait PlaneNumber: Copy + Into<f64> {
     /// Returns the first numbers of `planes`, as many as `F` has lanes.
     fn load<F: SimdF32>(planes: &[Self]) -> F;
 }
 
-impl Plane for f32 {
+impl PlaneNumber for f32 {
     #[inline(always)]
     fn load<F: SimdF32>(planes: &[Self]) -> F {
         F::load(planes)
     }
 }
 
-impl Plane for u8 {
+impl PlaneNumber for u8 {
     #[inline(always)]
     fn load<F: SimdF32>(planes: &[Self]) -> F {
         F::load_bytes(planes)

@@ -22,7 +22,7 @@
 //! all the same, the maximum and the minimum return their other operand, which keeps the box. Products may be
 //! subnormal, which changes a distance by less than [`LEAST_MARGIN`] times `r`.
 
-use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
+use crate::accel::bvh::planes::{PlaneNumber, Planes, WIDTH};
 use crate::accel::{bounds::Bounds, extent::is_within, may_hit::conservative::is_too_short};
 use crate::{geometry::ray::Ray, math::real::Real, math::vec3::Vec3, simd::SimdF32};
 
@@ -141,7 +141,7 @@ impl<F: SimdF32> SlabRay<F> {
 
     /// Tests boxes with these planes, as [`Boxes::intersect`](crate::accel::bvh::boxes::Boxes::intersect) describes.
     #[inline(always)]
-    pub fn intersect<P: Plane>(&self, planes: &Planes<P>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32 {
+    pub fn intersect<P: PlaneNumber>(&self, planes: &Planes<P>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32 {
         let planes = planes.as_flattened().as_flattened();
         let mut bits = 0;
         for at in (0..WIDTH).step_by(F::LANES) {
@@ -161,7 +161,7 @@ impl<F: SimdF32> SlabRay<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::bvh::{boxes::Boxes, boxes::WideBoxes, byte_boxes::ByteBoxes};
+    use crate::accel::bvh::{boxes::Boxes, boxes::FloatBoxes, byte_boxes::ByteBoxes};
     use crate::simd::{Kernel, Simd, instruction_set::InstructionSet, portable::Array};
 
     /// A kernel that tests boxes up to a largest lambda, in both forms. Returns the bits of the first box.
@@ -175,7 +175,7 @@ mod tests {
             let Self(ray, boxes, all, farthest) = self;
             let slab_ray = SlabRay::<S::F32>::new(ray, &margins(&all));
             let mut distances = [0.0; WIDTH];
-            let wide = WideBoxes::new(boxes).intersect(&slab_ray, farthest, &mut distances);
+            let wide = FloatBoxes::new(boxes).intersect(&slab_ray, farthest, &mut distances);
             let bytes = ByteBoxes::new(boxes).intersect(&slab_ray, farthest, &mut distances);
             [wide & 1, bytes & 1]
         }

@@ -13,7 +13,7 @@
 //! objects, for which boxes are tested for overlaps, are not sought.
 
 use crate::accel::bounds::Bounds;
-use crate::accel::bvh::{planes::Plane, planes::WIDTH};
+use crate::accel::bvh::{planes::PlaneNumber, planes::WIDTH};
 use crate::simd::SimdF32;
 
 /// Whether sphere leaves save time in a tree over objects that are `only_spheres` or not. `half_areas` is the sum of
@@ -82,7 +82,7 @@ pub struct SphereLeaf<'a, P> {
     pub frame: Frame,
 }
 
-impl<P: Plane> SphereLeaf<'_, P> {
+impl<P: PlaneNumber> SphereLeaf<'_, P> {
     /// Returns the centres and radii of the lanes from `at` on. The centres are relative to `origin`.
     #[inline(always)]
     pub fn load<F: SimdF32>(&self, at: usize, origin: &[f32; 3]) -> ([F; 3], F) {
@@ -129,7 +129,7 @@ impl<P: Plane> SphereLeaf<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::bvh::{boxes::Boxes, boxes::WideBoxes, byte_boxes::ByteBoxes};
+    use crate::accel::bvh::{boxes::Boxes, boxes::FloatBoxes, byte_boxes::ByteBoxes};
     use crate::sampling::uniform::Uniform;
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
@@ -137,7 +137,7 @@ mod tests {
     /// A kernel that finds the bounding spheres that overlap a box.
     struct Overlaps<'a, P>(SphereLeaf<'a, P>, &'a Bounds);
 
-    impl<P: Plane> Kernel for Overlaps<'_, P> {
+    impl<P: PlaneNumber> Kernel for Overlaps<'_, P> {
         type Output = u32;
 
         #[inline(always)]
@@ -169,7 +169,7 @@ mod tests {
             let low = [bounds[0].high[0], bounds[0].low[1], bounds[0].low[2]];
             let other = Bounds { low, high: low.map(|low| low + (0.3 * side) as f32) };
             let expected = (0..WIDTH).fold(0, |bits, lane| bits | u32::from(bounds[lane].overlaps(&other)) << lane);
-            let (wide, bytes) = (WideBoxes::of_spheres(&bounds), ByteBoxes::of_spheres(&bounds));
+            let (wide, bytes) = (FloatBoxes::of_spheres(&bounds), ByteBoxes::of_spheres(&bounds));
             let (wide, bytes) = (wide.bounding_spheres(), bytes.bounding_spheres());
             for set in InstructionSet::available() {
                 let found = [set.run(Overlaps(wide, &other)), set.run(Overlaps(bytes, &other))];

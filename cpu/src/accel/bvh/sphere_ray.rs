@@ -19,7 +19,7 @@
 //! radius underflows.
 
 use crate::accel::bvh::slab_ray::margin;
-use crate::accel::bvh::{planes::Plane, planes::WIDTH, sphere_leaf::SphereLeaf};
+use crate::accel::bvh::{planes::PlaneNumber, planes::WIDTH, sphere_leaf::SphereLeaf};
 use crate::{geometry::ray::Ray, math::real::Real, simd::SimdF32};
 
 /// A ray prepared for tests against the bounding spheres of a [`SphereLeaf`].
@@ -53,7 +53,7 @@ impl SphereRay {
     /// which the ray enters it. This is at most 0 if the ray starts inside. If there are fewer bounding spheres, the
     /// caller must ignore the other bits.
     #[inline(always)]
-    pub fn intersect<P: Plane, F: SimdF32>(
+    pub fn intersect<P: PlaneNumber, F: SimdF32>(
         &self,
         leaf: &SphereLeaf<'_, P>,
         farthest: f32,

@@ -106,10 +106,10 @@ impl<T: Rounding> ConservativeRay<T> {
         let ConservativeQuadratic { a, c, size, .. } = across;
         // The margin is proportional to the squared length of the whole direction. The part of the direction across the
         // axis may be nothing but rounding error.
-        let least_product = size.mul_add_loosely(self.length_squared * T::of(-QUADRATIC_MARGIN), a * c);
+        let lowered_product = size.mul_add_loosely(self.length_squared * T::of(-QUADRATIC_MARGIN), a * c);
         // The distance, along the axis and in the ray's direction, of the point at the smallest lambda from the middle.
         let past_middle = slope.abs().mul_add_loosely(T::of(LAMBDA_MIN), -center_along.flipped_by(slope));
-        !(across.has_no_root(least_product) | target.half_height.less(past_middle))
+        !(across.has_no_root(lowered_product) | target.half_height.less(past_middle))
     }
 
     /// Returns the quadratic of the ray and the infinite cylinder. Then it returns the components along the axis of two
@@ -132,18 +132,18 @@ impl<T: Rounding> ConservativeRay<T> {
 }
 
 impl<T: Rounding> ConservativeQuadratic<T> {
-    /// Whether the quadratic certainly has no root in range, at a lambda of at least [`LAMBDA_MIN`]. `least_product` is
-    /// `a c`, lowered by the margin.
+    /// Whether the quadratic certainly has no root in range, at a lambda of at least [`LAMBDA_MIN`]. `lowered_product`
+    /// is `a c`, lowered by the margin.
     #[inline(always)]
-    fn has_no_root(&self, least_product: T) -> T::Mask {
+    fn has_no_root(&self, lowered_product: T) -> T::Mask {
         let Self { a, h, c, size } = *self;
-        let most_discriminant = h.mul_add_loosely(h, -least_product);
-        let least_c = size.mul_add_loosely(T::of(-QUADRATIC_MARGIN), c);
+        let raised_discriminant = h.mul_add_loosely(h, -lowered_product);
+        let lowered_c = size.mul_add_loosely(T::of(-QUADRATIC_MARGIN), c);
         // This is a lower bound of f at the smallest lambda in range. If h is negative, f only rises after it.
-        let least_at_first = a.mul_add_loosely(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
-        let least_at_first = h.mul_add_loosely(T::of(-2.0 * LAMBDA_MIN), least_at_first);
+        let lowered_at_first = a.mul_add_loosely(T::of(LAMBDA_MIN * LAMBDA_MIN), lowered_c);
+        let lowered_at_first = h.mul_add_loosely(T::of(-2.0 * LAMBDA_MIN), lowered_at_first);
         let zero = T::of(0.0);
-        most_discriminant.less(zero) | (h.less(zero) & zero.less(least_at_first))
+        raised_discriminant.less(zero) | (h.less(zero) & zero.less(lowered_at_first))
     }
 }
 

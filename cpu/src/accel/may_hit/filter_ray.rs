@@ -31,12 +31,12 @@ pub const MAX_COORDINATE: f64 = 2e7;
 pub const BLOCK: usize = 16;
 
 /// Half a unit in the last place of 1: the relative error of one rounding to single precision.
-const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+const F32_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 /// The margin by which a bounding sphere's `c` is lowered, relative to `|C|^2 + |O|^2 + R^2`.
-pub const SPHERE_MARGIN: f64 = 128.0 * ROUNDING;
+pub const SPHERE_MARGIN: f64 = 128.0 * F32_ROUNDOFF;
 /// The margin by which an infinite cylinder's discriminant is increased, relative to `a (|C|^2 + |O|^2 + R^2)`. It is
 /// larger than [`SPHERE_MARGIN`], because the terms have lost digits in one more cancellation.
-pub const CYLINDER_MARGIN: f64 = 384.0 * ROUNDING;
+pub const CYLINDER_MARGIN: f64 = 384.0 * F32_ROUNDOFF;
 
 /// One number for each object of a block.
 type Row = [f32; BLOCK];
@@ -61,7 +61,7 @@ pub struct InfiniteCylinders {
     /// `-sqrt(2) C.n`.
     minus_center_along: Row,
     /// `2 (R^2 - r^2)`.
-    squares: Row,
+    two_half_height_squared: Row,
     /// `|C|^2 + R^2`, to which a part of the margin is proportional.
     size: Row,
 }
@@ -82,8 +82,12 @@ impl BoundingSpheres {
 
 impl InfiniteCylinders {
     /// A block without objects.
-    pub const EMPTY: Self =
-        Self { axis: [[0.0; BLOCK]; 3], minus_center_along: [0.0; BLOCK], squares: [0.0; BLOCK], size: [0.0; BLOCK] };
+    pub const EMPTY: Self = Self {
+        axis: [[0.0; BLOCK]; 3],
+        minus_center_along: [0.0; BLOCK],
+        two_half_height_squared: [0.0; BLOCK],
+        size: [0.0; BLOCK],
+    };
 
     /// Sets the cylinder in a lane. `center` is relative to the scene's middle.
     pub fn set(&mut self, lane: usize, center: Vec3, target: &Target) {
@@ -92,7 +96,7 @@ impl InfiniteCylinders {
             row[lane] = component as f32;
         }
         self.minus_center_along[lane] = -center.dot(axis) as f32;
-        self.squares[lane] = (2.0 * target.half_height * target.half_height) as f32;
+        self.two_half_height_squared[lane] = (2.0 * target.half_height * target.half_height) as f32;
         self.size[lane] = (center.dot(center) + target.bounding_radius_squared) as f32;
     }
 }
@@ -169,7 +173,7 @@ impl<F: SimdF32> FilterRay<F> {
         let origin_along = plus_dot(F::load(&cylinders.minus_center_along[at..]), self.origin, axis);
         let two_a = slope.negative_mul_add(slope, self.two_a);
         let minus_two_h = slope.negative_mul_add(origin_along, spheres.minus_two_h);
-        let two_c = spheres.c.mul_add(number(2.0), F::load(&cylinders.squares[at..]));
+        let two_c = spheres.c.mul_add(number(2.0), F::load(&cylinders.two_half_height_squared[at..]));
         let two_c = origin_along.negative_mul_add(origin_along, two_c);
         let margin = F::load(&cylinders.size[at..]).mul_add(self.margin, self.origin_margin);
         minus_two_h.negative_mul_add(minus_two_h, two_a * two_c) - margin

@@ -41,7 +41,7 @@ fn every_step_has_the_order_of_the_exact_lambdas() {
             let hits = hits.each_ref();
             let lambdas = hits.map(|hit| hit.exact_lambda(&ray).ok().flatten().map_or(0.0, |exact| exact.rounded()));
             let order = compare(&ray, hits, lambdas);
-            assert_eq!(order, exactly(&ray, hits), "{ray:?}, {hits:?}");
+            assert_eq!(order, compare_exactly(&ray, hits), "{ray:?}, {hits:?}");
             assert_eq!(order.map(Ordering::reverse), compare(&ray, [hits[1], hits[0]], [lambdas[1], lambdas[0]]));
             orders[(order.expect("all numbers are finite") as i8 + 1) as usize] += 1;
         }

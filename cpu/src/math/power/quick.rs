@@ -11,12 +11,12 @@
 //! `tests/stability/src/proof/power.rs` bounds the relative error.
 
 use crate::math::double_double::DoubleDouble;
-use crate::math::dyadic::power_of_two;
-use crate::math::power::tables::{LN_2, exponential, logarithm, reciprocal};
+use crate::math::dyadic::times_power_of_two;
+use crate::math::power::tables::{LN_2, exponential, ln_128_over, reciprocal};
 use crate::math::real::Real;
 
 /// An upper bound of the relative error of a power in double-double arithmetic (docs/margins.md).
-pub const ERROR: f64 = 1.0 / (1_u128 << 83) as f64;
+pub const POWER_ERROR: f64 = 1.0 / (1_u128 << 83) as f64;
 
 /// The result of [`power`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +24,7 @@ pub enum Quick {
     /// The power, correctly rounded.
     Certain(f64),
     /// A number near the power. It is uncertain which `f64` is nearest to the power.
-    Candidate(f64),
+    Uncertain(f64),
 }
 
 /// Computes `base^exponent` for positive finite numbers in double-double arithmetic. The result tells whether its
@@ -45,11 +45,11 @@ pub(crate) fn power(base: f64, exponent: f64) -> Quick {
         return Quick::Certain(1.0);
     }
     let (fraction, power) = exp(DoubleDouble::of(exponent) * logarithm);
-    let error = fraction.high * ERROR;
-    let [low, high] = [fraction.low - error, fraction.low + error].map(|low| fraction.high + low);
-    let candidate = power_of_two(high, power);
+    let error_bound = fraction.high * POWER_ERROR;
+    let [low, high] = [fraction.low - error_bound, fraction.low + error_bound].map(|low| fraction.high + low);
+    let candidate = times_power_of_two(high, power);
     // A subnormal number has fewer bits, so this rounding is not the final one.
-    if low == high && power >= -1021 { Quick::Certain(candidate) } else { Quick::Candidate(candidate) }
+    if low == high && power >= -1021 { Quick::Certain(candidate) } else { Quick::Uncertain(candidate) }
 }
 
 /// A number of about 106 bits. The series are generic over it, so that a proof can bound their errors.
@@ -98,7 +98,7 @@ fn ln(x: f64) -> DoubleDouble {
 /// Returns `e ln 2 + ln(128 / k) + ln(1 + z)`.
 #[inline(always)]
 pub fn ln_of_parts<T: Wide>(e: i64, k: usize, z: T) -> T {
-    T::of(e as f64) * T::constant(LN_2) + (T::constant(logarithm(k)) + ln_1p(z))
+    T::of(e as f64) * T::constant(LN_2) + (T::constant(ln_128_over(k)) + ln_1p(z))
 }
 
 /// Returns `ln(1 + z)`, for `|z| <= 2^-7.5`.

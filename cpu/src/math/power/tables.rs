@@ -5,7 +5,7 @@ use crate::math::double_double::DoubleDouble;
 /// Number of fraction bits of the fixed-point integers in this file: an integer `i` represents the number `i / 2^BITS`.
 const BITS: u32 = 120;
 
-/// The smallest index of [`logarithm`].
+/// The smallest index of [`ln_128_over`].
 const FIRST: usize = 90;
 
 /// The entry at index `i` is `ln((FIRST + i) / FIRST)`, as a fixed-point integer.
@@ -31,7 +31,7 @@ const SUMS: [i128; 92] = {
 
 /// Returns `ln(128 / k)` for `k` from 90 to 181, wrong by less than `2^-108`. It is exactly 0 for 128.
 #[inline(always)]
-pub const fn logarithm(k: usize) -> DoubleDouble {
+pub const fn ln_128_over(k: usize) -> DoubleDouble {
     number(SUMS[128 - FIRST] - SUMS[k - FIRST])
 }
 

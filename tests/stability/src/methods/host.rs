@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use std::time::Instant;
 
 use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::internals::geometry::{cylinder::CylinderRecord, ray::facing};
+use cpu::internals::geometry::{cylinder::CylinderRecord, ray::front_and_normal};
 use cpu::internals::math::real::Real;
 use cpu::{Ray, Vec3};
 
@@ -53,7 +53,7 @@ where
             let (record, ray) = case.of::<T>();
             let (lambda, part) = record.by(&ray, &self.sphere, &self.cylinder)?;
             let point = ray.at(lambda);
-            let (front, _) = facing(ray.direction, record.outward(part, point));
+            let (front, _) = front_and_normal(ray.direction, record.outward(part, point));
             Some(Answer { lambda: lambda.into(), part, point: point.map(Into::into), front })
         };
         Ok(cases.iter().map(answer).collect())

@@ -5,8 +5,8 @@
 use cpu::Ray;
 use cpu::internals::exact::compensated_roots::{self, ACCURACY_OF_C, CONDITION_LIMIT, Discriminant, ERROR_OF_C};
 use cpu::internals::exact::cylinder_compensated::{self, SHARE_IN_C, SHARE_IN_H, SHARE_OF_SIZE};
-use cpu::internals::exact::cylinder_decision::LEAST_EXTENT;
-use cpu::internals::exact::error_bound::{LONGEST, SHORTEST, UNDERFLOW};
+use cpu::internals::exact::cylinder_decision::LEAST_REACH;
+use cpu::internals::exact::error_bound::{LARGEST_IN_SCALE, SMALLEST_IN_SCALE, UNDERFLOW};
 use cpu::internals::exact::sphere_compensated::{self, SphereTerms};
 use cpu::internals::exact::sphere_filter;
 use cpu::internals::geometry::{ray::LAMBDA_MIN, sphere::SphereRecord};
@@ -83,18 +83,18 @@ fn covered(number: Bounded) -> f64 {
 fn error_of_c_and_least(quadratic: &Roots) -> [Bounded; 2] {
     let of = Bounded::of;
     let least = of(LAMBDA_MIN) - of(LAMBDA_MIN * sphere_filter::SPHERE_BOUND.lambda_error());
-    [quadratic.terms_of_c * of(ERROR_OF_C * U * U) + of(UNDERFLOW), least]
+    [quadratic.size_of_c * of(ERROR_OF_C * U * U) + of(UNDERFLOW), least]
 }
 
 /// Returns the comparisons by which roots are accurate or too small, as docs/accuracy.md takes them, for this
 /// discriminant. Each comes with its purpose.
 fn of_roots(quadratic: &Roots, of: Discriminant<Bounded>) -> [(&'static str, [Bounded; 2]); 5] {
-    let &Roots { a, h, c, terms_of_h, .. } = quadratic;
+    let &Roots { a, h, c, size_of_h, .. } = quadratic;
     let ([error, least], root, limit) =
         (error_of_c_and_least(quadratic), of.value.sqrt(), Bounded::of(CONDITION_LIMIT));
     let w = h.abs() + root;
     [
-        ("whether `h` is accurate", [terms_of_h, w * limit]),
+        ("whether `h` is accurate", [size_of_h, w * limit]),
         ("whether the root is accurate", [of.size, root * w * limit]),
         ("whether `c` is accurate", [error * Bounded::of(1.0 / (ACCURACY_OF_C * U)), c.abs()]),
         ("whether the small root is too small", [c.abs() + error, w * least]),
@@ -142,11 +142,11 @@ fn of_c(quadratic: &Roots, error: &Polynomial, terms: &Polynomial, share: f64) -
 
 /// Returns the constant and the need of `h^2 - a c`. The error of `c` is one rounding and `of_c u^2` times its terms.
 /// `run` computes the quadratic anew, `direction` is the family of the root of `a`, and `to_size` replaces the vectors
-/// of the terms of `h`, which are the root of `a terms_of_h`, by the root of `terms_of_h`.
+/// of the terms of `h`, which are the root of `a size_of_h`, by the root of `size_of_h`.
 fn near_discriminant(
     run: impl Fn() -> Roots,
     of_c: f64,
-    terms_of_h: &Polynomial,
+    size_of_h: &Polynomial,
     direction: u8,
     to_size: impl Fn(&Polynomial) -> Polynomial,
 ) -> ([f64; 2], f64, Roots) {
@@ -160,14 +160,14 @@ fn near_discriminant(
     let of_h = relative_to_sizes(&to_size(&error), 0.0, &[length(direction).times(&length(SIZE))], 1.0);
     h.assume_error(length(OF_H), error);
     forget_later(h);
-    let root = run().terms_of_h;
+    let root = run().size_of_h;
     let Operation::Root(product) = root.operation() else { panic!("it is no root") };
     let Operation::Product(_, squares) = product.operation() else { panic!("it is no product") };
-    assert!(squares.raw().is_positive && squares.bounds().size.covers(terms_of_h), "the terms of h lack a part");
+    assert!(squares.raw().is_positive && squares.bounds().size.covers(size_of_h), "the terms of h lack a part");
     let relative = root.raw().relative;
     root.assume_relative(length(direction).times(&length(SIZE)), relative);
     _ = root.of_squares();
-    let terms = run().terms_of_c;
+    let terms = run().size_of_c;
     let relative = terms.raw().relative;
     terms.assume_relative(length(TERMS), relative);
     c.abs().assume(length(CANCELS));
@@ -240,8 +240,8 @@ fn radicand(root: Bounded) -> Bounded {
 const STEP: Log = 25.0;
 
 /// Returns the parts of the domain of a sphere. The terms of a discriminant have at least this share of `M`.
-fn sphere_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
-    let [shortest, longest] = [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0);
+fn sphere_cells(size_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
+    let [shortest, longest] = [SMALLEST_IN_SCALE, LARGEST_IN_SCALE].map(|squared| squared.log2() / 2.0);
     // A farther sphere has infinite terms. Numbers below the first step count as 0.
     let sizes = [[f64::NEG_INFINITY, -1075.0]].into_iter().chain(steps(-1075.0, 512.0, STEP));
     let directions = steps(shortest - 1.0, longest, STEP);
@@ -259,7 +259,7 @@ fn sphere_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
                 (OF_H, most),
                 (TO_CENTER_CROSS, most),
             ];
-            let radicands = vec![(radicand(terms_of_h), 2.0 * least - 1.0)];
+            let radicands = vec![(radicand(size_of_h), 2.0 * least - 1.0)];
             Cell { corner, least: [2.0 * least_size, 2.0 * least + share.log2()], radicands }
         },
     )
@@ -279,9 +279,9 @@ pub fn sphere_rows() -> ([Row; 3], Row, f64) {
     // `|C - O|` and the radius are at most `sqrt(q + R^2)`.
     let to_size = |polynomial: &Polynomial| polynomial.enlarged(&[TO_CENTER, RADIUS].map(|of| (of, Some(SIZE))));
     let (near, of_h, quadratic) = near_discriminant(|| sphere().1.quadratic, of_c[1], &squares, DIRECTION, to_size);
-    let Roots { c, h, terms_of_h, .. } = quadratic;
+    let Roots { c, h, size_of_h, .. } = quadratic;
     let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION).times(&length(TERMS)));
-    let near_underflow = of_underflow(c, (h, sphere_h()), quadratic.near(), sphere_cells(terms_of_h, share));
+    let near_underflow = of_underflow(c, (h, sphere_h()), quadratic.near(), sphere_cells(size_of_h, share));
     let (far, far_underflow) = far_discriminant();
     let rows = [
         Row::new("c of a sphere, compensated", ROOTS, of_c, "u^2 (q + R^2)"),
@@ -306,10 +306,9 @@ pub fn leaves(of_h: f64) -> Row {
         let pairs = compared().split_off(from);
         let sides: Vec<_> = pairs.iter().copied().map(hardens).collect();
         assert_eq!(sides, [Some(0), Some(0), Some(1)], "a margin is not used, or on the wrong side");
-        let ([error, least], Roots { h, c, terms_of_h, .. }) =
-            (error_of_c_and_least(&terms.quadratic), terms.quadratic);
+        let ([error, least], Roots { h, c, size_of_h, .. }) = (error_of_c_and_least(&terms.quadratic), terms.quadratic);
         let [zero, limit] = [0.0, CONDITION_LIMIT].map(Bounded::of);
-        let expected = [[h, zero], [terms_of_h, h.abs() * limit], [c.abs() + error, h.abs() * least]];
+        let expected = [[h, zero], [size_of_h, h.abs() * limit], [c.abs() + error, h.abs() * least]];
         assert_eq!(pairs, expected, "the code decides in another way than the proof takes");
     }
     let margins = [sphere_filter::SPHERE_BOUND.lambda_error() / U, of_h * CONDITION_LIMIT + 6.0];
@@ -335,8 +334,8 @@ fn far_discriminant() -> ([f64; 2], Log) {
     let size = |share| sum(&[squared(TO_CENTER_CROSS), radius.clone(), distance.clone().scaled(share)]);
     let share = sphere_compensated::SHARE_OF_DISTANCE;
     let row = of_discriminant(&terms.quadratic, far, &size(share), relative_in(far.value, share, &[size(1.0)]));
-    let Roots { c, h, terms_of_h, .. } = terms.quadratic;
-    (row, of_underflow(c, (h, sphere_h()), far, sphere_cells(terms_of_h, share)))
+    let Roots { c, h, size_of_h, .. } = terms.quadratic;
+    (row, of_underflow(c, (h, sphere_h()), far, sphere_cells(size_of_h, share)))
 }
 
 /// Returns the components of the cross product of [`TO_CENTER`] and another vector, with their names.
@@ -412,7 +411,7 @@ pub fn side_rows() -> ([Row; 3], [Row; 2], [f64; 2]) {
     let (run, [error, _]) = side();
     let [far, rim] = [TO_CENTER, RADIUS].map(|family| squared(family).times(&squared(FILE_AXIS)));
     let terms = |share| sum(&[squared(TO_CENTER_CROSS), rim.clone(), far.clone().scaled(share)]);
-    let (terms, terms_of_h) = (terms(SHARE_IN_C), terms(SHARE_IN_H));
+    let (terms, size_of_h) = (terms(SHARE_IN_C), terms(SHARE_IN_H));
     let of_c = of_c(&run().quadratic, &error, &terms, SHARE_IN_C);
     begin(WITHOUT_UNDERFLOW, SPHERE_MARGIN);
     let (run, _) = side();
@@ -423,10 +422,10 @@ pub fn side_rows() -> ([Row; 3], [Row; 2], [f64; 2]) {
         let families = [sizes[0], sizes[1], sizes[2], (FILE_AXIS, None), same];
         polynomial.clone().scaled_by(TO_CENTER, 1.0 / SHARE_IN_H.sqrt()).enlarged(&families)
     };
-    let (near, of_h, quadratic) = near_discriminant(|| run().quadratic, of_c[1], &terms_of_h, DIRECTION_CROSS, to_size);
-    let Roots { c, h, terms_of_h, .. } = quadratic;
+    let (near, of_h, quadratic) = near_discriminant(|| run().quadratic, of_c[1], &size_of_h, DIRECTION_CROSS, to_size);
+    let Roots { c, h, size_of_h, .. } = quadratic;
     let share = quadratic.near().size.bounds().size.coefficient(&squared(DIRECTION_CROSS).times(&length(TERMS)));
-    let near_underflow = of_underflow(c, (h, side_h()), quadratic.near(), side_cells(terms_of_h, share));
+    let near_underflow = of_underflow(c, (h, side_h()), quadratic.near(), side_cells(size_of_h, share));
     let near_largest = largest_of_side(quadratic.near(), share);
     let (far, [far_underflow, far_largest]) = far_discriminant_of_side();
     let largest = [f64::from(f64::MAX_EXP), near_largest.max(far_largest)];
@@ -448,8 +447,8 @@ const ASIDE: u8 = DERIVED + 8;
 /// Returns the parts of the domain of a side. With `Y^2 = |O - C|^2 + r^2`, the terms of a discriminant are at least
 /// `|p|^2 |V|^2 Y^2` times `share`. `|V| Y` is at least the root of `Q`, which is in scale, and `|q|` is at most that.
 /// `(O - C).p` is at most `|q| |p| / |V|`, because `p` is across the axis.
-fn side_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
-    let [shortest, longest] = [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0);
+fn side_cells(size_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
+    let [shortest, longest] = [SMALLEST_IN_SCALE, LARGEST_IN_SCALE].map(|squared| squared.log2() / 2.0);
     let cells = steps(shortest - 1.0, longest, STEP).flat_map(move |direction| {
         let sizes = steps(shortest - 1.0, longest + 512.0, STEP);
         sizes.flat_map(move |size| steps(shortest - 1.0, longest, 10.0).map(move |axis| (direction, axis, size)))
@@ -457,14 +456,14 @@ fn side_cells(terms_of_h: Bounded, share: f64) -> impl Iterator<Item = Cell> {
     cells.map(move |(direction, axis, size)| {
         let (least, least_size) = (direction[0] + size[0], size[0]);
         let corner = side_corner(direction[1], axis, size[1] + 1.0);
-        let radicands = vec![(radicand(terms_of_h), 2.0 * (direction[0] + shortest) - 1.0)];
+        let radicands = vec![(radicand(size_of_h), 2.0 * (direction[0] + shortest) - 1.0)];
         Cell { corner, least: [2.0 * least_size, 2.0 * least + share.log2()], radicands }
     })
 }
 
 /// Returns the largest magnitudes for these of `p` and of `|V| Y`, and for this range of the axis.
 fn side_corner(direction: Log, [shortest_axis, axis]: [Log; 2], size: Log) -> Vec<(u8, Log)> {
-    let across = size.min(LONGEST.log2() / 2.0);
+    let across = size.min(LARGEST_IN_SCALE.log2() / 2.0);
     vec![
         (DIRECTION_CROSS, direction),
         (FILE_AXIS, axis),
@@ -481,7 +480,7 @@ fn side_corner(direction: Log, [shortest_axis, axis]: [Log; 2], size: Log) -> Ve
 
 /// Returns the largest magnitude of a discriminant whose terms are finite.
 fn largest_of_side(of: Discriminant<Bounded>, share: f64) -> Log {
-    let [shortest, longest] = [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0);
+    let [shortest, longest] = [SMALLEST_IN_SCALE, LARGEST_IN_SCALE].map(|squared| squared.log2() / 2.0);
     let known = Known::default();
     let cells = steps(shortest - 1.0, longest, 1.0)
         .flat_map(|direction| steps(shortest - 1.0, longest, 1.0).map(move |axis| (direction, axis)));
@@ -511,7 +510,7 @@ fn far_discriminant_of_side() -> ([f64; 2], [Log; 2]) {
     _ = root.of_squares();
     forget_later(root);
     let terms = run();
-    let share = cylinder_compensated::SHARE_OF_REACH;
+    let share = cylinder_compensated::SHARE_IN_D;
     let size = |share: f64, aside: Polynomial| {
         let of_radius = squared(DIRECTION_CROSS).times(&squared(RADIUS));
         let far = squared(DIRECTION_CROSS).times(&squared(TO_CENTER)).scaled(share);
@@ -523,8 +522,8 @@ fn far_discriminant_of_side() -> ([f64; 2], [Log; 2]) {
     let sizes = [size(share, aside.clone()), squared(ASIDE).times(&squared(FILE_AXIS))];
     let need = relative_to_sizes(&error, 0.0, &sizes, 1.0);
     let row = of_discriminant(&terms.quadratic, terms.far, &size(share, aside), need);
-    let Roots { c, h, terms_of_h, .. } = terms.quadratic;
-    let of_underflow = of_underflow(c, (h, side_h()), terms.far, side_cells(terms_of_h, share));
+    let Roots { c, h, size_of_h, .. } = terms.quadratic;
+    let of_underflow = of_underflow(c, (h, side_h()), terms.far, side_cells(size_of_h, share));
     (row, [of_underflow, largest_of_side(terms.far, share)])
 }
 
@@ -556,8 +555,8 @@ fn constant_and_need(is_top: bool) -> [f64; 2] {
     let [exact, error] = Signed::new(&inputs, &known).of(numerator);
     assert_eq!(exact, known[0].0, "the distance has another formula");
     // The divisor is `2 |V|`. The size contains the least extent.
-    let of_underflow = Underflow::new(&Known::default(), &[], &[]).of(numerator) - SHORTEST.log2() / 2.0;
-    assert!(of_underflow < (1e-6 * MARGIN * SHARE_OF_SIZE * LEAST_EXTENT).log2(), "underflow adds 2^{of_underflow}");
+    let of_underflow = Underflow::new(&Known::default(), &[], &[]).of(numerator) - SMALLEST_IN_SCALE.log2() / 2.0;
+    assert!(of_underflow < (1e-6 * MARGIN * SHARE_OF_SIZE * LEAST_REACH).log2(), "underflow adds 2^{of_underflow}");
     let sizes = [length(CANCELS), length(TO_CENTER).times(&length(FILE_AXIS)), squared(FILE_AXIS)];
     let [relative, to_cap, height] = factors(&error.in_lengths(), 0.0, &sizes, 1.0)[..] else {
         unreachable!("there are three sizes")

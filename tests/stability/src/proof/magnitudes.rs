@@ -10,7 +10,7 @@ use cpu::internals::accel::may_hit::conservative::{ConservativeRay, QUADRATIC_MA
 use cpu::internals::accel::may_hit::filter_ray::MAX_COORDINATE;
 use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane};
 use cpu::internals::exact::cylinder_plain::{LEAST_SIZE, SHARE_ACROSS_AXIS};
-use cpu::internals::exact::error_bound::{HEADROOM, LONGEST, OVERFLOW, SHORTEST, UNDERFLOW};
+use cpu::internals::exact::error_bound::{HEADROOM, LARGEST_IN_SCALE, OVERFLOW, SMALLEST_IN_SCALE, UNDERFLOW};
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::render::hit_lanes::LARGEST_SQUARES;
 
@@ -96,7 +96,7 @@ fn corner(direction: Log, size: Log, extent: Log) -> [(u8, Log); 10] {
 
 /// The logarithms of the lengths of directions that are in scale.
 fn in_scale() -> [Log; 2] {
-    [SHORTEST, LONGEST].map(|squared| squared.log2() / 2.0)
+    [SMALLEST_IN_SCALE, LARGEST_IN_SCALE].map(|squared| squared.log2() / 2.0)
 }
 
 /// Returns the row of the quadratic `a, h, c, D` and its roots, where `a` is at least `share |d|^2`.
@@ -109,7 +109,7 @@ fn quadratic(what: &'static str, file: &'static str, share: f64, run: impl Fn() 
     let ([a, ..], most, [shortest, longest]) = (run(), OVERFLOW.log2() / 2.0, in_scale());
     assert_eq!(HEADROOM.log2() + OVERFLOW.log2(), 1024.0, "the error bound is infinite from the limit on");
     // In lanes every ray may hit an object that is farther away.
-    let farthest = [LARGEST_SQUARES, LARGEST_SQUARES * LONGEST].map(|squares| squares.log2() / 2.0);
+    let farthest = [LARGEST_SQUARES, LARGEST_SQUARES * LARGEST_IN_SCALE].map(|squares| squares.log2() / 2.0);
     assert!(farthest.iter().all(|size| *size <= most), "in lanes nothing says that the bound is infinite");
     let known = [(a, [2.0 * shortest + share.log2(), f64::INFINITY])];
     let corners = [(0.0, most), (longest, most - longest)].map(|(direction, size)| corner(direction, size, 2.0 * most));
@@ -148,7 +148,7 @@ fn cap() -> Row {
 /// Returns the row of the constant that covers underflow in a discriminant, in bits above the smallest number, 2^-1074.
 fn underflow() -> Row {
     let size = squared(DIRECTION).times(&squared(TO_CENTER).plus(&squared(RADIUS)));
-    assert!(IN_SCALE.direction.powi(2) <= SHORTEST, "a direction may be shorter than the proof allows");
+    assert!(IN_SCALE.direction.powi(2) <= SMALLEST_IN_SCALE, "a direction may be shorter than the proof allows");
     let each = [exact::sphere, || exact::cylinder(false)].map(|run: fn() -> _| {
         begin(Arithmetic::F64, HEADROOM);
         let [.., discriminant]: [Bounded; 4] = run();
@@ -161,7 +161,7 @@ fn underflow() -> Row {
 /// Returns the row of the size `m` of a long cylinder, in bits below 1. The square `m^2 / 2` is a product with `a`,
 /// which is at most the largest square of a direction in scale. The other factor is the smallest product that counts.
 fn long_side() -> Row {
-    let need = LONGEST.log2() - (LEAST_SIZE * LEAST_SIZE / 2.0).log2();
+    let need = LARGEST_IN_SCALE.log2() - (LEAST_SIZE * LEAST_SIZE / 2.0).log2();
     let logs = [-f64::MIN_POSITIVE.log2(), need];
     Row::new("underflow of a long side", "exact/cylinder_plain.rs", logs, "log2")
 }

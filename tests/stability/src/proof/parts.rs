@@ -4,7 +4,7 @@ use std::slice;
 
 use cpu::Vec3;
 use cpu::internals::accel::isolated::SEPARATION;
-use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane, LEAST_EXTENT};
+use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane, LEAST_REACH};
 use cpu::internals::exact::cylinder_lanes::SideLanes;
 use cpu::internals::exact::cylinder_plain::PlainSide;
 use cpu::internals::exact::order::{ERROR_OF_CAP_ORDER, is_certainly_closer};
@@ -154,7 +154,7 @@ fn plane(of_slope: f64) -> ([f64; 2], f64) {
     // A vector's length is at most the sum of its components' magnitudes.
     let extent = sum(&[components(CENTER), components(TO_CENTER), length(HALF_HEIGHT)]);
     let sizes = [sum(&[CENTER, TO_CENTER, HALF_HEIGHT].map(length)), extent.clone()];
-    let need = |number: Bounded| relative_to_sizes(&number.bounds().error, 16.0 * U, &sizes, LEAST_EXTENT);
+    let need = |number: Bounded| relative_to_sizes(&number.bounds().error, 16.0 * U, &sizes, LEAST_REACH);
     let [[distance, _]] = run(16.0 * U);
     let row = [added(distance, &extent, 16.0 * U, U), need(distance)];
     // Lambda is accepted if the distance exceeds `X / (4 k)`, and the slope `|d|_1 / (8 k)`.
@@ -188,7 +188,7 @@ fn margins(split: u8, run: impl Fn() -> (usize, Polynomial)) -> [[f64; 2]; 2] {
     let pair = [(MOVED, moved(components(DIRECTION))), (FIXED, fixed)].map(|(margin, size)| {
         begin(Arithmetic::F64, margin * U);
         let (count, error) = run();
-        (least_added(count, &size, margin * U), factors(&error, margin * U, &sizes, LEAST_EXTENT))
+        (least_added(count, &size, margin * U), factors(&error, margin * U, &sizes, LEAST_REACH))
     });
     let need = |factors: &[f64], from: usize| factors[..2].iter().chain(&factors[from..from + 3]).sum();
     [[pair[0].0, pair[1].0], [need(&pair[0].1, 2), need(&pair[1].1, 5)]]

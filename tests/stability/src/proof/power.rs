@@ -7,8 +7,8 @@
 use std::cell::Cell;
 
 use cpu::internals::math::double_double::DoubleDouble;
-use cpu::internals::math::power::quick::{ERROR, Wide, exp_of_rest, ln_of_parts, rest};
-use cpu::internals::math::power::tables::{LN_2, exponential, logarithm, reciprocal};
+use cpu::internals::math::power::quick::{POWER_ERROR, Wide, exp_of_rest, ln_of_parts, rest};
+use cpu::internals::math::power::tables::{LN_2, exponential, ln_128_over, reciprocal};
 use dashu_float::{FBig, round::mode::HalfEven};
 
 use super::row::{Row, U};
@@ -117,7 +117,7 @@ impl Wide for Ruled<Near<false>> {
 fn error_of_tables() -> f64 {
     type Big = FBig<HalfEven, 2>;
     let big = |value: f64| Big::try_from(value).expect("it is finite").with_precision(256).value();
-    let logarithms = (90..=181).map(|k| (logarithm(k), (big(128.0) / big(k as f64)).ln()));
+    let logarithms = (90..=181).map(|k| (ln_128_over(k), (big(128.0) / big(k as f64)).ln()));
     let exponentials = (-23..=23).map(|j| (exponential(j), (big(j as f64) / big(64.0)).exp()));
     let reciprocals = [2, 3, 4, 5, 6, 24, 120].map(|n| (reciprocal(n), big(1.0) / big(n as f64)));
     let errors =
@@ -138,7 +138,7 @@ pub fn row() -> Row {
     TABLES.set(error_of_tables());
     // `|t|` is at most 746.
     let fraction = of_exponential(746.0 * of_logarithm());
-    Row::new("powers", "math/power/quick.rs", [ERROR / UU, fraction / UU + 2.0], "u^2")
+    Row::new("powers", "math/power/quick.rs", [POWER_ERROR / UU, fraction / UU + 2.0], "u^2")
 }
 
 /// Returns the largest relative error of `t`, a logarithm times an exponent.

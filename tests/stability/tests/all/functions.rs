@@ -4,7 +4,7 @@
 
 use std::cmp::Ordering;
 
-use cpu::internals::math::dyadic::{Dyadic, sign_with_root, sign_with_roots};
+use cpu::internals::math::dyadic::{Dyadic, sign_with_sqrt, sign_with_two_sqrts};
 use cpu::internals::math::{power::power, tangent::tangent};
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -148,8 +148,8 @@ fn sums_products_and_signs_of_dyadic_numbers_are_right() {
         check_sign(sum.sign(), &(big(y) * big(z) + big(x)), of);
         zeros += usize::from(sum.sign() == Ordering::Equal);
         let [of_y, of_z] = [big(y) * big(d).sqrt(), big(z) * big(e).sqrt()];
-        check_sign(sign_with_root(&exact(one_root), &exact(y), &exact(d)), &(big(one_root) + &of_y), of);
-        let sign = sign_with_roots(&exact(two_roots), (&exact(y), &exact(d)), (&exact(z), &exact(e)));
+        check_sign(sign_with_sqrt(&exact(one_root), &exact(y), &exact(d)), &(big(one_root) + &of_y), of);
+        let sign = sign_with_two_sqrts(&exact(two_roots), (&exact(y), &exact(d)), (&exact(z), &exact(e)));
         check_sign(sign, &(big(two_roots) + of_y + of_z), of);
     }
     assert!(zeros > cases() / 3 && zeros < cases(), "{zeros}");

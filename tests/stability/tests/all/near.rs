@@ -4,7 +4,7 @@
 
 use cpu::internals::accel::closest_hit::ClosestHit;
 use cpu::internals::accel::every_object::intersect_every_object;
-use cpu::internals::accel::object::order_of;
+use cpu::internals::accel::object::file_index_of;
 use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::geometry::tie::{is_closer, rank};
@@ -26,7 +26,7 @@ fn found(NearCase { shapes, ray }: &NearCase) -> Option<(usize, CylinderPart)> {
     let scene = Scene { materials: vec![Material::Matte { reflectance: Vec3::ONE }], objects };
     let objects = AosObjects::build(&scene).expect("it fits");
     let hit: ClosestHit = intersect_every_object(&objects, *ray);
-    hit.is_hit().then(|| (order_of(&objects, hit.object) as usize, hit.part))
+    hit.is_hit().then(|| (file_index_of(&objects, hit.object) as usize, hit.part))
 }
 
 /// Returns what [`found`] would return if it compared the rounded lambdas.

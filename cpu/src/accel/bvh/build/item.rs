@@ -77,7 +77,7 @@ impl Item {
 
 /// A part of the list of items, which becomes one child.
 #[derive(Clone, Copy, Debug)]
-pub struct Range {
+pub struct ItemRange {
     /// The index of the first item.
     pub from: usize,
     /// The index behind the last item.
@@ -88,7 +88,7 @@ pub struct Range {
     pub middles: PackedBounds,
 }
 
-impl Range {
+impl ItemRange {
     /// Returns the range of the items from index `from` to before index `to`.
     pub(crate) fn new(items: &[Item], from: usize, to: usize) -> Self {
         let (mut bounds, mut middles) = (PackedBounds::EMPTY, PackedBounds::EMPTY);

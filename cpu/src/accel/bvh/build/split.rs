@@ -1,7 +1,7 @@
 //! Splits ranges of items by the surface area heuristic: the number of rays that hit a box is proportional to its
 //! surface area.
 
-use crate::accel::bvh::build::item::{Item, PackedBounds, Range};
+use crate::accel::bvh::build::item::{Item, ItemRange, PackedBounds};
 use crate::accel::bvh::planes::WIDTH;
 
 /// Number of bins along the axis of a split.
@@ -39,18 +39,18 @@ impl Bin {
     }
 
     /// Returns the range of the bin's items, which begin at the index `from`.
-    const fn range(&self, from: usize) -> Range {
-        Range { from, to: from + self.count, bounds: self.bounds, middles: self.middles }
+    const fn range(&self, from: usize) -> ItemRange {
+        ItemRange { from, to: from + self.count, bounds: self.bounds, middles: self.middles }
     }
 }
 
 /// Splits the range in `children[0]` into several ranges. It always splits the child whose surface area times its
 /// number of objects is the largest, until all of `children` are used or every child has at most [`WIDTH`] objects.
 /// Returns the number of children.
-pub(crate) fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
+pub(crate) fn split_into_children(items: &mut [Item], children: &mut [ItemRange], depth: u32) -> usize {
     let mut count = 1;
     while count < children.len() {
-        let priority = |range: &Range| range.bounds.unpacked().half_area() * range.count() as f32;
+        let priority = |range: &ItemRange| range.bounds.unpacked().half_area() * range.count() as f32;
         let splittable = children[..count].iter().enumerate().filter(|(_, range)| range.count() > WIDTH);
         let Some((worst, _)) = splittable.max_by(|left, right| priority(left.1).total_cmp(&priority(right.1))) else {
             break;
@@ -65,17 +65,17 @@ pub(crate) fn split_into_children(items: &mut [Item], children: &mut [Range], de
 
 /// Replaces the smallest of the first `count` children by their objects, as long as there are free lanes. This saves
 /// nodes, and visits of nodes. Returns the number of children.
-pub(crate) fn dissolve_small_children(items: &[Item], children: &mut [Range; WIDTH], mut count: usize) -> usize {
+pub(crate) fn dissolve_small_children(items: &[Item], children: &mut [ItemRange; WIDTH], mut count: usize) -> usize {
     loop {
         let small = (0..count).filter(|&at| children[at].count() > 1);
         let Some(smallest) = small.min_by_key(|&at| children[at].count()) else { return count };
-        let Range { from, to, .. } = children[smallest];
+        let ItemRange { from, to, .. } = children[smallest];
         if count - 1 + to - from > WIDTH {
             return count;
         }
-        children[smallest] = Range::new(items, from, from + 1);
+        children[smallest] = ItemRange::new(items, from, from + 1);
         for at in from + 1..to {
-            children[count] = Range::new(items, at, at + 1);
+            children[count] = ItemRange::new(items, at, at + 1);
             count += 1;
         }
     }
@@ -83,7 +83,7 @@ pub(crate) fn dissolve_small_children(items: &[Item], children: &mut [Range; WID
 
 /// Splits a range of at least two items into two ranges that are not empty, by the surface area heuristic. From the
 /// depth [`MOST_SAH_DEPTH`] on, or if all items are in one bin, it splits into halves. The items are reordered.
-fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
+fn split(items: &mut [Item], range: &ItemRange, depth: u32) -> [ItemRange; 2] {
     let part = &mut items[range.from..range.to];
     let axis = range.middles.unpacked().longest_axis();
     let (low, high) = (range.middles.low[axis], -range.middles.minus_high[axis]);
@@ -108,7 +108,7 @@ fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
     let key = |item: &Item| item.twice_middle(axis);
     part.select_nth_unstable_by(middle, |left, right| key(left).total_cmp(&key(right)));
     let middle = range.from + middle;
-    [Range::new(items, range.from, middle), Range::new(items, middle, range.to)]
+    [ItemRange::new(items, range.from, middle), ItemRange::new(items, middle, range.to)]
 }
 
 /// Returns the split with the lowest cost: the last bin of the left part, and both parts. Returns `None` if all items

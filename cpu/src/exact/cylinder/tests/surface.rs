@@ -139,7 +139,7 @@ impl SideFormulas<f64> for Known<'_> {
         let (before, after) = (in_range && lambda < near, in_range && far < lambda);
         Crossing {
             lambda,
-            error: 0.0,
+            error_bound: 0.0,
             hits,
             straight: hits && known == 2 && near < 0.0 && 0.0 < far,
             behind: known > 0 && lambda < LAMBDA_MIN,
@@ -156,7 +156,15 @@ impl CapFormulas<f64> for Known<'_> {
         let (lambda, known, slope) = (order.caps[place], facts.caps[place], ray.direction.z);
         let fails = known && (order.skipped || lambda < LAMBDA_MIN);
         let not_parallel = known && !order.skipped;
-        CapPlane { center, to_plane: lambda * slope, slope, fails, not_parallel, accurate: not_parallel, error: 0.0 }
+        CapPlane {
+            center,
+            to_plane: lambda * slope,
+            slope,
+            fails,
+            not_parallel,
+            accurate: not_parallel,
+            error_bound: 0.0,
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use cpu::Vec3;
 use cpu::internals::exact::cylinder_decision::{CYLINDER_BOUND, CapPlane};
 use cpu::internals::exact::cylinder_plain::LEAST_SIZE;
-use cpu::internals::exact::error_bound::{LONGEST, NUMERATOR_WEIGHT};
+use cpu::internals::exact::error_bound::{LARGEST_IN_SCALE, NUMERATOR_WEIGHT};
 use cpu::internals::exact::order::is_certainly_closer;
 use cpu::internals::exact::sphere_filter::SPHERE_BOUND;
 use cpu::internals::geometry::sphere::SphereRecord;
@@ -330,7 +330,7 @@ fn long_side() -> Proof {
     let least = dyadic(LEAST_SIZE * LEAST_SIZE / 2.0);
     let text = format!(
         "{{ a in [1b-1074,{}] /\\ a * x >= {least} /\\ x in [0,1b1023] -> x >= {} }}\nx -> a * x / a {{ a <> 0 }};\n",
-        dyadic(LONGEST),
+        dyadic(LARGEST_IN_SCALE),
         dyadic(f64::MIN_POSITIVE)
     );
     Proof { row: "underflow of a long side", what: "the smaller factor of the square of m", text }
