@@ -21,8 +21,8 @@
 //! slow and plain: start reading there. The real renderer, [`render()`], takes every shortcut that gives the same
 //! bytes.
 //!
-//! A program that uses this crate needs the profile of this workspace: with Cargo's own (no `lto`, 16 codegen units) a
-//! picture takes 1.5 to 2.9 times as long (docs/measurements/flags.txt).
+//! A program that uses this crate needs the profile of this workspace. With Cargo's own (no `lto`, 16 codegen units)
+//! the compiler inlines less, so pictures take much longer (docs/measurements/flags.txt).
 //!
 //! The feature `internals` makes every module public, for the project's own tests, tools and measurements. These
 //! modules may change at any time.

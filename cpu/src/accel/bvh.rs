@@ -32,9 +32,10 @@ use std::ops::Range;
 /// isolated, because the search would take as long as building the tree.
 const MOST_FOR_ISOLATION: usize = 1 << 17;
 
-/// Maximum number of objects for which the nodes have the boxes of the form [`FloatBoxes`](boxes::FloatBoxes). With up
-/// to 100,000 objects these are up to a fifth faster than [`ByteBoxes`](byte_boxes::ByteBoxes). With a million objects,
-/// which fit into no cache, they are slower by a tenth to a quarter (bench/src/bin/nearest.rs).
+/// Maximum number of objects for which the nodes have the boxes of the form [`FloatBoxes`](boxes::FloatBoxes). These
+/// are tested with fewer operations than [`ByteBoxes`](byte_boxes::ByteBoxes), so they are faster while the tree fits
+/// into a cache. A larger tree waits for memory, of which bytes take less (docs/experiments.md, column "wide boxes,
+/// against bytes"; bench/src/bin/nearest.rs).
 pub const MOST_IN_FLOAT_BOXES: usize = 200_000;
 
 /// The tree over all objects of a scene but the dominant sphere, which is tested separately.

@@ -1,8 +1,13 @@
 //! The closest hit found so far, for one ray. `render/hit_lanes.rs` has the closest hits of several rays at once.
 //!
-//! The first half decides which of two hits is closer: [`ClosestHit::update`] by the computed lambdas, and if they are
-//! near to each other, [`is_exactly_closer`] by the exact ones. The next file to read is [`exact::order`], which
-//! compares lambdas, and the last one is [`tie`], for equal lambdas. The second half intersects objects.
+//! Which of two hits is closer? Read three files, in this order, each from top to bottom:
+//!
+//! 1. `accel/closest_hit.rs`, the first half of this file: [`ClosestHit::update`] decides by the computed lambdas. If
+//!    they are near to each other, [`is_exactly_closer`] decides by the exact ones.
+//! 2. `exact/order.rs`: compares near lambdas, in four steps.
+//! 3. `geometry/tie.rs`: the rule for equal lambdas.
+//!
+//! The second half of this file intersects objects.
 
 use std::cmp::Ordering;
 

@@ -5,8 +5,12 @@
 //! 2. [`compensated`]: [formulas](crate::exact::cylinder_compensated) in which less cancels.
 //! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is below, because it says what is decided.
 //!
-//! In the first two steps [`decide`] decides, and its file is the one to read next. Then read the formulas of step 1.
-//! Those of step 2 give the same kinds of facts.
+//! How is one hit of a cylinder decided? Read three files, in this order, each from top to bottom:
+//!
+//! 1. `exact/cylinder.rs`, this file: the ladder, and step 3, which has no rounding;
+//! 2. `exact/cylinder_decision.rs`: how [`decide`] decides in steps 1 and 2, by what is certain about side and caps;
+//! 3. `exact/cylinder_plain.rs`: the formulas of step 1, with their error bounds. Those of step 2 give the same kinds
+//!    of facts.
 //!
 //! Let `O + lambda d` be the ray, `C` the cylinder's centre, `V` the axis of the scene file, and `q = O - C`. The
 //! formulas of step 3 are multiplied by `V.V`, so that they need no unit vector:

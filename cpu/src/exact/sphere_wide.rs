@@ -1,6 +1,6 @@
 //! Intersects ray and sphere in [double-double](DoubleDouble) arithmetic. It serves spheres that are so large or so far
-//! away that the [compensated](crate::exact::sphere_compensated) formulas are uncertain about most rays. It takes a
-//! quarter of the time of dyadic arithmetic, because its numbers have a fixed size.
+//! away that the [compensated](crate::exact::sphere_compensated) formulas are uncertain about most rays. It takes
+//! less time than dyadic arithmetic, because its numbers have a fixed size.
 //!
 //! With `m` for the component of `C - O` of largest magnitude, and `p` and `q` for the others, the constant coefficient
 //! is `c = (|m| - r) (|m| + r) + p^2 + q^2`. Components of `C - O` have no rounding error, and the first difference

@@ -68,8 +68,8 @@ impl<T: Real> SphereRecord<T> {
 
 impl SphereRecord {
     /// Returns the bits of [`SphereRecord::outward`]. If the radius is a power of two, this multiplies by its
-    /// reciprocal, which is exact. A product has a third of the latency of a quotient, and the next ray of a path waits
-    /// for the normal.
+    /// reciprocal, which is exact. A product has a lower latency than a quotient, and the next ray of a path waits for
+    /// the normal.
     #[inline(always)]
     pub(crate) fn outward_by_reciprocal(&self, point: Vec3) -> Vec3 {
         // Only the significand's leading bit is set, which is not stored. A subnormal radius fails this test.

@@ -53,7 +53,7 @@ impl Limits {
     #[cfg(feature = "internals")]
     #[must_use]
     pub fn prompt(objects: usize) -> Self {
-        // So many tests of camera rays, several at once, take some 40 ms without SIMD, and less with it.
+        // So many tests of camera rays, several at once, take less than a tenth of a second, also without SIMD.
         const TESTS: usize = 1 << 23;
         const FEW: usize = 1000;
 

@@ -5,9 +5,9 @@
 //! The crate `rand_mt` is the generator.
 //!
 //! [`crate::reference`] and tests draw from this stream. Pictures draw from [`crate::sampling::block`], a second
-//! generator that gives the same stream in blocks, because it renews its state in lanes: with `rand_mt` a picture whose
-//! time goes into random numbers takes nearly twice as long (docs/experiments.md, row "random numbers in blocks"). The
-//! test `the_stream_is_rand_mts` compares 10^8 draws of both.
+//! generator that gives the same stream in blocks, because it renews its state in lanes: `rand_mt` makes
+//! one number at a time (docs/experiments.md, row "random numbers in blocks"). The test `the_stream_is_rand_mts`
+//! compares 10^8 draws of both.
 
 use rand_mt::Mt64;
 

@@ -48,7 +48,7 @@ impl InstructionSet {
     }
 
     /// Whether this machine has the instruction set. The features are detected only once. Each uncertain ray runs a
-    /// kernel of its own, and a detection would take a quarter of the kernel's time.
+    /// kernel of its own, and a detection would take a large part of the kernel's time.
     pub fn is_available(self) -> bool {
         static AVAILABLE: LazyLock<[bool; InstructionSet::ALL.len()]> =
             LazyLock::new(|| InstructionSet::ALL.map(InstructionSet::is_detected));

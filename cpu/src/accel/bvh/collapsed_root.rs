@@ -1,9 +1,9 @@
 //! The collapsed root: one list of up to 64 boxes, which a ray tests instead of the root and its children. Most of them
 //! are the boxes of the children's children.
 //!
-//! A traversal is bound by latency: the next node is known after some sixty cycles. Testing up to four nodes together
-//! takes hardly longer than testing one, with at least [`LEAST_LANES`] lanes. So the collapsed root saves the time of a
-//! level.
+//! A traversal is bound by latency: the next node is known only after the test of the one before. Testing up to four
+//! nodes together takes hardly longer than testing one, with at least [`LEAST_LANES`] lanes. So the collapsed root
+//! saves the time of a level (docs/experiments.md, row "collapsed root").
 
 use crate::accel::{
     bounds::Bounds, bvh::boxes::Boxes, bvh::boxes::FloatBoxes, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Kind,
