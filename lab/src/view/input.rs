@@ -73,7 +73,7 @@ impl Input {
     /// Returns the bytes of the file.
     ///
     /// # Errors
-    /// Those of [`LimitedFile::open`] and [`content`].
+    /// Those of [`Input::open`] and [`content`].
     pub fn read(&self) -> io::Result<Vec<u8>> {
         let (file, length) = self.open()?;
         content(file, length)
