@@ -13,8 +13,8 @@
 pub(crate) mod accumulation;
 pub(crate) mod arrays;
 pub mod background;
+pub mod background_derivative;
 pub mod background_pixels;
-pub mod background_slope;
 pub(crate) mod boxed;
 pub mod camera_rays;
 pub(crate) mod compensated_lanes;

@@ -3,23 +3,23 @@
 use crate::accel::{object::ObjectId, object::ObjectRef};
 use crate::{geometry::cylinder::CylinderRecord, layout::Objects, math::real::Real, math::vec3::Vec3};
 
-/// Returns at least the extent along a direction of a disc of radius 1. `along` is the dot product of the direction and
-/// the disc's axis, both of length one.
+/// Returns at least the half width along a direction of a disc of radius 1: how far the disc reaches from its centre.
+/// `along` is the dot product of the direction and the disc's axis, both of length one.
 #[inline(always)]
-pub fn extent_of_disc<T: Real>(along: T) -> T {
+pub fn half_width_of_disc<T: Real>(along: T) -> T {
     let across = T::of(1.0) - along * along;
     T::select(T::of(0.0).less(across), across, T::of(0.0)).sqrt() + T::of(DISC_MARGIN)
 }
 
-/// If a component of the axis is close to 1, the difference in [`extent_of_disc`] cancels. The error of its root is at
-/// most the root of its error, which this covers.
+/// If a component of the axis is close to 1, the difference in [`half_width_of_disc`] cancels. The error of its root is
+/// at most the root of its error, which this covers.
 pub const DISC_MARGIN: f64 = 1e-7;
 
-/// Returns how far a cylinder reaches from its centre along a direction. `along` is the dot product of the direction
-/// and the cylinder's axis, both of length one.
+/// Returns the half width of a cylinder along a direction: how far it reaches from its centre. `along` is the dot
+/// product of the direction and the cylinder's axis, both of length one.
 #[inline(always)]
-pub fn extent_of_cylinder<T: Real>(along: T, half_height: T, radius: T) -> T {
-    half_height * along.abs() + radius * extent_of_disc(along)
+pub fn half_width_of_cylinder<T: Real>(along: T, half_height: T, radius: T) -> T {
+    half_height * along.abs() + radius * half_width_of_disc(along)
 }
 
 /// The part by which the half sizes of boxes are enlarged, to cover their rounding. The rounding to single precision,
@@ -100,7 +100,7 @@ impl Bounds {
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index).record;
                 let CylinderRecord { axis, half_height, radius, .. } = cylinder;
-                let half_size = axis.map(|along| extent_of_cylinder(along, half_height, radius));
+                let half_size = axis.map(|along| half_width_of_cylinder(along, half_height, radius));
                 Self::around(cylinder.center, half_size)
             }
         }
@@ -195,8 +195,8 @@ mod tests {
 
     #[test]
     fn a_disc_reaches_by_the_sine_of_its_tilt() {
-        for (along, extent) in [(0.0, 1.0), (0.6, 0.8), (-0.6, 0.8), (1.0, 0.0), (1.0_f64.next_up(), 0.0)] {
-            assert!((extent..extent + 2e-7).contains(&extent_of_disc(along)), "{along}");
+        for (along, half_width) in [(0.0, 1.0), (0.6, 0.8), (-0.6, 0.8), (1.0, 0.0), (1.0_f64.next_up(), 0.0)] {
+            assert!((half_width..half_width + 2e-7).contains(&half_width_of_disc(along)), "{along}");
         }
     }
 }

@@ -4,7 +4,8 @@
 //! 1. A span is a part of a row, of up to 32 pixels. Its candidates are the objects that frustum culling leaves. If a
 //!    span has no candidates and only whole pixels, and bytes are wanted and not means, it is rendered here.
 //!    `render.rs` decides this, and `FindBytes` in `render/stages.rs` asks for one pixel after the other.
-//! 2. The mean of a channel lies in an interval, which follows from the [derivative](crate::render::background_slope)
+//! 2. The mean of a channel lies in an interval, which follows from the
+//!    [derivative](crate::render::background_derivative)
 //!    of the background. If all means in the interval give the same byte, that is the channel's byte, and no number is
 //!    drawn.
 //! 3. Otherwise the offsets of the samples are drawn, and their mean gives a smaller interval.
@@ -27,7 +28,7 @@ use crate::image::quantize::Quantizer;
 use crate::layout::Layout;
 use crate::math::real::Real;
 use crate::render::background::interval;
-use crate::render::background_slope::{DerivativeBound, PixelReach};
+use crate::render::background_derivative::{DerivativeBound, PixelReach};
 use crate::render::span::{Span, WIDEST};
 use crate::render::{prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;

@@ -18,7 +18,7 @@
 use crate::render::{hit_lanes::limited, prepared::Prepared, span::Span};
 
 use crate::{
-    accel::bounds::Bounds, accel::bounds::extent_of_cylinder, accel::object::ObjectId, accel::object::ObjectRef,
+    accel::bounds::Bounds, accel::bounds::half_width_of_cylinder, accel::object::ObjectId, accel::object::ObjectRef,
     accel::object::count, counters::Counter, counters::add, geometry::camera::Camera, geometry::camera::HALF_PIXEL,
     geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView, geometry::sphere::SphereRecord,
     geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS, layout::Objects,
@@ -78,11 +78,11 @@ impl Outline {
     /// nothing.
     fn may_overlap(&self, planes: &[HalfSpace; 2]) -> bool {
         let outside = |normal: &HalfSpace| {
-            let beyond = |extent: f64| is_beyond(*normal, self.center, extent, self.margin);
+            let beyond = |half_width: f64| is_beyond(*normal, self.center, half_width, self.margin);
             // A sphere around the centre decides for most cylinders, and for all spheres.
             beyond(self.radius + self.half_height)
                 || self.half_height > 0.0
-                    && beyond(extent_of_cylinder(normal.dot(self.axis), self.half_height, self.radius))
+                    && beyond(half_width_of_cylinder(normal.dot(self.axis), self.half_height, self.radius))
         };
         !planes.iter().any(outside)
     }
@@ -169,11 +169,11 @@ pub fn to_window<T: Real>(camera: &Camera<T>, row: T) -> Vec3<T> {
     camera.origin - camera.position + camera.delta_y * row
 }
 
-/// Whether an object certainly lies outside of a half-space. `center` is relative to the camera, and `extent` is how
-/// far the object reaches from there along the normal.
+/// Whether an object certainly lies outside of a half-space. `center` is relative to the camera, and `half_width` is
+/// how far the object reaches from there along the normal.
 #[inline(always)]
-pub fn is_beyond<T: Real>(normal: Vec3<T>, center: Vec3<T>, extent: T, margin: T) -> T::Mask {
-    normal.dot(center).less(-extent - margin)
+pub fn is_beyond<T: Real>(normal: Vec3<T>, center: Vec3<T>, half_width: T, margin: T) -> T::Mask {
+    normal.dot(center).less(-half_width - margin)
 }
 
 /// Returns the margin of an object at this distance from the camera, for a turn of its rays.
@@ -296,15 +296,15 @@ mod tests {
     }
 
     #[test]
-    fn planes_and_extents_are_those_of_geometry() {
+    fn planes_and_half_widths_are_those_of_geometry() {
         let config = Config { image_width: 4, aspect_ratio: [2, 1], ..Config::default() };
         let camera = Camera::new(&config, config.image_size().expect("it has a size")).expect("there is a window");
         // The window is in the plane z = 0, and the camera at z = -10.
         assert!((to_window(&camera, 1.0) - Vec3::new(15.0, -5.0, 10.0)).length() < 1e-12);
         assert!(is_beyond(LEFT, Vec3::new(-3.0, 9.0, 9.0), 2.0, 0.5));
         assert!(!is_beyond(LEFT, Vec3::new(-3.0, 9.0, 9.0), 2.5, 0.5), "the margin reaches the plane");
-        let extent = extent_of_cylinder(LEFT.dot(Vec3::new(0.6, 0.8, 0.0)), 2.0, 1.0);
-        assert!((2.0..2.000_001).contains(&extent), "0.6 of 2, and 0.8 of 1: {extent}");
+        let half_width = half_width_of_cylinder(LEFT.dot(Vec3::new(0.6, 0.8, 0.0)), 2.0, 1.0);
+        assert!((2.0..2.000_001).contains(&half_width), "0.6 of 2, and 0.8 of 1: {half_width}");
     }
 
     #[test]

@@ -21,7 +21,7 @@ fn exact_plane_new(cylinder: CylinderRecord, ray: Ray, center: vec3<real>) -> Ex
 
 // Plane::size: returns the size of the terms that cancel in the distance of a cap's plane.
 fn exact_plane_size(cylinder: CylinderRecord, to_center: vec3<real>) -> real {
-    return exact_extent_of_axis(cylinder) + exact_magnitude(to_center);
+    return exact_reach_of_axis(cylinder) + exact_magnitude(to_center);
 }
 
 // Plane::at: returns the plane for its distance. The factors are 8 and 16 times 2^-53, and 4 and 8 times the condition

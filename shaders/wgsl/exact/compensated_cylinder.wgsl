@@ -33,15 +33,15 @@ fn exact_side_terms(cylinder: CylinderRecord, axis: vec3<real>, ray: Ray) -> Exa
     let a = vec3_dot(p, p);
     let squares = exact_difference_of_squares(parts, exact_rim(cylinder.radius, axis));
     let far = distance_squared * axis_squared;
-    let terms_of_h = sqrt(a * (squares.sum + far * real(8.077935669463161e-28)));
+    let size_of_h = sqrt(a * (squares.sum + far * real(8.077935669463161e-28)));
     let aside = vec3_dot(from_center, p) + vec3_dot(difference.error, p);
     let of_radius = a * cylinder.radius_squared;
     let reach = a * distance_squared;
     let size = of_radius + (abs(aside) * sqrt(reach) + reach * real(2.220446049250313e-16));
     let h = -vec3_dot(q, p);
-    let terms_of_c = squares.sum + far * real(4.0);
+    let size_of_c = squares.sum + far * real(4.0);
     return ExactSideTerms(
-        CompensatedQuadratic(a, h, squares.difference, terms_of_c, terms_of_h),
+        CompensatedQuadratic(a, h, squares.difference, size_of_c, size_of_h),
         CompensatedDiscriminant(axis_squared * (of_radius - aside * aside), axis_squared * size),
         from_center,
         exact_in_scale(axis_squared) && exact_in_scale(a) && exact_in_scale(squares.sum),

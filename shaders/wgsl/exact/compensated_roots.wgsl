@@ -12,8 +12,8 @@ struct CompensatedQuadratic {
     a: real,
     h: real,
     c: real,
-    terms_of_c: real,
-    terms_of_h: real,
+    size_of_c: real,
+    size_of_h: real,
 }
 
 // Discriminant: the discriminant, and the size of its terms.
@@ -54,21 +54,21 @@ fn exact_difference_of_squares(q: ExactVector, s: ExactSum) -> SquareTerms {
 
 // Quadratic::near: returns `h^2 - a c`. The bound of the error of `c` is 64 times 2^-53 of its terms.
 fn compensated_near(quadratic: CompensatedQuadratic) -> CompensatedDiscriminant {
-    let lost = quadratic.terms_of_c * real(7.105427357601002e-15);
-    let size = abs(quadratic.h) * quadratic.terms_of_h + quadratic.a * (abs(quadratic.c) + lost);
+    let lost = quadratic.size_of_c * real(7.105427357601002e-15);
+    let size = abs(quadratic.h) * quadratic.size_of_h + quadratic.a * (abs(quadratic.c) + lost);
     return CompensatedDiscriminant(quadratic.h * quadratic.h - quadratic.a * quadratic.c, size);
 }
 
 // Quadratic::error_of_c: returns the bound of the error of `c` that is not relative to `c`. The factor is 64 * 2^-106.
 fn compensated_error_of_c(quadratic: CompensatedQuadratic) -> real {
-    return quadratic.terms_of_c * real(7.888609052210118e-31) + ERROR_UNDERFLOW;
+    return quadratic.size_of_c * real(7.888609052210118e-31) + ERROR_UNDERFLOW;
 }
 
 // Quadratic::leaves: returns whether both roots certainly are below LAMBDA_MIN, because the ray starts near the surface
 // and moves away from the middle. The condition limit is 4,096.
 fn compensated_leaves(quadratic: CompensatedQuadratic) -> bool {
     let size = abs(quadratic.h);
-    let h_is_accurate = quadratic.terms_of_h < size * real(4096.0);
+    let h_is_accurate = quadratic.size_of_h < size * real(4096.0);
     let c = abs(quadratic.c) + compensated_error_of_c(quadratic);
     return quadratic.h < real(0.0) && h_is_accurate && c < size * exact_sphere_limits().least;
 }
@@ -84,7 +84,7 @@ fn compensated_roots(quadratic: CompensatedQuadratic, discriminant: CompensatedD
     let root = sqrt(discriminant.value);
     let w = abs(h) + root;
     let error = size * limits.error + ERROR_UNDERFLOW;
-    let h_is_accurate = quadratic.terms_of_h < w * real(4096.0);
+    let h_is_accurate = quadratic.size_of_h < w * real(4096.0);
     let root_is_accurate = error < discriminant.value && size < root * w * real(4096.0);
     let error_of_c = compensated_error_of_c(quadratic);
     let c_is_accurate = error_of_c * real(2199023255552.0) < c;
@@ -93,7 +93,7 @@ fn compensated_roots(quadratic: CompensatedQuadratic, discriminant: CompensatedD
     let signed_c = select(quadratic.c, -quadratic.c, backward);
     return CompensatedRoots(
         w,
-        (size / root + quadratic.terms_of_h) / w,
+        (size / root + quadratic.size_of_h) / w,
         error_of_c,
         error < -discriminant.value,
         h_is_accurate && root_is_accurate && size < ERROR_OVERFLOW,

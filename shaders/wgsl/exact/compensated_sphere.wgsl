@@ -24,7 +24,7 @@ fn exact_far_discriminant(terms: ExactTerms) -> CompensatedDiscriminant {
     let across = exact_cross(terms.r_c.rounded, terms.direction) + exact_cross(terms.r_c.error, terms.direction);
     let of_radius = a * terms.radius_squared;
     let of_distance = vec3_dot(across, across);
-    let size = of_radius + (of_distance + a * terms.quadratic.terms_of_c * real(8.077935669463161e-28));
+    let size = of_radius + (of_distance + a * terms.quadratic.size_of_c * real(8.077935669463161e-28));
     return CompensatedDiscriminant(of_radius - of_distance, size);
 }
 

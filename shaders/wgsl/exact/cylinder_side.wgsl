@@ -12,15 +12,15 @@ fn exact_magnitude(v: vec3<real>) -> real {
     return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
-// extent_of_axis: returns an upper bound of the coordinates of points on the axis.
-fn exact_extent_of_axis(cylinder: CylinderRecord) -> real {
+// reach_of_axis: returns an upper bound of the coordinates of points on the axis.
+fn exact_reach_of_axis(cylinder: CylinderRecord) -> real {
     return exact_magnitude(cylinder.center) + cylinder.half_height + EXTENT_UNDERFLOW;
 }
 
 // margin: returns a bound of the distance by which rounding moves the ray's point. `error` is twice the bound of the
 // error of lambda, or more. The factor is 64 * 2^-53.
 fn exact_cylinder_margin(cylinder: CylinderRecord, ray: Ray, error: real) -> real {
-    let extent = exact_extent_of_axis(cylinder) + cylinder.radius;
+    let extent = exact_reach_of_axis(cylinder) + cylinder.radius;
     return error * exact_magnitude(ray.direction) + extent * real(7.105427357601002e-15);
 }
 

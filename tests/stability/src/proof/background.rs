@@ -4,8 +4,8 @@
 use cpu::Vec3;
 use cpu::internals::geometry::camera::Camera;
 use cpu::internals::render::background::{Background, interval};
+use cpu::internals::render::background_derivative::{DerivativeBound, PixelReach};
 use cpu::internals::render::background_pixels::rounding;
-use cpu::internals::render::background_slope::{DerivativeBound, PixelReach};
 use cpu::internals::render::ray_error::RayError;
 
 use super::bounded::{Bounded, begin};
@@ -53,7 +53,7 @@ fn of_remainder() -> Row {
     let [.., remainder] = DerivativeBound::new(&camera, 0.0, 0.0, reach).numbers();
     remainder_is_at_most(NEEDED_REMAINDER).expect("the second derivative is not larger");
     let factors = [remainder, NEEDED_REMAINDER].map(|factor| factor * 1000.0);
-    Row::new("remainder of a background", "render/background_slope.rs", factors, "10^-3 abs(e)^2 / abs(d)^2")
+    Row::new("remainder of a background", "render/background_derivative.rs", factors, "10^-3 abs(e)^2 / abs(d)^2")
 }
 
 /// A camera with a pixel of no size at the distance 1.

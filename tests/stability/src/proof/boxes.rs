@@ -3,7 +3,9 @@
 //! Steps are powers of two, so a product with a step is exact short of underflow. Here every step is 1, and a number of
 //! steps is a distance. It is at most twice the largest coordinate `P`, and a step of up to a 127th of that.
 
-use cpu::internals::accel::bounds::{Bounds, DISC_MARGIN, ENLARGEMENT, above, extent_of_cylinder, extent_of_disc};
+use cpu::internals::accel::bounds::{
+    Bounds, DISC_MARGIN, ENLARGEMENT, above, half_width_of_cylinder, half_width_of_disc,
+};
 use cpu::internals::accel::bvh::farthest_for;
 use cpu::internals::accel::bvh::planes::{Planes, WIDTH};
 use cpu::internals::accel::bvh::slab_ray::{
@@ -57,26 +59,26 @@ pub fn rows() -> Vec<Row> {
     rows
 }
 
-/// Returns the rows of the extent of a disc, and of the half sizes of boxes.
+/// Returns the rows of the half width of a disc, and of the half sizes of boxes.
 ///
 /// With an error `e` of the difference `x`, `sqrt(x)` is at most `sqrt(x - e) + sqrt(e)`. The root and the sum are
 /// rounded once each, which adds at most `3 u`.
 fn disc() -> [Row; 2] {
     begin(Arithmetic::F64, DISC_MARGIN);
     let (axis, half_height) = axis_and_half_height();
-    let extent = extent_of_disc(axis.x);
+    let half_width = half_width_of_disc(axis.x);
     let [[_, across]] = compared()[..] else { unreachable!("a disc compares one number") };
     let one = Polynomial::constant(1.0);
     let error = relative_to_sizes(&across.bounds().error, 0.0, std::slice::from_ref(&one), 1.0);
-    let constant = added(extent, &one, DISC_MARGIN, 1e-9);
+    let constant = added(half_width, &one, DISC_MARGIN, 1e-9);
     let need = ((error * U).sqrt() + 3.0 * U) / 1e-9;
-    acts(extent, 1);
+    acts(half_width, 1);
     let file = "accel/bounds.rs";
     let disc = Row::new("boxes of the BVH", file, [constant, need], "10^-9 R");
-    // The computed extent of the disc is at least the exact one.
-    extent.assume_relative(one, 0.0);
-    forget_later(extent);
-    let half_size = extent_of_cylinder(axis.x, half_height, Bounded::number(RADIUS, 0.0));
+    // The computed half width of the disc is at least the exact one.
+    half_width.assume_relative(one, 0.0);
+    forget_later(half_width);
+    let half_size = half_width_of_cylinder(axis.x, half_height, Bounded::number(RADIUS, 0.0));
     let half_size = half_size * Bounded::constant(1.0 + ENLARGEMENT, 1.0);
     [disc, Row::new("half sizes of boxes", file, [ENLARGEMENT / U, half_size.raw().relative], "u")]
 }

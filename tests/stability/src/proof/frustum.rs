@@ -1,6 +1,6 @@
 //! The margin of frustum culling, in turns: bounds of the sine of the angle by which rounding turns a camera ray.
 
-use cpu::internals::accel::bounds::{extent_of_cylinder, extent_of_disc};
+use cpu::internals::accel::bounds::{half_width_of_cylinder, half_width_of_disc};
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::geometry::camera::Camera;
 use cpu::internals::math::real::Real;
@@ -72,11 +72,11 @@ fn of_comparisons() -> [f64; 2] {
     let [distance, radius, turn] = [TO_CENTER, RADIUS, TURN].map(|family| Bounded::number(family, 0.0));
     // The error of the normal is counted apart.
     let normal = Bounded::vector(NORMAL, 0.0);
-    // The computed extent of a disc is at least the exact one (row "boxes of the BVH"), which is at most 1.
-    extent_of_disc(normal.dot(axis)).assume_relative(Polynomial::constant(1.0), 0.0);
-    let extent = extent_of_cylinder(normal.dot(axis), half_height, radius);
+    // The computed half width of a disc is at least the exact one (row "boxes of the BVH"), which is at most 1.
+    half_width_of_disc(normal.dot(axis)).assume_relative(Polynomial::constant(1.0), 0.0);
+    let half_width = half_width_of_cylinder(normal.dot(axis), half_height, radius);
     let of_object = margin_of_object(turn, distance, radius, half_height);
-    _ = is_beyond(normal, center, radius + half_height, of_object) & is_beyond(normal, center, extent, of_object);
+    _ = is_beyond(normal, center, radius + half_height, of_object) & is_beyond(normal, center, half_width, of_object);
     let of_object = sum(&[TO_CENTER, RADIUS, HALF_HEIGHT].map(length));
     // The vector to a corner of a box is rounded like that to a centre.
     let of_box = margin_of_box(Bounded::of(TURNS) * turn, center.map(Real::abs));
