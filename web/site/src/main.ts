@@ -376,6 +376,7 @@ class Page {
         const field = element<HTMLInputElement>('link');
         field.value = text;
         element('link-line').hidden = false;
+        field.scrollIntoView({ block: 'nearest' });
         // The clipboard is missing where the page is not from a trusted origin.
         const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
         field.select();

@@ -213,7 +213,7 @@ export class Picture {
     /** Ends the worker. What it has already sent counts no more. */
     #stop(): void {
         if (this.#worker) {
-            this.#worker.onmessage = null;
+            this.#worker.onmessage = this.#worker.onerror = null;
             this.#worker.terminate();
             this.#worker = null;
         }

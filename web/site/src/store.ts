@@ -95,20 +95,19 @@ export function earlier(): Earlier[] {
 
 /** Writes `value`. The oldest of the earlier texts give way if there is too little room. */
 function write(key: string, value: unknown): void {
-    for (;;) {
-        try {
-            localStorage.setItem(key, JSON.stringify(value));
-            return;
-        } catch (error) {
-            const rest = earlier().slice(0, -1);
-            if (key === EARLIER || !localStorage.getItem(EARLIER)) {
-                throw error;
-            }
-            localStorage.removeItem(EARLIER);
-            if (rest.length > 0) {
-                localStorage.setItem(EARLIER, JSON.stringify(rest));
-            }
+    try {
+        localStorage.setItem(key, JSON.stringify(value));
+    } catch (error) {
+        const isList = key === EARLIER;
+        const rest = (isList ? value as Earlier[] : earlier()).slice(0, -1);
+        if (isList ? rest.length === 0 : !localStorage.getItem(EARLIER)) {
+            throw error;
         }
+        if (!isList) {
+            localStorage.removeItem(EARLIER);
+            rest.length > 0 && localStorage.setItem(EARLIER, JSON.stringify(rest));
+        }
+        write(key, isList ? rest : value);
     }
 }
 
@@ -127,16 +126,5 @@ export function keep(texts: Current): void {
 export function keepEarlier(texts: Texts): void {
     const content = ({ config, scene, modules: edits }: Texts) => JSON.stringify([config, scene, edits ?? {}]);
     const others = earlier().filter((one) => content(one) !== content(texts));
-    let list: Earlier[] = [{ ...texts, time: Date.now() }, ...others].slice(0, MAX_EARLIER);
-    for (;;) {
-        try {
-            write(EARLIER, list);
-            return;
-        } catch (error) {
-            if (list.length === 1) {
-                throw error;
-            }
-            list = list.slice(0, -1);
-        }
-    }
+    write(EARLIER, [{ ...texts, time: Date.now() }, ...others].slice(0, MAX_EARLIER));
 }

@@ -161,7 +161,7 @@ const WORDS = {
     compareView: ['Show', 'Mostrar'],
     exactF64: ['the exact renderer (f64; most pixels round otherwise)',
         'el renderizador exacto (f64; casi todo píxel se redondea de otra forma)'],
-    rustF32: ['the same steps in Rust (f32)', 'Rust, mismos pasos (f32)'],
+    rustF32: ['Rust, same steps (f32)', 'Rust, mismos pasos (f32)'],
     viewBoth: ['both pictures', 'las dos imágenes'],
     viewLinear: ['difference, linear', 'diferencia, lineal'],
     viewUlps: ['difference, last places', 'diferencia, últimos lugares'],

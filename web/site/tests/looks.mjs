@@ -85,7 +85,7 @@ export const tests = {
         }
     },
 
-    async 'the help of each view is in sight in a low window'({ open, url }) {
+    async 'the help of each view and a link are in sight in a low window'({ open, url }) {
         for (const language of ['en', 'es']) {
             const page = await openLive(open, url, SCENE, { viewport: { width: 1366, height: 650 } });
             await page.selectOption('#language', language);
@@ -96,6 +96,11 @@ export const tests = {
                 check(height > 30 && y + height <= 650, `the help of ${name} in ${language} ends at ${y + height}`);
                 await shoot(page, `low-${name}-${language}`);
             }
+            await page.click('#tab-exact');
+            await page.click('#share');
+            await page.waitForFunction(() => document.getElementById('link').value !== '');
+            const link = await page.locator('#link').boundingBox();
+            check(link.y + link.height < 651, `the link in ${language} ends at ${link.y + link.height}`);
         }
     },
 

@@ -21,13 +21,6 @@ const [BATCH, TESTS] = [1 << 18, 2 ** 28];
 /** Largest size of a buffer in bytes that every device has. */
 const LARGEST = 1 << 27;
 
-/** Which bindings a kernel writes. */
-const WRITTEN: Record<Mode, readonly boolean[]> = {
-    image: [false, false, false, false, true, true, true],
-    accumulate: [false, false, false, false, true, true, false],
-    probe: [false, false, false, false, true, true, true],
-};
-
 /** The names of the modules that each mode needs, and the page's own text after them. */
 const ROOTS: Record<Mode, [roots: string[], own: string]> = {
     image: [['kernels/image'], ''],
@@ -102,7 +95,8 @@ export class Shaders {
         const [roots, own] = ROOTS[mode];
         const composition = compose(this.modules, roots, this.edits, this.#hierarchy !== null, own);
         const runnable = mode === 'probe' ? withoutEntry(composition) : composition;
-        return this.#compiled(runnable, mode, WRITTEN[mode], this.#constants());
+        const written = [false, false, false, false, true, true, mode !== 'accumulate'];
+        return this.#compiled(runnable, mode, written, this.#constants());
     }
 
     /** The hierarchy, if the rays use it: the user may have another module that loops over all objects. */
