@@ -77,17 +77,19 @@ export class PixelView {
     /** The scene in deterministic light, for the facts of which it was rendered. */
     #image: { facts: Facts; image: ImageData } | null = null;
     #source: Source | null = null;
+    #isRefused = false;
     /** The pixel of the exact picture that was followed last. */
     #clicked: Explained['place'] = null;
     #newest = 0;
 
     /**
-     * `find` returns the scene of the live view, for a place that is typed before a pixel has been clicked. `broken` is
-     * called when WebGPU does not work any more.
+     * `find` returns the scene of the live view, for a place that is typed before a pixel has been clicked. `refused` is
+     * called when a shader is wrong (null: when it is right again), and `broken` when WebGPU does not work any more.
      */
     constructor(
         private readonly names: readonly string[],
         private readonly find: () => Promise<Source | null>,
+        private readonly refused: (fault: Refused | null) => void,
         private readonly broken: (error: unknown) => void,
         private readonly goTo: (line: number) => void,
     ) {
@@ -162,6 +164,8 @@ export class PixelView {
             const wgsl = source.shaders ? await source.shaders.steps(pixel, this.names.length) : null;
             const probed = source.shaders ? await source.shaders.probed(pixel) : null;
             if (own === this.#newest) {
+                this.#isRefused && this.refused(null);
+                this.#isRefused = false;
                 this.#fill(rust, wgsl, definitions(source.scene));
                 element('pixel-probe').textContent = probed ? `probe: ${probed.map((value) => text(value, '')).join(', ')}` : '';
                 const paths = [this.#points(rust), wgsl && this.#points(wgsl)] as const;
@@ -175,7 +179,10 @@ export class PixelView {
             // The page must not show steps of an earlier version of the shaders.
             this.#clear();
             write(element('pixel-first'), () => messageOf(error));
-            if (source.shaders && !(error instanceof Refused || error instanceof Faulty)) {
+            if (error instanceof Refused) {
+                this.#isRefused = true;
+                this.refused(error);
+            } else if (source.shaders && !(error instanceof Faulty)) {
                 this.broken(error);
             }
         }

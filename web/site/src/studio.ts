@@ -222,18 +222,18 @@ export class Studio {
     }
 
     async #make(): Promise<Parts> {
+        const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
+        const broken = (error: unknown) => void this.#broken(error);
         const pixel = new PixelView(this.renderer.stepNames(), async () => {
             await this.#read(live);
             return await this.#settles(live) ? live.source : null;
-        }, (error) => void this.#broken(error), (line) => this.owner.goTo(line));
-        const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
+        }, refused, broken, (line) => this.owner.goTo(line));
         const follow = (source: Source | null | undefined, column: number, row: number) => {
             if (source) {
                 this.reveal('pixel-pane');
                 void pixel.show(source, column, row);
             }
         };
-        const broken = (error: unknown) => void this.#broken(error);
         const live: Live = new Live(new Preparer(this.module), {
             refused,
             broken,

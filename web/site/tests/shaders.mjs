@@ -64,6 +64,15 @@ export const tests = {
         await edit(page, 'if n > 5u { n = 0u; } n++; } let q = nothing;', 'if n > 5u { break; } n++; }');
         await frame(page, shown);
         equal(await page.textContent('#shader-faults'), '', 'no fault is left');
+        // The path of a pixel meets faults of the shaders too.
+        await page.click('#tab-pixel');
+        await page.waitForSelector('#pixel-steps .head');
+        await edit(page, 'let m =', 'let q = nothing; let m =');
+        await page.waitForFunction(() => document.querySelector('#shader-editor .cm-lintRange-error')?.textContent === 'nothing');
+        check((await page.textContent('#shader-faults')).includes('nothing'), 'the fault is listed');
+        await edit(page, 'let q = nothing; ', '');
+        await page.waitForSelector('#pixel-steps .head');
+        equal(await page.textContent('#shader-faults'), '', 'no fault is left');
     },
 
     async 'an edited module changes the live view, and a fault keeps the last good picture'({ open, url }) {
