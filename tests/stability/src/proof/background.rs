@@ -39,6 +39,9 @@ pub fn rows() -> [Row; 3] {
 /// The factor of the remainder that is proved.
 const NEEDED_REMAINDER: f64 = 0.59;
 
+/// A gradient that is the share of the dark colour.
+pub const GRADIENT: Background = Background { dark: Vec3::ONE, light: Vec3::ZERO };
+
 /// Returns the row of the remainder `k |e|^2 / (|d0| - |e|)^2` of the background's `s(d) = d.y / |d|`.
 ///
 /// By Taylor's theorem the remainder is half of the second derivative of `s` along `e` at a place between `d0` and
@@ -48,12 +51,17 @@ const NEEDED_REMAINDER: f64 = 0.59;
 /// # Panics
 /// If the proof fails, with the part of the box where it does.
 fn of_remainder() -> Row {
+    remainder_is_at_most(NEEDED_REMAINDER).expect("the second derivative is not larger");
+    let factors = [remainder_factor(), NEEDED_REMAINDER].map(|factor| factor * 1000.0);
+    Row::new("remainder of a background", "render/background_derivative.rs", factors, "10^-3 abs(e)^2 / abs(d)^2")
+}
+
+/// Returns the factor `k` in the code.
+pub fn remainder_factor() -> f64 {
     let (camera, reach) = (CAMERA, PixelReach::new(&Camera { delta_x: Vec3::new(1.0, 0.0, 0.0), ..CAMERA }, &EXACT));
     // A pixel's radius of 1/2 is as long as the shortest direction.
     let [.., remainder] = DerivativeBound::new(&camera, 0.0, 0.0, reach).numbers();
-    remainder_is_at_most(NEEDED_REMAINDER).expect("the second derivative is not larger");
-    let factors = [remainder, NEEDED_REMAINDER].map(|factor| factor * 1000.0);
-    Row::new("remainder of a background", "render/background_derivative.rs", factors, "10^-3 abs(e)^2 / abs(d)^2")
+    remainder
 }
 
 /// A camera with a pixel of no size at the distance 1.
@@ -75,7 +83,7 @@ const EXACT: RayError = RayError { length: 0.0, turn: 0.0 };
 /// Numbers for which the largest bound that this method finds exceeds `limit`.
 pub fn remainder_is_at_most(limit: f64) -> Result<usize, [Interval; 2]> {
     let [zero, one] = [0.0, 1.0].map(Interval::of);
-    let gradient = Background { dark: Vec3::ONE, light: Vec3::ZERO }.lanes();
+    let gradient = GRADIENT.lanes();
     let second = |d: [Interval; 3], e: [Interval; 3]| {
         let [x, y, z] = [0, 1, 2].map(|axis| Ruled(Taylor([d[axis], e[axis], zero])));
         // The share of the dark colour is `(s + 1) / 2`.

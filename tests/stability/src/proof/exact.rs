@@ -25,7 +25,7 @@ use super::row::{
 #[must_use]
 pub fn rows() -> Vec<Row> {
     let sphere = quadratic(sphere_filter::SPHERE_BOUND, "exact/sphere_filter.rs", sphere);
-    let cylinder = quadratic(CYLINDER_BOUND, "exact/cylinder_decision.rs", || cylinder(false));
+    let cylinder = side_errors();
     let [sphere_lambda, side_lambda] = [sphere.lambda(0.0), cylinder.lambda(cylinder.a / 2.0 * 2.0_f64.sqrt())];
     let mut rows = Vec::new();
     for (quadratic, lambda, names) in [
@@ -87,6 +87,11 @@ pub fn rows() -> Vec<Row> {
     }
     rows.extend(of_parts);
     rows
+}
+
+/// Returns the errors of the side of a cylinder.
+pub fn side_errors() -> QuadraticErrors {
+    quadratic(CYLINDER_BOUND, "exact/cylinder_decision.rs", || cylinder(false))
 }
 
 /// Returns the row of `c`, which shows that a ray starts inside an infinite cylinder.

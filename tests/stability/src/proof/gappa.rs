@@ -5,7 +5,13 @@
 //! What Gappa cannot know is given as a hypothesis: the inequality of Cauchy and Schwarz, and bounds that an earlier
 //! script proves.
 
+mod background;
+mod camera;
+mod cap;
+mod hypotheses;
+mod largest;
 mod scripts;
+mod sphere;
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -22,6 +28,8 @@ pub struct Proof {
     pub what: &'static str,
     /// The text that Gappa reads. Gappa ends with status 0 if it proves the text.
     pub text: String,
+    /// A part of the text, and what makes the text wrong in its place: less precision, or a constant below the need.
+    pub wrong: [String; 2],
 }
 
 /// A text in Gappa's language that defines numbers, with their rounding and without.
@@ -75,10 +83,28 @@ impl Script {
         self.define(number, [&computed, &exact])
     }
 
+    /// Removes the definitions of computed values (`c`) or of exact ones (`e`), if a proof needs only the others. Gappa
+    /// then takes a tenth of the time.
+    fn keep(&mut self, kind: char) {
+        let removed = if kind == 'c' { 'e' } else { 'c' };
+        let lines = self.definitions.lines().filter(|line| !line.starts_with(removed));
+        self.definitions = lines.map(|line| format!("{line}\n")).collect();
+    }
+
     /// Returns the text in which the hypotheses imply the goal. The `hints` tell Gappa how to proceed.
     fn proves(&self, hypotheses: &[String], goal: &str, hints: &str) -> String {
         format!("{}{{ {}\n  -> {goal} }}\n{hints}", self.definitions, hypotheses.join("\n  /\\ "))
     }
+}
+
+/// Returns the change of a text to single precision.
+fn in_single_precision() -> [String; 2] {
+    ["ieee_64", "ieee_32"].map(ToOwned::to_owned)
+}
+
+/// Returns that a number lies between two others.
+fn within(name: &str, [low, high]: [f64; 2]) -> String {
+    format!("{name} in [{},{}]", dyadic(low), dyadic(high))
 }
 
 /// Returns the expressions of a computed value, which is rounded, and of the exact one.

@@ -88,13 +88,33 @@ impl Div for Interval {
     }
 }
 
-/// A function of `t` near 0, as intervals of its value, of its first derivative, and of half of its second one.
-#[derive(Clone, Copy, Debug)]
-pub struct Taylor(pub [Interval; 3]);
+/// A number with the operations that a [`Taylor`] needs.
+pub trait Scalar:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// Returns a constant.
+    fn constant(value: f64) -> Self;
+    /// Returns the square root.
+    fn root(self) -> Self;
+}
 
-impl Rules for Taylor {
+impl Scalar for Interval {
+    fn constant(value: f64) -> Self {
+        Self::of(value)
+    }
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
+/// A function of `t` near 0, as its value, its first derivative, and half of its second one. Each is an interval, or
+/// another number.
+#[derive(Clone, Copy, Debug)]
+pub struct Taylor<N = Interval>(pub [N; 3]);
+
+impl<N: Scalar> Rules for Taylor<N> {
     fn of(value: f64) -> Self {
-        Self([value, 0.0, 0.0].map(Interval::of))
+        Self([value, 0.0, 0.0].map(N::constant))
     }
     fn plus(self, other: Self) -> Self {
         Self([0, 1, 2].map(|order| self.0[order] + other.0[order]))
@@ -114,7 +134,7 @@ impl Rules for Taylor {
     }
     fn root(self) -> Self {
         let Self([a, a1, a2]) = self;
-        let value = a.sqrt();
+        let value = a.root();
         let first = a1 / (value + value);
         Self([value, first, (a2 - first * first) / (value + value)])
     }
