@@ -97,7 +97,7 @@ mod tests {
     fn objects_and_camera_are_included() {
         let extent = extent("matte: m 1 1 1\nsphere: 20 0 0 1 m\ncylinder: -30 0 0 3 0 8 0 m\n");
         assert_eq!(extent.max_coordinate, 35.0);
-        assert!(extent.moderate);
+        assert!(extent.moderate && extent.is_ordinary());
         assert_eq!(self::extent("").max_coordinate, 10.0, "the camera is at z = -10");
     }
 
@@ -111,8 +111,10 @@ mod tests {
             ("cylinder: 0 0 0 9e-7 1 0 0 m", (true, true)),
             ("metal: n 1 1 1 1e10", (false, false)),
         ] {
-            let Extent { moderate, has_tiny, .. } = extent(&format!("matte: m 1 1 1\n{line}\n"));
-            assert_eq!((moderate, has_tiny), expected, "{line}");
+            let extent = extent(&format!("matte: m 1 1 1\n{line}\n"));
+            assert_eq!((extent.moderate, extent.has_tiny), expected, "{line}");
+            // Of the moderate scenes without tiny objects only the smallest one is within the largest coordinate.
+            assert_eq!(extent.is_ordinary(), line.contains("1e-6"), "{line}");
         }
     }
 }
