@@ -58,9 +58,9 @@ pub fn rows(of_side: f64) -> Vec<Row> {
         row("distance of a cap's plane", constant, need, "u X"),
         row("lambda of a cap", CYLINDER_BOUND.lambda_error() / 3.0 / U, of_cap, "u lambda"),
         row("height of a hit, due to lambda", side[0], to_side[0], "u lambda abs(d)"),
-        row("height of a hit, due to the extent", side[1], to_side[1], "u X"),
+        row("height of a hit, due to the reach", side[1], to_side[1], "u X"),
         row("distance from a cap's centre, due to lambda", cap[0], to_cap[0], "u lambda abs(d)"),
-        row("distance from a cap's centre, due to the extent", cap[1], to_cap[1], "u X"),
+        row("distance from a cap's centre, due to the reach", cap[1], to_cap[1], "u X"),
         order(of_cap),
         caps(),
         wide_sphere(),
@@ -141,7 +141,7 @@ fn first<const N: usize>(from: usize) -> [[Bounded; 2]; N] {
     compared()[from..from + N].try_into().expect("there are so many")
 }
 
-/// Returns the constant and the need of the distance from the origin to a cap's plane, relative to the extent of
+/// Returns the constant and the need of the distance from the origin to a cap's plane, relative to the reach of
 /// cylinder and distance. Then returns the relative error of an accepted lambda, for this error of the slope.
 fn plane(of_slope: f64) -> ([f64; 2], f64) {
     let run = |margin: f64| {
@@ -201,7 +201,7 @@ fn accepted(lambda: Bounded, error: f64) {
 }
 
 /// Returns the margins of the height of a hit on the side, and then what it needs: each due to lambda, and due to the
-/// extent.
+/// reach.
 ///
 /// `|O - C| <= lambda |d| + |P - C|` for the hit point `P`, which is at most `X` away from the centre.
 fn height(of_side: f64) -> [[f64; 2]; 2] {
