@@ -71,21 +71,25 @@ fn only_child(process: u32) -> Option<u32> {
     fs::read_to_string(format!("/proc/{process}/task/{process}/children")).ok()?.trim().parse().ok()
 }
 
-/// Returns the ID of the thread of `process` that started last, if it waits for the content of the gate: it sleeps in a
-/// call whose first argument is a descriptor of `gate`. Otherwise returns `None`.
+/// Returns the ID of the thread of `process` that waits for the content of the gate, if there is one.
 fn waiting_thread(process: u32, gate: &Path) -> Option<u32> {
     let tasks = fs::read_dir(format!("/proc/{process}/task")).ok()?;
-    let threads = tasks.filter_map(|entry| entry.ok()?.file_name().to_str()?.parse::<u32>().ok());
-    let thread = threads.max()?;
+    let mut threads = tasks.filter_map(|entry| entry.ok()?.file_name().to_str()?.parse().ok());
+    let gate = fs::canonicalize(gate).ok()?;
+    threads.find(|&thread| is_waiting(process, thread, &gate).is_some_and(|is_waiting| is_waiting))
+}
+
+/// Whether a thread sleeps in a call whose first argument is a descriptor of `gate`. Returns `None` if that is not known,
+/// for instance if the thread has ended.
+fn is_waiting(process: u32, thread: u32, gate: &Path) -> Option<bool> {
     let state = fs::read_to_string(format!("/proc/{process}/task/{thread}/stat")).ok()?;
     // The state follows the program's name in parentheses. The name may contain parentheses too, so the last `)` is
     // used.
     if !state.rsplit_once(") ")?.1.starts_with('S') {
-        return None;
+        return Some(false);
     }
     // The number of the call comes first, and then its arguments.
     let call = fs::read_to_string(format!("/proc/{process}/task/{thread}/syscall")).ok()?;
     let descriptor = u64::from_str_radix(call.split(' ').nth(1)?.strip_prefix("0x")?, 16).ok()?;
-    let file = fs::read_link(format!("/proc/{process}/fd/{descriptor}")).ok()?;
-    (file == fs::canonicalize(gate).ok()?).then_some(thread)
+    Some(fs::read_link(format!("/proc/{process}/fd/{descriptor}")).ok()? == gate)
 }
