@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs all unit tests: those beside the functions they test, those of the counters, and the examples in the comments.
+# Runs all unit tests: those beside the functions they test, and the examples in the comments.
 #
 #   tests/utest.sh [common | aos | soa | OPTION OF cargo test]...
 #
@@ -17,7 +17,5 @@ case ${1:-} in
 esac
 . tests/steps.sh
 step cargo test --workspace --lib --bins --no-fail-fast "$@"
-# With all packages selected, the dependencies have the features that they had in the step before.
-step cargo test --workspace --features cpu/counters --test counters "$@"
 step cargo test --workspace --doc --no-fail-fast "$@"
 finish

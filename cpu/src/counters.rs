@@ -1,7 +1,8 @@
 //! Counts rays, object tests and random draws, and how much work the shortcuts save.
 //!
-//! Only builds with the feature `counters` count. The programs that are measured are built without this feature, and
-//! [`add`] then does nothing. Each thread has its own counters, so that tests can run in parallel.
+//! Builds with the feature `counters` count, and so do builds for tests: those with the feature `internals` and with
+//! debug assertions. The programs that are measured are built otherwise, and [`add`] then does nothing. Each thread has
+//! its own counters, so that tests can run in parallel.
 
 /// Defines [`Counter`] and the list of all counters from one table.
 macro_rules! counters {
@@ -77,7 +78,7 @@ counters! {
     MaxDepthReached,
 }
 
-#[cfg(feature = "counters")]
+#[cfg(any(feature = "counters", all(feature = "internals", debug_assertions)))]
 mod counting {
     use std::cell::Cell;
 
@@ -108,10 +109,10 @@ mod counting {
     }
 }
 
-#[cfg(feature = "counters")]
+#[cfg(any(feature = "counters", all(feature = "internals", debug_assertions)))]
 pub use counting::{add, reset, snapshot};
 
-/// Does nothing, because the feature `counters` is not compiled in.
-#[cfg(not(feature = "counters"))]
+/// Does nothing, because this build does not count.
+#[cfg(not(any(feature = "counters", all(feature = "internals", debug_assertions))))]
 #[inline(always)]
 pub fn add(_: Counter, _: u64) {}

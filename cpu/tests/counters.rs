@@ -3,7 +3,7 @@
 //!
 //! Each thread has counters of its own, and each test runs in a thread of its own.
 
-#![cfg(feature = "counters")]
+#![cfg(any(feature = "counters", debug_assertions))]
 
 use std::path::{Path, PathBuf};
 
