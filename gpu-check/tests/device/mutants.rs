@@ -18,7 +18,7 @@ use examiner::Examiner;
 use mutant::{Mutant, of_arithmetic, of_modules};
 
 /// One of this many mutants is tried, unless `RENDER_ALL` is 1: a mutant takes seconds.
-const STEP: usize = 4;
+const STEP: usize = 12;
 
 /// Fails if `notice` does not notice one of the mutants that are tried, or if there are fewer than `fewest`.
 fn all_are_noticed(mutants: &[Mutant], fewest: usize, notice: impl Fn(&Mutant) -> Result<Option<String>, Error>) {
