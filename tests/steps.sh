@@ -15,7 +15,7 @@ fi
 steps_before=$(wc -l <"$STEPS_FAILED")
 
 # Prints, for what `cargo test` printed, the commands that run the failed tests again. Their beginning is $1, such as
-# "cargo test --release".
+# "env RENDER_INSTRUCTION_SET=avx2 cargo test".
 steps_again() {
     awk -v start="$1" -v quote="'" '
         /^test .* \.\.\. FAILED/ {
@@ -32,7 +32,7 @@ steps_again() {
 }
 
 step() {
-    local before log status=0 start="" all="$*"
+    local before log status=0 all="$*"
     before=$(wc -l <"$STEPS_FAILED")
     log=$STEPS_FAILED.log.$BASHPID
     echo "$steps_name: $*"
@@ -40,17 +40,8 @@ step() {
     [ $status -eq 0 ] && return
     # A step that is such a script has named its own failures.
     [ "$(wc -l <"$STEPS_FAILED")" -eq "$before" ] || return 0
-    # All words up to `test`, and the options that decide how the programs are built.
-    while [ $# -gt 0 ]; do
-        case "$start $1" in
-            *" test"*" --release") start+=" $1" ;;
-            *" test"*" --features") start+=" $1 ${2:-}" ;;
-            *" test "*) ;;
-            *) start+=" $1" ;;
-        esac
-        shift
-    done
-    steps_again "${start# }" <"$log" >>"$STEPS_FAILED"
+    # All words up to `test`.
+    steps_again "${all%% test *} test" <"$log" >>"$STEPS_FAILED"
     # Something else failed, such as the compiler.
     [ "$(wc -l <"$STEPS_FAILED")" -gt "$before" ] || echo "$all" >>"$STEPS_FAILED"
 }

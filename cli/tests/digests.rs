@@ -2,9 +2,10 @@
 //! reference folder. Pictures with `Scatter::Statement` are rendered by the built programs, those with
 //! `Scatter::Published` through the library. Every picture is rendered with both layouts.
 //!
-//! If there is no reference folder, the tests of its pictures are shown as ignored.
+//! If there is no reference folder, the tests of its pictures are shown as ignored. With the variable
+//! `RENDER_PROGRAMS`, only the pictures of programs are compared, and the programs are those in this folder.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cpu::{Aos, Config, Renderable, Scatter, Scene, Soa};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -40,7 +41,16 @@ fn main() {
     }
     trials.extend(conformance);
     assert_eq!(trials.len(), 2 * 32 + 2 * 8);
+    if programs().is_some() {
+        trials.retain(|trial| trial.name().contains("statement/"));
+        assert_eq!(trials.len(), 40, "one of two scatters is that of the programs");
+    }
     libtest_mimic::run(&arguments, trials).exit();
+}
+
+/// The folder of the programs to test instead of those that Cargo built with this test.
+fn programs() -> Option<PathBuf> {
+    std::env::var_os("RENDER_PROGRAMS").map(PathBuf::from)
 }
 
 /// Returns the reason why the reference pictures cannot be rendered, or `None` if they can.
@@ -60,7 +70,10 @@ fn trials(set: &str, goldens: &[Golden]) -> Vec<Trial> {
 fn has_its_digest(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
     let expected = golden.digest()?;
     let bytes = match golden.scatter {
-        Scatter::Statement => through_the_program(golden, renderer.path)?,
+        Scatter::Statement => {
+            let path = programs().map_or(renderer.path.into(), |folder| folder.join(renderer.program));
+            through_the_program(golden, &path)?
+        }
         _ => (renderer.library)(golden)?,
     };
     p3::read(&bytes)?;
@@ -68,7 +81,7 @@ fn has_its_digest(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 
-fn through_the_program(golden: &Golden, program: &str) -> Result<Vec<u8>, Failed> {
+fn through_the_program(golden: &Golden, program: &Path) -> Result<Vec<u8>, Failed> {
     let folder = Folder::new();
     let out = folder.file("out.ppm");
     let output = test_support::running::program(program).args([&golden.config, &golden.scene, &out]).output()?;

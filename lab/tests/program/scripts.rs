@@ -56,11 +56,11 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
 #[test]
 fn a_failure_stops_no_test_and_the_last_lines_run_again_what_failed() {
     let folder = programs(&["cargo"]);
-    for name in ["tee", "wc", "cat"] {
+    for name in ["tee", "wc", "cat", "env"] {
         std::os::unix::fs::symlink(format!("/usr/bin/{name}"), folder.file(name)).expect("the folder is writable");
     }
     let cargo = "#!/bin/sh\ncase \"$*\" in\n\
-        *--features*) echo 'test a::b ... FAILED'; echo 'error: test failed, to rerun pass `-p cpu --test counters`' >&2;;\n\
+        *--lib*) echo 'test a::b ... FAILED'; echo 'error: test failed, to rerun pass `-p cpu --lib`' >&2;;\n\
         *--doc*) echo 'test src/lib.rs - (line 10) ... FAILED'; echo 'doctest failed, to rerun pass `-p cpu --doc`';;\n\
         *--release*) echo 'error: could not compile' >&2;;\n*) exit 0;;\nesac\nexit 101\n";
     folder.write("cargo", cargo);
@@ -70,10 +70,10 @@ fn a_failure_stops_no_test_and_the_last_lines_run_again_what_failed() {
         let said = String::from_utf8(output.stdout).expect("it is text");
         said.split_once(&format!("{name}: FAILED; these commands run it again:\n")).expect("it failed").1.to_owned()
     };
-    let counters = "    cargo test --features cpu/counters -p cpu --test counters -- --exact a::b\n";
+    let unit = "    cargo test -p cpu --lib -- --exact a::b\n";
     let example = "    cargo test -p cpu --doc -- --exact 'src/lib.rs - (line 10)'\n";
-    assert_eq!(last_lines("tests/utest.sh"), [counters, example].concat());
-    assert_eq!(last_lines("tests/ftest.sh"), "    cargo test -p cli --release --test digests\n");
+    assert_eq!(last_lines("tests/utest.sh"), [unit, example].concat());
+    assert_eq!(last_lines("tests/ftest.sh"), "    cargo build --release -p cli --bins\n");
 }
 
 /// Returns a folder of programs with a `cargo-deny` that ends with status `fetch` when it should download the list of
