@@ -40,16 +40,13 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
     let output = script(&["bash", "tests/run", "--no-install", "--browser", "--slurm"], &folder);
     assert_eq!(output.status.code(), Some(1));
     let message = String::from_utf8(output.stderr).expect("it is text");
-    let list = "mesa-vulkan-drivers valgrind strace chromium npm rustc-web rust-web-src lld slurm-wlm munge";
+    let list = "mesa-vulkan-drivers strace chromium npm rustc-web rust-web-src lld slurm-wlm munge";
     assert!(message.starts_with(&format!("tests/run: missing: {list}; as root: apt-get install")), "{message}");
     // Without `--no-install` the script prints the names of the packages, and then installs them. In this test apt-get
     // fails.
     let output = script(&["bash", "tests/run"], &folder);
     let said = String::from_utf8(output.stdout).expect("it is text");
-    assert!(
-        said.contains("are installed now (--no-install ends instead): mesa-vulkan-drivers valgrind strace\n"),
-        "{said}"
-    );
+    assert!(said.contains("are installed now (--no-install ends instead): mesa-vulkan-drivers strace\n"), "{said}");
     assert!(!output.status.success());
 }
 

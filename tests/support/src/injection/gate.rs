@@ -79,8 +79,8 @@ fn waiting_thread(process: u32, gate: &Path) -> Option<u32> {
     threads.find(|&thread| is_waiting(process, thread, &gate).is_some_and(|is_waiting| is_waiting))
 }
 
-/// Whether a thread sleeps in a call whose first argument is a descriptor of `gate`. Returns `None` if that is not known,
-/// for instance if the thread has ended.
+/// Whether a thread sleeps in a call whose first argument is a descriptor of `gate`. Returns `None` if that is not
+/// known, for instance if the thread has ended.
 fn is_waiting(process: u32, thread: u32, gate: &Path) -> Option<bool> {
     let state = fs::read_to_string(format!("/proc/{process}/task/{thread}/stat")).ok()?;
     // The state follows the program's name in parentheses. The name may contain parentheses too, so the last `)` is
