@@ -1,6 +1,6 @@
 //! Checks and grades variants of one correct program in C++. The statement leaves some deviations open, and all others
-//! are faults. All permitted variants are graded, and one of four faults. With `RENDER_ALL=1`, as in tests/extensive and
-//! in docs/refresh, all faults are.
+//! are faults. All permitted variants are graded, and one of four faults. With `RENDER_ALL=1`, as in tests/extensive
+//! and in docs/refresh, all faults are.
 
 use std::fmt::Write as _;
 use std::fs;
