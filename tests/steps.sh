@@ -32,7 +32,9 @@ steps_again() {
 }
 
 step() {
-    local before log status=0 all="$*"
+    local before log status=0 all
+    printf -v all '%q ' "$@"
+    all=${all% }
     before=$(wc -l <"$STEPS_FAILED")
     log=$STEPS_FAILED.log.$BASHPID
     echo "$steps_name: $*"
