@@ -24,10 +24,14 @@ mod teams;
 
 use std::process::{Command, Output};
 
+/// The variable that adds the course's cases to checks and gradings. The tests say how many cases there are without
+/// them.
+const COURSE: &str = "RENDER_REFERENCE_DIR";
+
 /// Returns the command `render-lab` with these arguments. Its working folder is the project's root.
 fn lab(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
-    command.current_dir(test_support::project_root()).args(arguments);
+    command.current_dir(test_support::project_root()).env_remove(COURSE).args(arguments);
     command
 }
 
@@ -58,7 +62,7 @@ fn bash(folder: &test_support::folder::Folder, line: &str) -> Output {
     // Without this, bash would split a path with blanks.
     let line = format!("IFS=$'\\n'; {line}");
     bash.current_dir(folder.path()).args(["-c", &line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
-    bash.env("root", test_support::project_root());
+    bash.env("root", test_support::project_root()).env_remove(COURSE);
     bash.output().expect("bash starts")
 }
 

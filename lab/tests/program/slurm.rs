@@ -8,6 +8,8 @@ use std::process::Command;
 use lab::bench::results::Results;
 use test_support::folder::Folder;
 
+use crate::COURSE;
+
 /// Returns a command of a job script, with the stub as `sbatch`.
 fn job(folder: &Folder, script: &str) -> Command {
     fs::create_dir(folder.file("bin")).expect("the folder is writable");
@@ -17,6 +19,7 @@ fn job(folder: &Folder, script: &str) -> Command {
     let mut command = test_support::running::bash();
     command.arg(test_support::project_root().join("lab/slurm").join(script)).env("STUB_LOG", folder.file("log"));
     command.env("PATH", format!("{}:{path}", folder.name("bin"))).env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"));
+    command.env_remove(COURSE);
     command
 }
 
