@@ -198,6 +198,7 @@ mod tests {
             let origin = touched - direction * f64::from(1 << (12 + number % 12));
             let ray = Ray { origin, direction };
             assert_eq!(compensated(&record, &ray), Decision::Uncertain, "{record:?}, {ray:?}");
+            assert_eq!(lambda(&record, &ray), None, "{record:?}, {ray:?}");
         }
     }
 
