@@ -11,8 +11,8 @@ pub fn half_width_of_disc<T: Real>(along: T) -> T {
     T::select(T::of(0.0).less(across), across, T::of(0.0)).sqrt() + T::of(DISC_MARGIN)
 }
 
-/// If a component of the axis is close to 1, the difference in [`half_width_of_disc`] cancels. The error of its root is
-/// at most the root of its error, which this covers.
+/// If a component of the axis is close to 1, the difference in [`half_width_of_disc`] cancels. The error of its square
+/// root is at most the square root of its error, which this covers.
 pub const DISC_MARGIN: f64 = 1e-7;
 
 /// Returns the half width of a cylinder along a direction: how far it reaches from its centre. `along` is the dot

@@ -24,8 +24,8 @@ mod teams;
 
 use std::process::{Command, Output};
 
-/// The variable that adds the course's cases to checks and gradings. The tests say how many cases there are without
-/// them.
+/// The variable that names the folder of the course's cases. Checks and gradings then have more cases than these tests
+/// expect, so all commands run without it.
 const COURSE: &str = "RENDER_REFERENCE_DIR";
 
 /// Returns the command `render-lab` with these arguments. Its working folder is the project's root.

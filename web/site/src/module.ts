@@ -149,9 +149,9 @@ export class Renderer {
     }
 
     /**
-     * Calls a function, and returns its result. Throws {@link Faulty} for its fault. The result is a PPM file for 'render', nothing for 'prepare'
-     * and 'aim', a buffer for the shaders (0 to 3, and 8 for the hierarchy) or the facts (4) for 'packed', the f64 of a
-     * {@link Truth}, or the f32 of a pixel's steps.
+     * Calls a function, and returns its result. Throws {@link Faulty} for its fault. The result is a PPM file for
+     * 'render', nothing for 'prepare' and 'aim', a buffer for the shaders (0 to 3, and 8 for the hierarchy) or the facts
+     * (4) for 'packed', the f64 of a {@link Truth}, or the f32 of a pixel's steps.
      */
     ask(name: Asked, number = 0): Uint8Array<ArrayBuffer> {
         if (this.#exports[name](number) !== 0) {
