@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use cpu::internals::image::quantize::{quantize, scaled};
+use cpu::internals::image::quantize::{channel_level, quantize};
 use cpu::internals::{InstructionSet, Limits, Prepared, render_from};
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Vec3};
 use serde_json::{Value, json};
@@ -92,7 +92,7 @@ pub fn life(
     Ok(Some(json!({
         "pixel": [column, row], "size": [width, height], "objects": scene.objects.len(), "count": renderer.samples(),
         "window": camera.map(Vec3::to_array), "background": sky.map(Vec3::to_array),
-        "samples": renderer.told, "mean": mean, "gamma": gamma, "scaled": mean.map(|mean| scaled(mean, gamma)),
+        "samples": renderer.told, "mean": mean, "gamma": gamma, "scaled": mean.map(|mean| channel_level(mean, gamma)),
         "bytes": mean.map(|mean| quantize(mean, gamma)),
     })))
 }

@@ -34,8 +34,8 @@ const MOST_FOR_ISOLATION: usize = 1 << 17;
 
 /// Maximum number of objects for which the nodes have the boxes of the form [`FloatBoxes`](boxes::FloatBoxes). These
 /// are tested with fewer operations than [`ByteBoxes`](byte_boxes::ByteBoxes), so they are faster while the tree fits
-/// into a cache. A larger tree waits for memory, of which bytes take less (docs/experiments.md, column "wide boxes,
-/// against bytes"; bench/src/bin/nearest.rs).
+/// into a cache. A larger tree waits for memory, of which bytes take less (docs/experiments.md, column "boxes of
+/// floats, against bytes"; bench/src/bin/nearest.rs).
 pub const MOST_IN_FLOAT_BOXES: usize = 200_000;
 
 /// The tree over all objects of a scene but the dominant sphere, which is tested separately.

@@ -49,7 +49,7 @@ impl Camera {
         const PARALLEL_TO_NORTH: f64 = 4.0 * f64::EPSILON;
 
         let (position, target) = (config.camera_position, config.camera_target);
-        let north = scaled(config.camera_north);
+        let north = of_moderate_length(config.camera_north);
         if position == target {
             return Err(Picture::CameraAtTarget);
         }
@@ -82,7 +82,7 @@ impl Camera {
 /// Returns the vector times the power of two that brings its largest component to the range from 1/2 to 1, so that its
 /// squared length neither overflows nor vanishes. A null vector, an infinite one and one with NaN are
 /// returned as they are.
-fn scaled(vector: Vec3) -> Vec3 {
+fn of_moderate_length(vector: Vec3) -> Vec3 {
     let largest = vector.to_array().into_iter().map(f64::abs).fold(0.0, f64::max);
     match Dyadic::new(largest).and_then(|largest| largest.top_exponent()) {
         Some(exponent) if vector.is_finite() => vector.map(|component| times_power_of_two(component, -exponent)),

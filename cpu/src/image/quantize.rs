@@ -19,12 +19,12 @@ use crate::simd::fused::run_fused;
 /// [`Quantizer`].
 pub fn quantize(mean: f64, gamma: f64) -> u8 {
     // A float-to-integer cast truncates, saturates at 0 and 255, and turns "not a number" into 0.
-    scaled(mean, gamma) as u8
+    channel_level(mean, gamma) as u8
 }
 
 /// Returns `255 mean^(1 / gamma)`, which is truncated to the byte.
 #[inline]
-pub fn scaled<T: Power>(mean: T, gamma: T) -> T {
+pub fn channel_level<T: Power>(mean: T, gamma: T) -> T {
     T::of(255.0) * mean.power(T::of(1.0) / gamma)
 }
 

@@ -36,7 +36,7 @@ const CHANGES: &[(&str, Change)] = &[
         let fits = count(&prepared.objects) <= 64 && !matches!(prepared.accel, Accel::FlatFilter(_));
         replace(prepared, scene, fits, Structure::FlatFilter)
     }),
-    ("wide boxes, against bytes", |prepared, scene| {
+    ("boxes of floats, against bytes", |prepared, scene| {
         let is_wide = matches!(prepared.accel, Accel::Bvh(_));
         replace(prepared, scene, is_wide, Structure::LargeBvh)
     }),

@@ -5,7 +5,7 @@
 //! terms in `u^2`. All logarithms and errors are sums of multiples of 1, of gamma and of its reciprocal. So
 //! what the room must be, relative to `1 + gamma`, is largest for the smallest or for the largest gamma.
 
-use cpu::internals::image::quantize::{Power, ROOM_FOR_ROUNDING, around, scaled};
+use cpu::internals::image::quantize::{Power, ROOM_FOR_ROUNDING, around, channel_level};
 
 use super::row::{Row, U};
 use super::ruled::{Ruled, Rules};
@@ -72,7 +72,7 @@ pub fn row() -> Row {
     for gamma in [1e-300_f64, 1e300] {
         let [root, number] = [Number::new(-255.0_f64.ln(), 1.0), Number::new(gamma.ln(), 0.0)].map(Ruled);
         let relative = |of: f64| of * gamma / (1.0 + gamma);
-        let [below, from] = around(root, number).1.map(|bound| scaled(bound, number).0);
+        let [below, from] = around(root, number).1.map(|bound| channel_level(bound, number).0);
         constant = constant.min(relative(-below.moved)).min(relative(from.moved));
         need = need.max(relative(below.error)).max(relative(from.error));
     }
