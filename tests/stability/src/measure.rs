@@ -159,12 +159,17 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
+/// A bound of the relative error of a lambda in whose formula nothing cancels, in units of u. It is `10 k + 6` with
+/// a condition number `k` of 2 ([docs/accuracy.md](../../../docs/accuracy.md)). Errors above 4 occur where a small
+/// sphere is far away.
+const ORDINARY_ERROR: f64 = 26.0;
+
 /// Compares an answer, which is a lambda and a part, with the oracle's. Returns the relative error of lambda, which is
 /// 0 for a right miss.
 ///
 /// # Errors
 /// The decision that is wrong. An answer takes the root of its part that is nearest to its lambda. Two roots that are
-/// too near to be told apart in this precision count as one.
+/// too near to be told apart by a lambda with ordinary rounding errors count as one.
 pub fn judge_answer(judgement: &Judgement, answer: Found, unit_roundoff: f64) -> Result<f64, Fault> {
     let (truth, (lambda, part)) = match (&judgement.truth, answer) {
         (None, None) => return Ok(0.0),
@@ -177,7 +182,7 @@ pub fn judge_answer(judgement: &Judgement, answer: Found, unit_roundoff: f64) ->
     let lambda = big(lambda);
     let distance = |other: &oracle::Big| to_f64(&(&lambda - other)).abs();
     let error = distance(&truth.lambda);
-    let resolution = 4.0 * unit_roundoff * to_f64(&truth.lambda);
+    let resolution = ORDINARY_ERROR * unit_roundoff * to_f64(&truth.lambda);
     let is_nearer = |(of, other): &(CylinderPart, oracle::Big)| *of == part && distance(other) < error;
     if error > resolution && judgement.crossings.iter().any(is_nearer) {
         return Err(Fault::Root);
