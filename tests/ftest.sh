@@ -24,5 +24,6 @@ fi
 step "${release[@]}"
 target=${CARGO_TARGET_DIR:-target}
 [[ $target == /* ]] || target=$PWD/$target
-step env RENDER_PROGRAMS="$target/release" cargo test -p cli --test digests "$@"
+# With all packages, as above: one package alone would be compiled again, with features of its own.
+step env RENDER_PROGRAMS="$target/release" cargo test --workspace --test digests "$@"
 finish

@@ -95,7 +95,7 @@ prop_compose! {
 #[test]
 fn the_real_renderer_gives_the_references_bytes() {
     let shown = Shown::default();
-    check(60, case(), |case| {
+    check(24, case(), |case| {
         let scene = scene(&case.options);
         SCATTERS.into_iter().try_for_each(|scatter| shown.compare(&case.config, &scene, scatter))
     });

@@ -388,10 +388,17 @@ fn ring_text(count: usize, scale: f64, height: f64) -> String {
 
 #[test]
 fn scenes_of_every_size_give_the_closest_hits() {
+    rings_give_the_closest_hits(1.0);
+}
+
+#[test]
+fn scenes_of_every_size_with_high_cylinders_give_the_closest_hits() {
+    rings_give_the_closest_hits(6.0);
+}
+
+fn rings_give_the_closest_hits(height: f64) {
     for count in [3, 9, 60, 100] {
-        for (scale, height) in
-            [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8].into_iter().flat_map(|scale| [(scale, 1.0), (scale, 6.0)])
-        {
+        for scale in [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8] {
             let mut objects = ring(count, scale, height);
             let extent = Extent { max_coordinate: 6.0 * scale, moderate: true, has_tiny: false };
             // The program takes a flat filter only for 60 objects. It gives the same hits for 9.

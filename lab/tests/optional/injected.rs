@@ -14,7 +14,7 @@ use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
 use test_support::trial;
 
 /// Number of calls with one name that are disturbed.
-const MOST: usize = 3;
+const MOST: usize = 2;
 
 const DISTURBANCES: [(Disturbance, &str); 5] = [
     (Disturbance::Errors, "every_call_fails_and_the_old_files_stand_or_the_new_ones"),

@@ -51,7 +51,7 @@ fn scenes_are_read_as_the_plain_parser_reads_them() {
 
 #[test]
 fn tiny_scenes_are_rendered_as_the_reference_renders_them() {
-    smoke("render", 2_000);
+    smoke("render", 1_000);
 }
 
 #[test]
