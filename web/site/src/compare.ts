@@ -219,6 +219,8 @@ export class Comparison {
         if (!this.#names) {
             this.listener.clicked(column, row);
         } else if (this.#beside) {
+            const names = this.#names;
+            write(element('compare-names'), () => `${say('filesNames', ...names)} ${say('pixelChosen', column, row)}`);
             this.listener.chosen(column, row);
         }
     }

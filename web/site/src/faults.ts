@@ -42,6 +42,12 @@ export class Checker {
         return faults.flat()[0] ?? null;
     }
 
+    /** Whether the last check has found faults in a text that has not changed since. */
+    isFaulty(text: TextNumber): boolean {
+        const known = this.#known[text];
+        return known !== null && known.content === this.editors[text].text && known.faults.length > 0;
+    }
+
     /** Marks the faults of a text and lists them, instead of those before. */
     show(text: TextNumber, all: Fault[]): void {
         clearTimeout(this.#timers[text]);

@@ -331,8 +331,10 @@ class Page {
         earlierTexts.disabled = all.length === 0;
     }
 
+    /** Says which texts have errors: `text`, and the other one if it has errors too. */
     #faultIn(text: number): string {
-        return say('faultIn', say(text === 0 ? 'config' : 'scene'));
+        const faulty = ([0, 1] as const).filter((one) => one === text || this.#checker.isFaulty(one));
+        return say('faultIn', faulty.map((one) => say(one === 0 ? 'config' : 'scene')).join(', '));
     }
 
     #changed(): void {

@@ -185,6 +185,7 @@ const WORDS = {
     noCompare: ['Without WebGPU there are no shaders to compare.', 'Sin WebGPU no hay sombreadores que comparar.'],
     fit: ['Fit', 'Ajustar'],
     pixelAt: ['column {0}, row {1}: {2}', 'columna {0}, fila {1}: {2}'],
+    pixelChosen: ['Chosen: column {0}, row {1}.', 'Elegido: columna {0}, fila {1}.'],
     compareFiles: ['Compare files…', 'Comparar archivos…'],
     compareClose: ['Back to the shaders', 'Volver a los sombreadores'],
     filesHelp: [

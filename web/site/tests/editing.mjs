@@ -24,10 +24,11 @@ export const tests = {
         equal(await page.textContent('#scene-faults pre'), message, 'the message about the scene');
         await shoot(page, 'errors');
         await page.click('#render');
-        await page.waitForFunction(() => document.getElementById('status').textContent.includes('Configuration'));
+        await page.waitForFunction(() => document.getElementById('status').textContent.includes('in: Configuration, Scene.'));
         await page.click('#scene-faults button');
         await page.keyboard.press('Delete');
         await page.waitForFunction(() => document.querySelector('#scene-faults').childElementCount === 0);
+        await page.waitForFunction(() => document.getElementById('old').textContent.startsWith('There is an error in: Configuration.'));
         equal(await textOf(page, 'scene'), 'matte: grey .5 .5 .5\nsphere: 0 0 0 4 grey\n', 'the cursor was at the fault');
     },
 
