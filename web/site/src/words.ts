@@ -186,7 +186,7 @@ const WORDS = {
     fit: ['Fit', 'Ajustar'],
     pixelAt: ['column {0}, row {1}: {2}', 'columna {0}, fila {1}: {2}'],
     pixelChosen: ['Chosen: column {0}, row {1}.', 'Elegido: columna {0}, fila {1}.'],
-    compareFiles: ['Compare files…', 'Comparar archivos…'],
+    compareFiles: ['Compare files…', 'Archivos…'],
     compareClose: ['Back to the shaders', 'Volver a los sombreadores'],
     filesHelp: [
         'Two files (PPM, PNG), or one with the picture of the first tab. "Explain" then tells the pixel that you click.',
