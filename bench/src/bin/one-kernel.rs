@@ -1,8 +1,9 @@
 //! `one-kernel [NAME]`: runs one turn of a kernel in its own function, so that callgrind can count its instructions.
-//! bench/instructions runs it. Scripts that measure run it without a name, so that a wrong name in
-//! `RENDER_INSTRUCTION_SET` is an error.
+//! bench/instructions runs it. With `--turns` it measures the time of a turn, for bench/slopes. Scripts that measure run
+//! it without a name, so that a wrong name in `RENDER_INSTRUCTION_SET` is an error.
 
 use std::process::ExitCode;
+use std::time::Instant;
 
 use bench::kernels::{self, Work};
 use clap::Parser;
@@ -16,6 +17,9 @@ use clap::Parser;
 struct Options {
     /// The kernel
     name: Option<String>,
+    /// Number of turns; prints the median of their times in nanoseconds
+    #[arg(long, requires = "name")]
+    turns: Option<usize>,
 }
 
 /// Runs one turn. bench/instructions counts the instructions of this function.
@@ -25,7 +29,7 @@ fn counted_work(work: &mut dyn Work) {
 }
 
 fn main() -> ExitCode {
-    bench::main(|Options { name }| {
+    bench::main(|Options { name, turns }| {
         let Some(name) = name else {
             kernels::all().iter().for_each(|kernel| println!("{}", kernel.name));
             return Ok(true);
@@ -36,8 +40,18 @@ fn main() -> ExitCode {
         // The first turn detects the instruction sets of the machine and allocates memory. It is not counted.
         work.prepare();
         work.turn();
-        work.prepare();
-        counted_work(std::hint::black_box(&mut *work));
+        let mut times: Vec<_> = (0..turns.unwrap_or(1).max(1))
+            .map(|_| {
+                work.prepare();
+                let start = Instant::now();
+                counted_work(std::hint::black_box(&mut *work));
+                start.elapsed().as_nanos()
+            })
+            .collect();
+        times.sort_unstable();
+        if turns.is_some() {
+            println!("{}", times[times.len() / 2]);
+        }
         Ok(true)
     })
 }
