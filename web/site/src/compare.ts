@@ -100,6 +100,7 @@ export class Comparison {
         this.#facts = null;
         this.#difference = null;
         [this.#exact, this.#shader, this.#map].forEach(erase);
+        this.#viewer.choose(null);
         this.#viewer.fit();
         write(this.#figures, () => '');
         element('compare-most-at').hidden = true;
@@ -185,6 +186,7 @@ export class Comparison {
             this.#difference = compareBytes(first.picture.data, other.picture.data);
             paint(this.#exact, shown(first.picture, 1));
             paint(this.#shader, shown(other.picture, 1));
+            this.#viewer.choose(null);
             this.#viewer.fit();
             this.#exact.ariaBusy = 'false';
             this.#draw();
@@ -219,8 +221,6 @@ export class Comparison {
         if (!this.#names) {
             this.listener.clicked(column, row);
         } else if (this.#beside) {
-            const names = this.#names;
-            write(element('compare-names'), () => `${say('filesNames', ...names)} ${say('pixelChosen', column, row)}`);
             this.listener.chosen(column, row);
         }
     }

@@ -1,5 +1,5 @@
 // Offers the possible lines while the user types: the rows of the renderer's table, and the names of materials.
-import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
+import { insertCompletionText, type Completion, type CompletionContext, type CompletionResult } from '@codemirror/autocomplete';
 import type { Row } from './module';
 import { meaningOf, ofLanguage, say } from './words';
 
@@ -18,8 +18,7 @@ export function completions(rows: Row[]): (context: CompletionContext) => Comple
         const from = context.pos - word.length;
         const words = before.slice(0, before.length - word.length).trim().split(/[ \t]+/).filter(Boolean);
         if (words.length === 0) {
-            // The rest of the line, if it has one, must stay as it is.
-            return { from, options: rows.map((row) => tag(row, line.text.trim() === word)), validFor: /^[\w:]*$/ };
+            return { from, options: rows.map(tag), validFor: /^[\w:]*$/ };
         }
         const row = rows.find((one) => one.tag === words[0]);
         const names = row?.values.split(' ') ?? [];
@@ -36,13 +35,18 @@ export function completions(rows: Row[]): (context: CompletionContext) => Comple
     };
 }
 
-function tag(row: Row, isAlone: boolean): Completion {
+function tag(row: Row): Completion {
     const start = row.default === '' ? '' : `; ${say('default')}: ${row.default}`;
     return {
         label: row.tag,
         type: 'keyword',
         detail: ofLanguage([row.values, row.spanishValues]),
         info: `${meaningOf(row.tag, row.meaning)}${start}`,
-        apply: isAlone ? `${row.tag} ${row.default}` : row.tag,
+        apply(view, _, from, to) {
+            // The rest of the line, if it has one, stays as it is.
+            const rest = view.state.sliceDoc(to, view.state.doc.lineAt(to).to);
+            const behind = rest.trim() === '' ? ` ${row.default}` : /^\s/.test(rest) ? '' : ' ';
+            view.dispatch(insertCompletionText(view.state, row.tag + behind, from, to));
+        },
     };
 }

@@ -191,6 +191,7 @@ export class Editor {
         const [anchor] = this.#span(fault);
         this.#view.dispatch({ selection: { anchor }, scrollIntoView: true });
         this.#view.focus();
+        requestAnimationFrame(() => this.reveal());
     }
 
     /** Returns the offsets of the fault's first and last character. A missing word is marked behind the line. */

@@ -44,6 +44,8 @@ interface Pointer {
 export class Gestures {
     readonly #pointers = new Map<number, Pointer>();
     #start: Pointer | null = null;
+    /** The place of the last gesture, if it was a click. */
+    #clicked: Place | null = null;
 
     constructor(private readonly element: HTMLElement, private readonly wishes: Wishes) {
         element.tabIndex = 0;
@@ -51,6 +53,8 @@ export class Gestures {
         element.addEventListener('pointerdown', (event) => this.#down(event));
         element.addEventListener('pointermove', (event) => this.#move(event));
         element.addEventListener('pointerup', (event) => this.#up(event));
+        // Not before the event of the browser: on a touch screen it comes last, and to what is shown then.
+        element.addEventListener('click', () => this.#clicked && wishes.click(this.#clicked));
         element.addEventListener('pointercancel', (event) => this.#pointers.delete(event.pointerId));
         element.addEventListener('contextmenu', (event) => event.preventDefault());
         element.addEventListener('wheel', (event) => {
@@ -101,9 +105,8 @@ export class Gestures {
         this.#pointers.delete(event.pointerId);
         const start = this.#start;
         this.#start = null;
-        if (start && Math.hypot(event.clientX - start.x, event.clientY - start.y) < STILL) {
-            this.wishes.click(this.placeOf(event));
-        }
+        const isStill = start && Math.hypot(event.clientX - start.x, event.clientY - start.y) < STILL;
+        this.#clicked = isStill ? this.placeOf(event) : null;
     }
 
     #key(event: KeyboardEvent): void {

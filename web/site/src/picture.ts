@@ -137,6 +137,7 @@ export class Picture {
         this.#texts = texts;
         this.#ppm = this.#pixels = null;
         this.#place = null;
+        this.#viewer.choose(null);
         this.#digest.replaceChildren();
         this.#saves.forEach((button) => (button.disabled = true));
     }

@@ -28,6 +28,9 @@ export class Viewer {
     #corner: Place = { x: 0, y: 0 };
     /** The place in the stage whose pixel is told. */
     #told: Place | null = null;
+    /** The pixel of the picture that was clicked last, and the frame around it. */
+    #chosen: [column: number, row: number] | null = null;
+    readonly #frame = document.createElement('div');
     readonly #canvases: HTMLCanvasElement[];
     readonly #scale = document.createElement('span');
     readonly #pixel = document.createElement('span');
@@ -43,9 +46,14 @@ export class Viewer {
                 this.#told = at;
                 this.#tell();
                 const pixel = this.#pixelAt(at);
-                pixel && owner.clicked?.(...pixel);
+                if (pixel && owner.clicked) {
+                    this.choose(pixel);
+                    owner.clicked(...pixel);
+                }
             },
         });
+        this.#frame.className = 'chosen';
+        stage.append(this.#frame);
         stage.addEventListener('pointermove', (event) => {
             this.#told = gestures.placeOf(event);
             this.#tell();
@@ -71,6 +79,12 @@ export class Viewer {
         new ResizeObserver(() => this.#show()).observe(stage);
     }
 
+    /** Draws a frame around a pixel, or around none. */
+    choose(pixel: [column: number, row: number] | null): void {
+        this.#chosen = pixel;
+        this.#show();
+    }
+
     /** Shows the whole picture. */
     fit(): void {
         this.#zoomTo(1, null);
@@ -80,6 +94,7 @@ export class Viewer {
     goTo(column: number, row: number): void {
         const { width, height } = this.#canvases[0] ?? { width: 1, height: 1 };
         this.fit();
+        this.#chosen = [column, row];
         this.#zoomTo(Math.max(NEAR * this.#actual, 1), null);
         this.#corner = { x: 0.5 - ((column + 0.5) * this.#zoom) / width, y: 0.5 - ((row + 0.5) * this.#zoom) / height };
         this.#show();
@@ -122,6 +137,13 @@ export class Viewer {
         style.setProperty('--move', `${100 * this.#corner.x}%, ${100 * this.#corner.y}%`);
         style.setProperty('--zoom', String(this.#zoom));
         this.stage.classList.toggle('zoomed', this.#zoom > 1);
+        const { width = 1, height = 1 } = this.#canvases[0] ?? {};
+        const [column, row] = this.#chosen ?? [width, height];
+        this.#frame.hidden = column >= width || row >= height;
+        const [right, down] = [this.#zoom / width, this.#zoom / height];
+        const [left, top] = [this.#corner.x + (column + 0.5) * right, this.#corner.y + (row + 0.5) * down];
+        Object.assign(this.#frame.style, Object.fromEntries(
+            Object.entries({ left, top, width: right, height: down }).map(([name, part]) => [name, `${100 * part}%`])));
         // A finger scrolls the page over a whole picture, and moves a zoomed one.
         style.touchAction = this.#zoom > 1 ? 'none' : 'pan-y';
         this.#scale.textContent = `${Math.round((100 * this.#zoom) / this.#actual)} %`;

@@ -142,7 +142,7 @@ const WORDS = {
         'Un sombreador tiene un error; queda la última imagen buena.'],
     liveRefusedFirst: ['A shader has an error, so there is no picture yet. The editor of the shaders shows the line.',
         'Un sombreador tiene un error; aún no hay imagen. El editor de sombreadores muestra la línea.'],
-    endlessLoop: ['This loop of {0} did not end after 16,777,216 rounds, so it was stopped. Let it end.',
+    endlessLoop: ['This loop of {0} did not end after 16,777,216 rounds, so it was stopped. Make it end.',
         'Este bucle de {0} no terminó tras 16 777 216 vueltas y se ha detenido. Haga que termine.'],
     directive: ['A module can have no directive, because other modules stand before it in one text. Leave it out.',
         'Un módulo no puede tener directivas, porque otros módulos van antes en un mismo texto. Quítela.'],
@@ -185,7 +185,6 @@ const WORDS = {
     noCompare: ['Without WebGPU there are no shaders to compare.', 'Sin WebGPU no hay sombreadores que comparar.'],
     fit: ['Fit', 'Ajustar'],
     pixelAt: ['column {0}, row {1}: {2}', 'columna {0}, fila {1}: {2}'],
-    pixelChosen: ['Chosen: column {0}, row {1}.', 'Elegido: columna {0}, fila {1}.'],
     compareFiles: ['Compare files…', 'Archivos…'],
     compareClose: ['Back to the shaders', 'Volver a los sombreadores'],
     filesHelp: [

@@ -247,8 +247,9 @@ export const tests = {
         // "Explain" tells the clicked pixel of the picture, and the bytes of the file beside it.
         await shown(other);
         await page.tap('#compare-most-at');
-        const chosen = `Left: other.png. Right: Picture. Chosen: column ${column}, row ${row}.`;
-        equal(await page.textContent('#compare-names'), chosen, 'the chosen pixel');
+        const framed = await page.locator('#compare-stage .chosen').boundingBox();
+        await page.mouse.move(framed.x + framed.width / 2, framed.y + framed.height / 2);
+        check((await page.innerText('#compare-pane .viewing')).includes(`column ${column}, row ${row}:`), 'the frame around the pixel');
         await page.tap('#tab-explain');
         await page.waitForFunction(() => document.querySelectorAll('#explain-steps tr').length > 3);
         equal(await page.inputValue('#explain-column') + ' ' + await page.inputValue('#explain-row'), `${column} ${row}`, 'the explained pixel');

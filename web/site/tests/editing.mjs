@@ -123,6 +123,14 @@ export const tests = {
         await completionsTakeKeys(page);
         await page.keyboard.press('Enter');
         await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config === 'samples_per_pixel: 20');
+        // The rest of a line stays, behind a blank.
+        await type(page, 'config', '40');
+        await page.keyboard.press('Home');
+        await page.keyboard.type('sam');
+        await page.waitForSelector('.cm-tooltip-autocomplete');
+        await completionsTakeKeys(page);
+        await page.keyboard.press('Enter');
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config === 'samples_per_pixel: 40');
         await type(page, 'config', '');
         await page.keyboard.press('Control+Space');
         await page.waitForSelector('.cm-tooltip-autocomplete');

@@ -225,6 +225,21 @@ export const tests = {
         await shoot(page, 'live-phone');
     },
 
+    async 'a tap follows the pixel below the finger'({ open, url }) {
+        const page = await openLive(open, url, SCENE, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+        for (const [right, down] of [[0.3, 0.2], [0.8, 0.4], [0.5, 0.1]]) {
+            await page.tap('#tab-live');
+            const { x, y, width, height } = await page.locator('#live-canvas').boundingBox();
+            await page.touchscreen.tap(x + right * width, y + down * height);
+            await page.waitForSelector('#pixel-pane', { state: 'visible' });
+            await page.waitForTimeout(500);
+            const size = await page.evaluate(() => ['width', 'height'].map((name) => document.getElementById('pixel-picture')[name]));
+            const place = await Promise.all(['column', 'row'].map((name) => page.inputValue(`#pixel-${name}`)));
+            const far = [right, down].map((part, axis) => Math.abs(Number(place[axis]) + 0.5 - part * size[axis]));
+            check(Math.max(...far) <= 1.5, `${place} of ${size} instead of ${[right, down]}`);
+        }
+    },
+
     async 'samples over frames come near to the exact picture'({ open, url }) {
         const page = await openLive(open, url);
         const exact = await pixels(page, 'canvas');

@@ -115,10 +115,14 @@ export const tests = {
         await page.evaluate(() => document.querySelector('#shader-editor .cm-activeLine').scrollIntoView({ block: 'end' }));
         await page.keyboard.insertText('x');
         await page.waitForSelector('#shader-faults pre');
-        await page.waitForFunction(() => {
+        const isSeen = () => page.waitForFunction(() => {
             const [line, list] = ['#shader-editor .cm-activeLine', '#shader-faults'].map((name) => document.querySelector(name).getBoundingClientRect());
             return line.top > 0 && line.bottom <= list.top;
         });
+        await isSeen();
+        await page.evaluate(() => document.querySelectorAll('html, section').forEach((part) => part.scrollTo(0, 0)));
+        await page.click('#shader-faults button');
+        await isSeen();
     },
 
     async 'faults of WGSL are told at their place'({ open, url }) {
