@@ -237,7 +237,7 @@ mod tests {
         let large = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
         let down = |length: f64| Ray { origin: Vec3::new(0.0, 1.0, 0.0), direction: Vec3::new(0.0, -length, 0.0) };
         assert_eq!(compensated(&large, &down(1.0)), Decision::Certain(Some(1.0)));
-        for length in [0.0, 1e-60, 1e60, f64::INFINITY, f64::NAN] {
+        for length in [0.0, 1e-60, 1e60, -1e60, f64::INFINITY, f64::NAN] {
             assert_eq!(compensated(&large, &down(length)), Decision::Uncertain, "{length}");
         }
         // One ray goes away from the sphere. The other one starts on its surface, and leaves it on the other side.

@@ -201,6 +201,9 @@ mod tests {
         assert_eq!((quarter * quarter * quarter * quarter).high, std::f64::consts::E);
         assert!(is_near(tables::exponential(-16) * quarter, of(1.0), 100));
         assert!(is_near(quick::ln_of_parts(-1, 96, of(0.0)), of_4_3 - tables::LN_2, 103));
+        // A number in the middle between two entries of the table has the same logarithm by both.
+        let by = |k: usize| quick::ln_of_parts(0, k, of(128.0 / 100.5) * of(k as f64 / 128.0) - of(1.0));
+        assert!(is_near(by(100), by(101), 97));
         // 4/3 times 1 + 1/256 is 257/192.
         assert!((quick::ln_of_parts(0, 96, of(1.0 / 256.0)).high - (257.0_f64 / 192.0).ln()).abs() < 1e-15);
         assert!(is_near(quick::exp_of_rest(of(0.0), 16), quarter, 100));
