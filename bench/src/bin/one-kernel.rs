@@ -1,6 +1,6 @@
 //! `one-kernel [NAME]`: runs one turn of a kernel in its own function, so that callgrind can count its instructions.
-//! bench/instructions runs it. With `--turns` it measures the time of a turn, for bench/slopes. Scripts that measure run
-//! it without a name, so that a wrong name in `RENDER_INSTRUCTION_SET` is an error.
+//! bench/instructions runs it. With `--turns` it measures the time of a turn, for bench/slopes. docs/refresh runs it
+//! without a name, to learn whether the machine has the set in `RENDER_INSTRUCTION_SET`.
 
 use std::process::ExitCode;
 use std::time::Instant;

@@ -159,9 +159,9 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// A bound of the relative error of a lambda in whose formula nothing cancels, in units of u. It is `10 k + 6` with
-/// a condition number `k` of 2 ([docs/accuracy.md](../../../docs/accuracy.md)). Errors above 4 occur where a small
-/// sphere is far away.
+/// A bound of the relative error of a lambda in whose formula nothing cancels, in units of u. It is the bound
+/// `10 k' + 6` of the compensated step (docs/accuracy.md), where `k'` bounds the condition number, which is up to 2
+/// where a small sphere is far away: `h` and `w` have about the size of their terms, and `sqrt(D)` is far smaller.
 const ORDINARY_ERROR: f64 = 26.0;
 
 /// Compares an answer, which is a lambda and a part, with the oracle's. Returns the relative error of lambda, which is

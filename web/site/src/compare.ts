@@ -276,7 +276,7 @@ export class Comparison {
         button.hidden = differing === 0;
         write(button, () => say('compareMostAt', column, row));
         button.onclick = () => {
-            this.#names && this.#viewer.goTo(column, row);
+            this.#names ? this.#viewer.goTo(column, row) : this.#viewer.choose([column, row]);
             this.#clicked(column, row);
         };
         this.#figures.dataset.differing = String(differing);

@@ -1,5 +1,5 @@
 // Offers the possible lines while the user types: the rows of the renderer's table, and the names of materials.
-import { insertCompletionText, type Completion, type CompletionContext, type CompletionResult } from '@codemirror/autocomplete';
+import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
 import type { Row } from './module';
 import { meaningOf, ofLanguage, say } from './words';
 
@@ -43,10 +43,12 @@ function tag(row: Row): Completion {
         detail: ofLanguage([row.values, row.spanishValues]),
         info: `${meaningOf(row.tag, row.meaning)}${start}`,
         apply(view, _, from, to) {
-            // The rest of the line, if it has one, stays as it is.
-            const rest = view.state.sliceDoc(to, view.state.doc.lineAt(to).to);
-            const behind = rest.trim() === '' ? ` ${row.default}` : /^\s/.test(rest) ? '' : ' ';
-            view.dispatch(insertCompletionText(view.state, row.tag + behind, from, to));
+            // The rest of the line, if it has one, stays as it is, but not the rest of a word.
+            const line = view.state.doc.lineAt(to);
+            const rest = line.text.slice(to - line.from).replace(/^\w*:/, '').trimStart();
+            const insert = `${row.tag} ${rest || row.default}`;
+            const anchor = from + insert.length - rest.length;
+            view.dispatch({ changes: { from, to: line.to, insert }, selection: { anchor }, userEvent: 'input.complete' });
         },
     };
 }

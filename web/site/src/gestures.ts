@@ -44,7 +44,7 @@ interface Pointer {
 export class Gestures {
     readonly #pointers = new Map<number, Pointer>();
     #start: Pointer | null = null;
-    /** The place of the last gesture, if it was a click. */
+    /** The place of the gesture that has just ended, if it was a click. */
     #clicked: Place | null = null;
 
     constructor(private readonly element: HTMLElement, private readonly wishes: Wishes) {
@@ -53,9 +53,17 @@ export class Gestures {
         element.addEventListener('pointerdown', (event) => this.#down(event));
         element.addEventListener('pointermove', (event) => this.#move(event));
         element.addEventListener('pointerup', (event) => this.#up(event));
-        // Not before the event of the browser: on a touch screen it comes last, and to what is shown then.
-        element.addEventListener('click', () => this.#clicked && wishes.click(this.#clicked));
-        element.addEventListener('pointercancel', (event) => this.#pointers.delete(event.pointerId));
+        // On a touch screen the browser sends this event last, to what is then under the finger. If `pointerup` had
+        // already shown another view, that view would get it.
+        element.addEventListener('click', () => {
+            const place = this.#clicked;
+            this.#clicked = null;
+            place && wishes.click(place);
+        });
+        element.addEventListener('pointercancel', (event) => {
+            this.#pointers.delete(event.pointerId);
+            this.#start = null;
+        });
         element.addEventListener('contextmenu', (event) => event.preventDefault());
         element.addEventListener('wheel', (event) => {
             event.preventDefault();
@@ -75,6 +83,7 @@ export class Gestures {
         this.element.focus();
         this.element.setPointerCapture(event.pointerId);
         this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+        this.#clicked = null;
         this.#start = this.#pointers.size === 1 ? { x: event.clientX, y: event.clientY } : null;
     }
 
@@ -105,7 +114,7 @@ export class Gestures {
         this.#pointers.delete(event.pointerId);
         const start = this.#start;
         this.#start = null;
-        const isStill = start && Math.hypot(event.clientX - start.x, event.clientY - start.y) < STILL;
+        const isStill = start && event.button === 0 && Math.hypot(event.clientX - start.x, event.clientY - start.y) < STILL;
         this.#clicked = isStill ? this.placeOf(event) : null;
     }
 

@@ -105,6 +105,8 @@ export class Picture {
     /** Chooses a pixel to explain. */
     choose(column: number, row: number): void {
         this.#place = [column, row];
+        const step = Number(this.#canvas.dataset.step ?? 1);
+        this.#viewer.choose([Math.floor(column / step), Math.floor(row / step)]);
     }
 
     /** Whether the picture belongs to these texts. Without a picture this holds. */

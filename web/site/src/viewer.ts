@@ -28,8 +28,8 @@ export class Viewer {
     #corner: Place = { x: 0, y: 0 };
     /** The place in the stage whose pixel is told. */
     #told: Place | null = null;
-    /** The pixel of the picture that was clicked last, and the frame around it. */
-    #chosen: [column: number, row: number] | null = null;
+    /** The middle of the pixel that was clicked last, in parts of the picture, and the frame around it. */
+    #chosen: Place | null = null;
     readonly #frame = document.createElement('div');
     readonly #canvases: HTMLCanvasElement[];
     readonly #scale = document.createElement('span');
@@ -81,8 +81,14 @@ export class Viewer {
 
     /** Draws a frame around a pixel, or around none. */
     choose(pixel: [column: number, row: number] | null): void {
-        this.#chosen = pixel;
+        const { width, height } = this.#size;
+        this.#chosen = pixel && { x: (pixel[0] + 0.5) / width, y: (pixel[1] + 0.5) / height };
         this.#show();
+    }
+
+    /** The size of the picture. */
+    get #size(): { width: number; height: number } {
+        return this.#canvases[0] ?? { width: 1, height: 1 };
     }
 
     /** Shows the whole picture. */
@@ -92,9 +98,9 @@ export class Viewer {
 
     /** Shows a pixel of the picture in the middle, enlarged, with its numbers. */
     goTo(column: number, row: number): void {
-        const { width, height } = this.#canvases[0] ?? { width: 1, height: 1 };
+        const { width, height } = this.#size;
         this.fit();
-        this.#chosen = [column, row];
+        this.choose([column, row]);
         this.#zoomTo(Math.max(NEAR * this.#actual, 1), null);
         this.#corner = { x: 0.5 - ((column + 0.5) * this.#zoom) / width, y: 0.5 - ((row + 0.5) * this.#zoom) / height };
         this.#show();
@@ -137,13 +143,12 @@ export class Viewer {
         style.setProperty('--move', `${100 * this.#corner.x}%, ${100 * this.#corner.y}%`);
         style.setProperty('--zoom', String(this.#zoom));
         this.stage.classList.toggle('zoomed', this.#zoom > 1);
-        const { width = 1, height = 1 } = this.#canvases[0] ?? {};
-        const [column, row] = this.#chosen ?? [width, height];
-        this.#frame.hidden = column >= width || row >= height;
-        const [right, down] = [this.#zoom / width, this.#zoom / height];
-        const [left, top] = [this.#corner.x + (column + 0.5) * right, this.#corner.y + (row + 0.5) * down];
+        this.#frame.hidden = this.#chosen === null;
+        const { x, y } = this.#chosen ?? { x: 0, y: 0 };
+        const [left, top] = [this.#corner.x + x * this.#zoom, this.#corner.y + y * this.#zoom];
+        const [width, height] = [this.#zoom / this.#size.width, this.#zoom / this.#size.height];
         Object.assign(this.#frame.style, Object.fromEntries(
-            Object.entries({ left, top, width: right, height: down }).map(([name, part]) => [name, `${100 * part}%`])));
+            Object.entries({ left, top, width, height }).map(([name, part]) => [name, `${100 * part}%`])));
         // A finger scrolls the page over a whole picture, and moves a zoomed one.
         style.touchAction = this.#zoom > 1 ? 'none' : 'pan-y';
         this.#scale.textContent = `${Math.round((100 * this.#zoom) / this.#actual)} %`;

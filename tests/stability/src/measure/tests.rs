@@ -62,12 +62,25 @@ fn the_exact_intersection_is_right_for_the_thin_discs_that_were_called_wrong() {
 
 #[test]
 fn the_first_root_of_a_far_sphere_is_right_though_the_second_is_nearer_to_its_lambda() {
-    // A ray of the regime "far and small". Its roots are 5 u apart, and `h` is a sum with three roundings.
+    // A ray of the regime "far and small". Its roots are 4.5 u apart, and `h` is a sum with three roundings.
     let center = Vec3::new(0.326_038_920_779_820_44, 0.472_667_393_855_170_2, 0.149_482_120_786_359_03);
     let origin = Vec3::new(-85_146_337_858.189_2, 103_639_008_982.478_71, 46_720_848_466.240_364);
     let direction = Vec3::new(0.599_476_724_651_276_4, -0.729_675_229_883_346_5, -0.328_940_291_688_420_1);
     let case = Case::sphere(center, 3.724_706_334_919_319e-5, origin, direction);
     let (record, ray) = case.of();
-    let error = verdict(&case, record.exact(&ray)).expect("the first root is chosen");
+    let answer = record.exact(&ray);
+    let error = verdict(&case, answer).expect("the first root is chosen");
     assert!(error > 4.0 * DOUBLE && error < 5.0 * DOUBLE, "{error:e}");
+    let (lambda, judgement) = (big(answer.expect("it hits").0), oracle::judge(&case));
+    let distances: Vec<_> = judgement.crossings.iter().map(|(_, root)| to_f64(&(&lambda - root)).abs()).collect();
+    assert!(distances.iter().any(|other| *other < 0.2 * error * to_f64(&lambda)), "{distances:?}");
+}
+
+#[test]
+fn the_second_of_two_roots_that_are_just_apart_enough_is_wrong() {
+    // The ray crosses the sphere at 1 - 2^-48 and 1 + 2^-48, 64 u apart.
+    let half = 0.5_f64.powi(48);
+    let case = Case::sphere(Vec3::new(0.0, 0.0, 1.0), half, Vec3::ZERO, Vec3::new(0.0, 0.0, 1.0));
+    assert_eq!(verdict(&case, Some((1.0 - half, Side))), Ok(0.0));
+    assert_eq!(verdict(&case, Some((1.0 + half, Side))), Err(Fault::Root));
 }
