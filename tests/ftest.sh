@@ -15,15 +15,15 @@ cd "$(dirname "$0")/.."
 # build begins now. Its messages come from the same command below, which waits for it.
 release=(cargo build --release -p cli --bins)
 "${release[@]}" >/dev/null 2>&1 &
+packages=(--workspace)
 if [ "${1:-}" = programs ]; then
     shift
-    step cargo test -p cli --test '*' --no-fail-fast "$@"
-else
-    step cargo test --workspace --test '*' --no-fail-fast "$@"
+    packages=(-p cli)
 fi
+step cargo test "${packages[@]}" --test '*' --no-fail-fast "$@"
 step "${release[@]}"
 target=${CARGO_TARGET_DIR:-target}
 [[ $target == /* ]] || target=$PWD/$target
-# With all packages, as above: one package alone would be compiled again, with features of its own.
-step env RENDER_PROGRAMS="$target/release" cargo test --workspace --test digests "$@"
+# With the same packages as above: others would be compiled again, with other features.
+step env RENDER_PROGRAMS="$target/release" cargo test "${packages[@]}" --test digests "$@"
 finish

@@ -63,7 +63,9 @@ finish() {
 # Prints the names of the instruction sets that this machine has. The message about an unknown set lists them.
 sets_of_this_machine() {
     local said
-    said=$(RENDER_INSTRUCTION_SET=none cargo run --quiet -p lab --bin render-lab -- bench tasks 2>&1) || true
+    # With all packages: one package alone would be compiled again, with other features.
+    cargo build --quiet --workspace --bin render-lab || return
+    said=$(RENDER_INSTRUCTION_SET=none "${CARGO_TARGET_DIR:-target}/debug/render-lab" bench tasks 2>&1) || true
     [[ $said == *"this machine has "* ]] || { echo "$steps_name: no list of instruction sets: $said" >&2; return 1; }
     echo "${said##*this machine has }" | tr -d ,
 }

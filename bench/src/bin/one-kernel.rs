@@ -17,9 +17,9 @@ use clap::Parser;
 struct Options {
     /// The kernel
     name: Option<String>,
-    /// Number of turns; prints the median of their times in nanoseconds
-    #[arg(long, requires = "name")]
-    turns: Option<usize>,
+    /// Prints the median time of this many turns, in nanoseconds
+    #[arg(long, requires = "name", value_parser = clap::value_parser!(u32).range(1..))]
+    turns: Option<u32>,
 }
 
 /// Runs one turn. bench/instructions counts the instructions of this function.
@@ -40,7 +40,7 @@ fn main() -> ExitCode {
         // The first turn detects the instruction sets of the machine and allocates memory. It is not counted.
         work.prepare();
         work.turn();
-        let mut times: Vec<_> = (0..turns.unwrap_or(1).max(1))
+        let mut times: Vec<_> = (0..turns.unwrap_or(1))
             .map(|_| {
                 work.prepare();
                 let start = Instant::now();

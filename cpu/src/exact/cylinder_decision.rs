@@ -190,8 +190,8 @@ pub struct Crossing<T: Real> {
 impl<T: Rounding> Crossing<T> {
     /// Returns the crossing at `lambda`. `error_bound` is twice the bound of its error, or more. `accurate` and
     /// `behind` tell whether lambda certainly is in range and accurate, or certainly below the smallest lambda.
-    /// `start_along` and `slope` are distances along the axis: `start_along` from the middle of the cylinder to the
-    /// ray's origin, and `slope` by which the ray's point moves if lambda grows by one.
+    /// `start_along` is the distance along the axis from the middle of the cylinder to the ray's origin. `slope` is how
+    /// far the ray's point moves along the axis when lambda grows by one.
     #[inline(always)]
     pub(super) fn new(
         record: &CylinderRecord<T>,

@@ -91,7 +91,7 @@ fn rows(printed: &[u8]) -> Vec<(String, Vec<Option<f64>>, String)> {
 }
 
 #[test]
-fn twenty_teams_have_twenty_rows_with_reasons_after_interruptions_and_with_several_jobs_too() {
+fn twenty_teams_have_twenty_rows_with_reasons_however_they_are_graded() {
     let folder = all_teams();
     let once = rows(&bash(&folder, &format!("{GRADE} --jobs 2")).stdout);
     let names: Vec<_> = once.iter().map(|(team, ..)| team.clone()).collect();

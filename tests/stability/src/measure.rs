@@ -159,9 +159,9 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// A bound of the relative error of a lambda in whose formula nothing cancels, in units of u. It is the bound
-/// `10 k' + 6` of the compensated step (docs/accuracy.md), where `k'` bounds the condition number, which is up to 2
-/// where a small sphere is far away: `h` and `w` have about the size of their terms, and `sqrt(D)` is far smaller.
+/// The largest relative error of a lambda in whose formula nothing cancels, in units of u. docs/accuracy.md bounds the
+/// error of the compensated step by `(10 k' + 6) u`. There `k'` limits the condition number, which is at most 2 if
+/// nothing cancels.
 const ORDINARY_ERROR: f64 = 26.0;
 
 /// Compares an answer, which is a lambda and a part, with the oracle's. Returns the relative error of lambda, which is

@@ -145,10 +145,13 @@ export class Viewer {
         this.stage.classList.toggle('zoomed', this.#zoom > 1);
         this.#frame.hidden = this.#chosen === null;
         const { x, y } = this.#chosen ?? { x: 0, y: 0 };
-        const [left, top] = [this.#corner.x + x * this.#zoom, this.#corner.y + y * this.#zoom];
-        const [width, height] = [this.#zoom / this.#size.width, this.#zoom / this.#size.height];
-        Object.assign(this.#frame.style, Object.fromEntries(
-            Object.entries({ left, top, width, height }).map(([name, part]) => [name, `${100 * part}%`])));
+        const percent = (part: number) => `${100 * part}%`;
+        Object.assign(this.#frame.style, {
+            left: percent(this.#corner.x + x * this.#zoom),
+            top: percent(this.#corner.y + y * this.#zoom),
+            width: percent(this.#zoom / this.#size.width),
+            height: percent(this.#zoom / this.#size.height),
+        });
         // A finger scrolls the page over a whole picture, and moves a zoomed one.
         style.touchAction = this.#zoom > 1 ? 'none' : 'pan-y';
         this.#scale.textContent = `${Math.round((100 * this.#zoom) / this.#actual)} %`;
