@@ -118,11 +118,11 @@ fn check(project: &Project) -> String {
     table + "\n" + &source("check", &file)
 }
 
-/// Returns the table of what each mechanism gains, as `render-lab bench mechanisms` printed it.
-fn mechanisms(project: &Project) -> String {
-    let file = project.text("docs/measurements/mechanisms.txt");
+/// Returns the table that the command of a part printed.
+fn printed(project: &Project, part: &str) -> String {
+    let file = project.text(&format!("docs/measurements/{part}.txt"));
     let rows: String = file.lines().filter(|line| line.starts_with('|')).map(|line| format!("{line}\n")).collect();
-    rows + "\n" + &source("mechanisms", &file)
+    rows + "\n" + &source(part, &file)
 }
 
 /// Returns the text of a block.
@@ -134,7 +134,7 @@ fn block(project: &Project, name: &str) -> String {
         "sets" => sets(project),
         "accuracy" => accuracy::block(project),
         "check" => check(project),
-        "mechanisms" => mechanisms(project),
+        "mechanisms" | "slopes" => printed(project, name),
         _ => panic!("there is no block of figures [{name}]"),
     }
 }

@@ -28,6 +28,8 @@ type Change = fn(&mut Prepared<Aos>, &Scene) -> Result<bool, Error>;
 
 /// The mechanisms, each with the change that takes it away or replaces it.
 const CHANGES: &[(&str, Change)] = &[
+    // Its cell shows what the place of a prepared scene in memory and chance do.
+    ("no change", |_, _| Ok(true)),
     ("small scene or flat filter, against BVH", |prepared, scene| {
         let chosen = matches!(prepared.accel, Accel::SmallScene(_) | Accel::FlatFilter(_));
         replace(prepared, scene, chosen, Structure::Bvh(None))

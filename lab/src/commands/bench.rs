@@ -46,7 +46,7 @@ enum What {
     #[command(after_help = "Examples:\n  render-lab bench mechanisms >mechanisms.md")]
     Mechanisms {
         /// Repeats of each time
-        #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
+        #[arg(long, default_value_t = 9, value_parser = clap::value_parser!(u16).range(1..))]
         repeats: u16,
         /// Small pictures, to try it out in minutes
         #[arg(long)]
@@ -104,7 +104,7 @@ struct How {
     #[arg(long)]
     quiet: bool,
     /// Repeats of each time
-    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, default_value_t = 9, value_parser = clap::value_parser!(u16).range(1..))]
     repeats: u16,
 }
 
