@@ -12,10 +12,10 @@
 //!
 //! How is a scene of 200 objects searched? A [`Bvh`] has nodes of up to 16 children. So a scene of 9 to 256 objects
 //! without a flat filter mostly gets a tree of two levels: a root whose children are nodes of objects. A ray is tested
-//! against the boxes of the root, then against those of each child that it hits, the nearest child first. From 257
-//! objects on, a ray is tested against the collapsed root instead of the root and its children
-//! (`accel/bvh/collapsed_root.rs`). This is one list of up to 64 boxes, most of which are those of the second level. It
-//! is used by instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres alone has bounding spheres
+//! against the boxes of the root, then against those of each child that it hits, the nearest child first. Instead of
+//! the root and its children a larger tree may have a collapsed root (`accel/bvh/collapsed_root.rs`). This is one list
+//! of up to 64 boxes, most of which are those of the second level, if that many fill their nodes. It is used by
+//! instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres alone has bounding spheres
 //! instead of boxes in its leaves, unless they are sparse (`accel/bvh/sphere_leaf.rs`).
 //!
 //! With a [`SmallScene`] one more choice follows. With fewer than four objects, paths are traced with a lookahead
