@@ -95,7 +95,7 @@ export const tests = {
         await picture(page, '#pixel-pane', 'shader-lab/pixel');
     },
 
-    async 'render-lab shows a progress bar and writes a page of measurements with charts'({ open, url }) {
+    async 'a walk through render-lab shows a progress bar and a page of measurements with charts'({ open, url }) {
         const folder = mkdtempSync(join(tmpdir(), 'readme-'));
         const root = join(import.meta.dirname, '../../..');
         const run = (...words) => {
