@@ -18,8 +18,9 @@
 //! instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres alone has bounding spheres
 //! instead of boxes in its leaves, unless they are sparse (`accel/bvh/sphere_leaf.rs`).
 //!
-//! With a [`SmallScene`] one more choice follows. With fewer than four objects, paths are traced with a lookahead
-//! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
+//! With a [`SmallScene`] one more choice follows. With fewer than four objects, or fewer than six with a ground, paths
+//! are traced with a lookahead (`render/trace_paths.rs`). With more, lanes hold several objects for one ray
+//! (`accel/small_scene.rs`).
 //! Frustum culling visits the boxes of a [`Bvh`] ([`Accel::visit_boxes`]). Specular chains use a structure only beyond
 //! 64 objects and with extreme magnitudes; otherwise lanes of rays are tested against every object
 //! (`render/specular_chains.rs`). The limits stand beside what they limit: `accel/extent.rs`,

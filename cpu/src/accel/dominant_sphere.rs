@@ -41,6 +41,15 @@ impl DominantSphere {
         self.0 == Some(id)
     }
 
+    /// Whether there is a dominant sphere, and the centres of all other objects are outside of it: they stand on it. A
+    /// sphere around them is a room, from which no ray escapes.
+    pub(crate) fn is_ground(self, objects: &impl Objects) -> bool {
+        self.0.map(|id| bounding_sphere(objects, id)).is_some_and(|(center, radius)| {
+            let others = (0..count(objects) as ObjectId).filter(|&id| !self.is(id));
+            others.map(|id| bounding_sphere(objects, id).0).all(|other| (other - center).length() > radius)
+        })
+    }
+
     /// Returns the objects that overlap the dominant sphere, including those that rounding may move into it. The result
     /// is `None` if they are more than [`MOST_OVERLAPPING`], or if there is no dominant sphere.
     ///
@@ -126,6 +135,19 @@ mod tests {
         assert_eq!(dominant_of("sphere: 0 -9 0 8 m\ncylinder: 0 0 0 .1 0 3 0 m\n"), None, "the cylinder is long");
         assert_eq!(dominant_of("cylinder: 0 0 0 .1 0 3 0 m\n"), None, "there is no sphere");
         assert_eq!(dominant_of("sphere: 0 0 0 1 m\n"), Some(0), "a single sphere is larger than all else");
+    }
+
+    #[test]
+    fn objects_stand_on_a_ground_and_are_inside_of_a_room() {
+        let is_ground = |text: &str| {
+            let scene = Scene::parse(format!("matte: m 1 1 1\n{text}").as_bytes()).expect("the scene is valid");
+            let objects = AosObjects::build(&scene).expect("it fits");
+            DominantSphere::of(&objects).is_ground(&objects)
+        };
+        assert!(is_ground("sphere: 0 -50 0 50 m\nsphere: 0 1 0 1 m\ncylinder: 2 .1 0 1 0 3 0 m\n"));
+        assert!(!is_ground("sphere: 0 -50 0 50 m\nsphere: 0 1 0 1 m\ncylinder: 2 -1 0 1 0 3 0 m\n"), "one is inside");
+        assert!(!is_ground("sphere: 0 0 0 50 m\nsphere: 0 1 0 1 m\n"), "a room");
+        assert!(!is_ground("sphere: 0 -3 0 3 m\nsphere: 0 1 0 1 m\n"), "no sphere is dominant");
     }
 
     #[test]

@@ -5,15 +5,19 @@
 //! formulas intersect these. If a ray may hit no object, it certainly escapes.
 
 use crate::accel::{
-    accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, extent::Extent, extent::is_within,
-    may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short, may_hit::object_lanes::ObjectLanes,
-    object::ObjectId, object::count, stack::Stack,
+    accelerator::Accelerator, accelerator::Start, closest_hit::ClosestHit, dominant_sphere::DominantSphere,
+    extent::Extent, extent::is_within, may_hit::conservative::ConservativeRay, may_hit::conservative::is_too_short,
+    may_hit::object_lanes::ObjectLanes, object::ObjectId, object::count, stack::Stack,
 };
 use crate::{geometry::ray::Ray, layout::Objects, simd::Simd, simd::SimdF64};
 
 /// If a scene has at least this many objects, a ray of a path is tested against several objects at once, one in each
 /// lane. Fewer objects would fill too few lanes, so such a scene may be traced with a lookahead instead.
 const FEWEST_IN_LANES: usize = 4;
+
+/// The same for objects on a ground. There many rays escape, and a lookahead finds several of them at once
+/// (docs/experiments.md).
+const FEWEST_IN_LANES_ON_GROUND: usize = 6;
 
 /// The structure for up to eight objects.
 #[derive(Clone, Debug)]
@@ -32,7 +36,8 @@ impl SmallScene {
     /// Builds the structure over `objects`.
     pub(crate) fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Self {
         let count = count(objects);
-        let uses_object_lanes = count >= FEWEST_IN_LANES;
+        let is_ground = DominantSphere::of(objects).is_ground(objects);
+        let uses_object_lanes = count >= if is_ground { FEWEST_IN_LANES_ON_GROUND } else { FEWEST_IN_LANES };
         Self { count, uses_object_lanes, object_lanes: ObjectLanes::new(objects, max_coordinate), max_coordinate }
     }
 

@@ -465,6 +465,21 @@ fn a_small_scene_gives_the_closest_hits_with_and_without_objects_in_lanes() {
 }
 
 #[test]
+fn paths_look_ahead_with_fewer_than_four_objects_or_six_on_a_ground() {
+    let ground = "sphere: 0 -1000 0 1000 m\n";
+    for (others, around, expected) in
+        [(2, "", true), (3, "", true), (4, "", false), (3, ground, true), (4, ground, true), (5, ground, false)]
+    {
+        let rest: String = (0..others).map(|x| format!("sphere: {x} 1 0 .5 m\n")).collect();
+        let scene = Scene::parse(format!("matte: m 1 1 1\n{around}{rest}").as_bytes()).expect("the scene is valid");
+        let mut objects = AosObjects::build(&scene).expect("it fits");
+        let accel = accel(&mut objects);
+        let small_scene = accel.in_lanes().expect("the scene is small");
+        assert_eq!(!small_scene.uses_object_lanes(), expected, "{others} others {around}");
+    }
+}
+
+#[test]
 fn up_to_64_objects_of_ordinary_scenes_are_tested_in_lanes() {
     let ordinary = Extent { max_coordinate: 240.0, moderate: true, has_tiny: false };
     for (count, extent, expected) in [

@@ -1,4 +1,4 @@
-//! Path tracing with fewer than four objects. The first rays of the next paths are tested ahead, several at once.
+//! Path tracing with few objects. The first rays of the next paths are tested ahead, several at once.
 //!
 //! Half of all paths escape with their first ray. So the guess is that each of the next paths escapes at once. Then
 //! each of them takes exactly one scatter sample, and the first rays of all of them can be tested at once. The guess is

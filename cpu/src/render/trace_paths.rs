@@ -1,8 +1,8 @@
 //! Traces the paths one after the other, each from its first matte or metal surface on. The specification makes this
 //! part sequential, because all paths take their scatter samples from one stream.
 //!
-//! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop, unless a path of the queue
-//! is already at the maximum depth.
+//! With few objects (`accel/small_scene.rs`), [`lookahead`](crate::render::lookahead) replaces this loop, unless a path
+//! of the queue is already at the maximum depth.
 
 use crate::accel::{accelerator::Accelerator, choice::dispatch, stack::Stack};
 use crate::counters::{Counter, add};
