@@ -14,16 +14,15 @@
 //! without a flat filter mostly gets a tree of two levels: a root whose children are nodes of objects. A ray is tested
 //! against the boxes of the root, then against those of each child that it hits, the nearest child first. Instead of
 //! the root and its children a larger tree may have a collapsed root (`accel/bvh/collapsed_root.rs`). This is one list
-//! of up to 64 boxes, most of which are those of the second level, if that many fill their nodes. It is used by
-//! instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres alone has bounding spheres
-//! instead of boxes in its leaves, unless they are sparse (`accel/bvh/sphere_leaf.rs`).
+//! of up to 64 boxes, most of which are those of the second level, if full nodes below it need more than 16. It is used
+//! by instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres alone has bounding spheres instead of
+//! boxes in its leaves, unless they are sparse (`accel/bvh/sphere_leaf.rs`).
 //!
-//! With a [`SmallScene`] one more choice follows. With fewer than four objects, or fewer than six with a ground, paths
-//! are traced with a lookahead (`render/trace_paths.rs`). With more, lanes hold several objects for one ray
-//! (`accel/small_scene.rs`).
-//! Frustum culling visits the boxes of a [`Bvh`] ([`Accel::visit_boxes`]). Specular chains use a structure only beyond
-//! 64 objects and with extreme magnitudes; otherwise lanes of rays are tested against every object
-//! (`render/specular_chains.rs`). The limits stand beside what they limit: `accel/extent.rs`,
+//! With a [`SmallScene`] one more choice follows. With fewer than four objects, or fewer than six of which one is a
+//! ground, paths are traced with a lookahead (`render/trace_paths.rs`). With more, lanes hold several objects for one
+//! ray (`accel/small_scene.rs`). Frustum culling visits the boxes of a [`Bvh`] ([`Accel::visit_boxes`]). Specular
+//! chains use a structure only beyond 64 objects and with extreme magnitudes; otherwise lanes of rays are tested
+//! against every object (`render/specular_chains.rs`). The limits stand beside what they limit: `accel/extent.rs`,
 //! `accel/may_hit/object_lanes.rs`, `accel/flat_filter.rs`, `accel/may_hit/filter_ray.rs` and `accel/small_scene.rs`.
 //! [`FlatFilter`] and [`Bvh`] test a sphere much larger than all other objects separately (`accel/dominant_sphere.rs`).
 //! A [`Bvh`] also tests objects separately that are tiny or reach much farther than all others (`accel/giants.rs`).

@@ -41,8 +41,8 @@ impl DominantSphere {
         self.0 == Some(id)
     }
 
-    /// Whether there is a dominant sphere, and the centres of all other objects are outside of it: they stand on it. A
-    /// sphere around them is a room, from which no ray escapes.
+    /// Whether there is a dominant sphere and the centres of all other objects lie outside of it. If one is inside, the
+    /// sphere may be a room, and no ray that starts in a room escapes.
     pub(crate) fn is_ground(self, objects: &impl Objects) -> bool {
         self.0.map(|id| bounding_sphere(objects, id)).is_some_and(|(center, radius)| {
             let others = (0..count(objects) as ObjectId).filter(|&id| !self.is(id));

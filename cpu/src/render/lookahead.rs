@@ -1,9 +1,9 @@
 //! Path tracing with few objects. The first rays of the next paths are tested ahead, several at once.
 //!
-//! Half of all paths escape with their first ray. So the guess is that each of the next paths escapes at once. Then
-//! each of them takes exactly one scatter sample, and the first rays of all of them can be tested at once. The guess is
-//! right for the paths before the first one that may hit an object. The test also gives the objects that this path may
-//! hit. The lanes after this path are computed again, because its hits may take more scatter samples.
+//! Often half of all paths escape with their first ray. So the guess is that each of the next paths escapes at once.
+//! Then each of them takes exactly one scatter sample, and the first rays of all of them can be tested at once. The
+//! guess is right for the paths before the first one that may hit an object. The test also gives the objects that this
+//! path may hit. The lanes after this path are computed again, because its hits may take more scatter samples.
 //!
 //! The intersections of one path depend on each other, so execution ports are idle meanwhile. Tests of the next paths
 //! use these ports, so they take almost no time. After [many hits](MANY_HITS) paths are traced without them.

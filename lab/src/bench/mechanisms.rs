@@ -17,7 +17,7 @@ use measure::turns::{in_turn, ratio, turns_of};
 use super::scenes;
 use crate::{Failure, engine, interrupt, terminal};
 
-/// A gain below this share loses time, and is marked.
+/// A ratio below this is a loss, and is marked.
 const LOSES: f64 = 0.98;
 
 /// Largest number of objects for which every ray is tested against every object.
@@ -28,7 +28,7 @@ type Change = fn(&mut Prepared<Aos>, &Scene) -> Result<bool, Error>;
 
 /// The mechanisms, each with the change that takes it away or replaces it.
 const CHANGES: &[(&str, Change)] = &[
-    // Its cell shows what the place of a prepared scene in memory and chance do.
+    // Measures the noise: chance, and the place of a prepared scene in memory.
     ("no change", |_, _| Ok(true)),
     ("small scene or flat filter, against BVH", |prepared, scene| {
         let chosen = matches!(prepared.accel, Accel::SmallScene(_) | Accel::FlatFilter(_));
@@ -99,7 +99,7 @@ pub fn table(repeats: usize, quick: bool) -> Result<String, Failure> {
     Ok(table)
 }
 
-/// Returns a gain as text. It is bold if the bounds exclude 1 and more than [`LOSES`] is lost.
+/// Returns a gain as text. It is bold if the median is below [`LOSES`] and the upper bound below 1.
 fn cell(gain: &Median) -> String {
     let text = format!("{:.2} ({:.2} to {:.2})", gain.median, gain.low, gain.high);
     if gain.median < LOSES && gain.high < 1.0 { format!("**{text}**") } else { text }

@@ -1,5 +1,6 @@
-// The walk of docs/shader-lab.md: a colour, a formula with a slider, and a planted fault; and the progress bar of
-// docs/guide.md. With the variable WALK, which names the folder of the pages, it writes their screenshots.
+// The walk of docs/shader-lab.md: a colour, a formula with a slider, and a planted fault; the progress bar of
+// docs/guide.md, and the charts of a report. With the variable WALK, which names the folder of the pages, it writes
+// their screenshots.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -96,7 +97,7 @@ export const tests = {
     },
 
     async 'a walk through render-lab shows a progress bar and a page of measurements with charts'({ open, url }) {
-        const folder = mkdtempSync(join(tmpdir(), 'readme-'));
+        const folder = mkdtempSync(join(tmpdir(), 'walk-'));
         const root = join(import.meta.dirname, '../../..');
         const run = (...words) => {
             const { status, stdout, stderr } = spawnSync(words[0], words.slice(1), { cwd: root, encoding: 'utf8' });
