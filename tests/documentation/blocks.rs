@@ -122,6 +122,7 @@ fn check(project: &Project) -> String {
 fn printed(project: &Project, part: &str) -> String {
     let file = project.text(&format!("docs/measurements/{part}.txt"));
     let rows: String = file.lines().filter(|line| line.starts_with('|')).map(|line| format!("{line}\n")).collect();
+    assert!(!rows.is_empty(), "{part}.txt has no table: {file}");
     rows + "\n" + &source(part, &file)
 }
 

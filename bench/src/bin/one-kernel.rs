@@ -1,6 +1,6 @@
 //! `one-kernel [NAME]`: runs one turn of a kernel in its own function, so that callgrind can count its instructions.
-//! bench/instructions runs it. With `--turns` it measures the time of a turn, for bench/slopes. docs/refresh runs it
-//! without a name, to learn whether the machine has the set in `RENDER_INSTRUCTION_SET`.
+//! bench/instructions does that. bench/slopes measures the time of a turn, with `--turns`. docs/refresh gives no name,
+//! to learn whether the machine has the set in `RENDER_INSTRUCTION_SET`.
 
 use std::process::ExitCode;
 use std::time::Instant;

@@ -42,7 +42,7 @@ pub const MOST_IN_FLOAT_BOXES: usize = 200_000;
 #[derive(Debug)]
 pub struct Bvh<B> {
     nodes: Vec<Node<B>>,
-    /// Most of the two highest levels of the tree, as one list of boxes; empty if full nodes below it need at most 16.
+    /// Most of the two highest levels of the tree, as one list of boxes. It may be empty.
     pub(super) collapsed_root: CollapsedRoot,
     /// For each axis, the part of a plane's move that does not depend on the ray; see [`slab_ray::margins`].
     margins: [f32; 3],

@@ -14,9 +14,9 @@
 //! without a flat filter mostly gets a tree of two levels: a root whose children are nodes of objects. A ray is tested
 //! against the boxes of the root, then against those of each child that it hits, the nearest child first. Instead of
 //! the root and its children a larger tree may have a collapsed root (`accel/bvh/collapsed_root.rs`). This is one list
-//! of up to 64 boxes, most of which are those of the second level, if full nodes below it need more than 16. It is used
-//! by instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres alone has bounding spheres instead of
-//! boxes in its leaves, unless they are sparse (`accel/bvh/sphere_leaf.rs`).
+//! of up to 64 boxes, most of which are those of the second level. The nodes below it are to be full, so not every
+//! number of objects has one. It is used by instruction sets with at least eight lanes of `f32`. A [`Bvh`] over spheres
+//! alone has bounding spheres instead of boxes in its leaves, unless they are sparse (`accel/bvh/sphere_leaf.rs`).
 //!
 //! With a [`SmallScene`] one more choice follows. With fewer than four objects, or fewer than six of which one is a
 //! ground, paths are traced with a lookahead (`render/trace_paths.rs`). With more, lanes hold several objects for one

@@ -465,7 +465,7 @@ fn a_small_scene_gives_the_closest_hits_with_and_without_objects_in_lanes() {
 }
 
 #[test]
-fn paths_look_ahead_with_fewer_than_four_objects_or_six_on_a_ground() {
+fn paths_look_ahead_with_fewer_than_four_objects_or_fewer_than_six_on_a_ground() {
     let ground = "sphere: 0 -1000 0 1000 m\n";
     for (others, around, expected) in
         [(2, "", true), (3, "", true), (4, "", false), (3, ground, true), (4, ground, true), (5, ground, false)]

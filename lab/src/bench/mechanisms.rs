@@ -17,7 +17,7 @@ use measure::turns::{in_turn, ratio, turns_of};
 use super::scenes;
 use crate::{Failure, engine, interrupt, terminal};
 
-/// A ratio below this is a loss, and is marked.
+/// A mechanism with a ratio below this loses time, and its cell is bold.
 const LOSES: f64 = 0.98;
 
 /// Largest number of objects for which every ray is tested against every object.
