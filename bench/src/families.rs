@@ -121,13 +121,16 @@ fn sphere_floor([radius, number, height, _]: Point) -> FamilyScene {
     )
 }
 
-/// Returns a sphere that is larger than the scene by far, whose surface passes through the origin.
-fn endless_sphere([radius, number, height, _]: Point) -> FamilyScene {
+/// Returns a sphere that is larger than the scene by far, whose surface passes through the origin. In half of the scenes
+/// its centre lies on an axis. In the others the surface misses the origin by the rounding of the centre.
+fn endless_sphere([radius, number, height, turn]: Point) -> FamilyScene {
     let (radius, number, height) = (log(radius, 1e12, 1e300), count(number, 1.0, 100.0), log(height, 0.1, 10.0));
+    let turn = (turn - 0.5).max(0.0);
+    let [x, y] = [-radius * turn.sin(), -radius * turn.cos()];
     FamilyScene::new(
-        format!("radius {radius:e}, {number} objects, camera at {height:e}"),
+        format!("radius {radius:e}, {number} objects, camera at {height:e}, turn {turn:.2}"),
         camera([0.0, height, -9.0], MIDDLE, 45.0),
-        &format!("sphere: 0 {:e} 0 {radius:e} m\n{}", -radius, small_objects(number, 1.0)),
+        &format!("sphere: {x:e} {y:e} 0 {radius:e} m\n{}", small_objects(number, 1.0)),
     )
 }
 

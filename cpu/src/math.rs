@@ -3,13 +3,15 @@
 //!
 //! A formula over the trait of [`real`] is written once, and works on one number or on several at once. [`vec3`] has
 //! vectors of such numbers. [`rounding`] adds the size of the rounding errors to the trait. [`error_free`] computes
-//! sums and products together with their rounding errors. [`double_double`] and [`dyadic`] are more precise numbers.
-//! [`tangent`](tangent::tangent) and [`power`](power::power) replace the functions of the system's library, because the
-//! last bits of their results differ between systems. This module uses no other one. Begin with [`real::Real`].
+//! sums and products together with their rounding errors, and [`exact_sum`] adds without any. [`double_double`] and
+//! [`dyadic`] are more precise numbers. [`tangent`](tangent::tangent) and [`power`](power::power) replace the functions
+//! of the system's library, because the last bits of their results differ between systems. This module uses no other
+//! one. Begin with [`real::Real`].
 
 pub mod double_double;
 pub mod dyadic;
 pub mod error_free;
+pub(crate) mod exact_sum;
 pub mod fixed_point;
 pub(crate) mod limbs;
 pub(crate) mod nearest;

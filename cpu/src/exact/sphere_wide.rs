@@ -5,13 +5,15 @@
 //! With `m` for the component of `C - O` of largest magnitude, and `p` and `q` for the others, the constant coefficient
 //! is `c = (|m| - r) (|m| + r) + p^2 + q^2`. Components of `C - O` have no rounding error, and the first difference
 //! cancels before it is multiplied. So the error of `c` is relative to these terms, not to `r^2`. They are small if the
-//! ray starts near a ground of any radius.
+//! ray starts near a ground of any radius. Where they cancel too, as on a huge sphere off the axes, all products
+//! are added without a rounding error.
 //!
 //! A lambda counts only if all numbers within its error round to one `f64`. So this step never changes the result.
 
 use crate::exact::{error_bound::Decision, error_bound::UNDERFLOW, error_bound::in_scale};
 use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
-use crate::math::{double_double::DoubleDouble, dyadic::times_power_of_two, error_free::vector_difference, real::Real};
+use crate::math::{double_double::DoubleDouble, dyadic::times_power_of_two, error_free::vector_difference};
+use crate::math::{exact_sum::ExactSum, real::Real, vec3::Vec3};
 
 /// Bounds the errors of the coefficients and of the discriminant, relative to the sizes of their terms: 2^-96.
 pub const WIDE_ERROR: f64 = f64::from_bits((1023 - 96) << 52);
@@ -62,6 +64,52 @@ impl Bounded {
     }
 }
 
+/// The equation `a lambda^2 - 2 h lambda + c = 0`, in which `h` and `c` are multiplied by `scale`, a power of two.
+struct Equation {
+    a: DoubleDouble,
+    h: Bounded,
+    size_of_h: f64,
+    scale: f64,
+}
+
+impl Equation {
+    /// Returns the hit for this value of `c`, whose error is relative to `size_of_c`.
+    #[inline(always)]
+    fn hit(&self, c: DoubleDouble, size_of_c: f64) -> Decision<Option<f64>> {
+        let &Self { a, h, size_of_h, scale } = self;
+        let c = Bounded::of_size(c, size_of_c);
+        let product = (a * c.value) * DoubleDouble::of(scale);
+        let size_of_d = (h.value.high.abs() + WIDE_ERROR * size_of_h) * size_of_h
+            + (a.high * size_of_c) * scale
+            + h.value.high.powi(2);
+        let d = Bounded::of_size(h.value * h.value - product, 4.0 * size_of_d);
+        if !in_scale(a.high) {
+            return Decision::Uncertain;
+        }
+        if d.value.high < -d.error_bound {
+            return Decision::Certain(None);
+        }
+        let sqrt_d = d.value.sqrt();
+        let (sum, is_backward) = match h.value.high < 0.0 {
+            true => (h.value - sqrt_d, true),
+            false => (h.value + sqrt_d, false),
+        };
+        let error_bound = h.error_bound + d.error_bound / sqrt_d.high + WIDE_ERROR * sum.high.abs();
+        let sum = Bounded { value: sum, error_bound };
+        // Also refuses what has overflowed or is NaN.
+        if !(d.error_bound < d.value.high * 0.25 && sum.error_bound < sum.value.high.abs() * 0.25) {
+            return Decision::Uncertain;
+        }
+        let (of_sum, of_c) = (sum.root(Bounded::of_size(a, a.high), 1.0 / scale), c.root(sum, 1.0));
+        let (smaller, larger) = if is_backward { (of_sum, of_c) } else { (of_c, of_sum) };
+        match (smaller, larger) {
+            (Root::Hits(lambda), _) | (Root::Fails, Root::Hits(lambda)) => Decision::Certain(Some(lambda)),
+            (Root::Fails, Root::Fails) => Decision::Certain(None),
+            _ => Decision::Uncertain,
+        }
+    }
+}
+
 /// Returns the hit of a ray, or `None` for a miss, if rounding certainly has not changed it.
 #[inline(always)]
 pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
@@ -74,7 +122,7 @@ pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     } else if p.0.abs() == largest {
         (m, p) = (p, m);
     }
-    // `h`, `c` and `a` are multiplied by this power of two, which is 1 for most spheres. `a` is so only in products.
+    // This power of two is 1 for most spheres.
     let scale = match largest.max(record.radius) {
         size if size < LARGE => 1.0,
         size => times_power_of_two(1.0, -(((size.to_bits() >> 52) & 0x7FF) as i64 - 1023)),
@@ -86,45 +134,37 @@ pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
         [x * scaled((high.x, low.x)), y * scaled((high.y, low.y)), z * scaled((high.z, low.z))];
     let size_of_h = along_x.high.abs() + along_y.high.abs() + along_z.high.abs();
     let h = Bounded::of_size(along_x + along_y + along_z, size_of_h);
+    let equation = Equation { a, h, size_of_h, scale };
     let (outward, radius) = (DoubleDouble { high: m.0, low: m.1 }.abs(), of(record.radius));
     let both = scaled((outward.high, outward.low)) + of(record.radius * scale);
     let [first, second, third] = [(outward - radius) * both, square(p, scaled(p)), square(q, scaled(q))];
-    let size_of_c = first.high.abs() + second.high + third.high;
-    let c = Bounded::of_size(first + (second + third), size_of_c);
-    let product = (a * c.value) * of(scale);
-    let size_of_d =
-        (h.value.high.abs() + WIDE_ERROR * size_of_h) * size_of_h + (a.high * size_of_c) * scale + h.value.high.powi(2);
-    let d = Bounded::of_size(h.value * h.value - product, 4.0 * size_of_d);
-    if !in_scale(a.high) {
-        return Decision::Uncertain;
+    let decision = equation.hit(first + (second + third), first.high.abs() + second.high + third.high);
+    if decision != Decision::Uncertain {
+        return decision;
     }
-    if d.value.high < -d.error_bound {
-        return Decision::Certain(None);
-    }
-    let sqrt_d = d.value.sqrt();
-    let (sum, is_backward) = match h.value.high < 0.0 {
-        true => (h.value - sqrt_d, true),
-        false => (h.value + sqrt_d, false),
-    };
-    let sum =
-        Bounded { value: sum, error_bound: h.error_bound + d.error_bound / sqrt_d.high + WIDE_ERROR * sum.high.abs() };
-    // Also refuses what has overflowed or is NaN.
-    if !(d.error_bound < d.value.high * 0.25 && sum.error_bound < sum.value.high.abs() * 0.25) {
-        return Decision::Uncertain;
-    }
-    let (of_sum, of_c) = (sum.root(Bounded::of_size(a, a.high), 1.0 / scale), c.root(sum, 1.0));
-    let (smaller, larger) = if is_backward { (of_sum, of_c) } else { (of_c, of_sum) };
-    match (smaller, larger) {
-        (Root::Hits(lambda), _) | (Root::Fails, Root::Hits(lambda)) => Decision::Certain(Some(lambda)),
-        (Root::Fails, Root::Fails) => Decision::Certain(None),
-        _ => Decision::Uncertain,
-    }
+    let c = exact_c((high, low), record.radius, scale);
+    equation.hit(c, c.high.abs())
 }
 
 /// Returns the product of a number and the same number times a power of two.
 #[inline(always)]
 fn square((high, low): (f64, f64), scaled: DoubleDouble) -> DoubleDouble {
     DoubleDouble { high, low } * scaled
+}
+
+/// Returns `|C - O|^2 - r^2` times the power of two `scale`, from the two parts of `C - O`. Its relative error is that
+/// of [`ExactSum::rounded`].
+#[inline(always)]
+fn exact_c((high, low): (Vec3, Vec3), radius: f64, scale: f64) -> DoubleDouble {
+    // Ten products and their rounding errors.
+    let mut sum = ExactSum::<20>::new();
+    for (high, low) in high.to_array().into_iter().zip(low.to_array()) {
+        sum.add_product(low * scale, low);
+        sum.add_product(high * scale, 2.0 * low);
+        sum.add_product(high * scale, high);
+    }
+    sum.add_product(radius * scale, -radius);
+    sum.rounded()
 }
 
 #[cfg(test)]
@@ -177,9 +217,11 @@ mod tests {
     fn most_rays_above_a_ground_of_any_radius_are_certain() {
         let mut draws = Uniform::new(5);
         for radius in [1e12, 1e18, 1e30, 1e100, 1e200, 1e300] {
-            let cases = (0..1000).map(|_| case(radius, 1, &mut draws));
-            let certain = cases.filter(|(record, ray)| wide(record, ray) != Decision::Uncertain).count();
-            assert!(certain > 990, "{radius:e}: {certain}");
+            for on_or_off_axis in [1, 3] {
+                let cases = (0..1000).map(|_| case(radius, on_or_off_axis, &mut draws));
+                let certain = cases.filter(|(record, ray)| wide(record, ray) != Decision::Uncertain).count();
+                assert!(certain > 990, "{radius:e}: {certain}");
+            }
         }
     }
 

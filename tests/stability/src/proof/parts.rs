@@ -97,7 +97,7 @@ fn caps() -> Row {
 fn wide_sphere() -> Row {
     let [sum, product] = [3.0, 4.0];
     let dot = product + 2.0 * sum;
-    // A product of a difference and a sum, which is added to two squares.
+    // A product of a difference and a sum, which is added to two squares. An `ExactSum` needs less: 12.
     let c = (2.0 * sum + product) + 2.0 * sum;
     let need = 2.0 * ((dot + dot + product) + (dot + c + product) + sum);
     Row::new("sphere in double-double", "exact/sphere_wide.rs", [sphere_wide::WIDE_ERROR / (U * U), need], "u^2")
