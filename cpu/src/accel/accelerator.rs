@@ -30,9 +30,6 @@ pub struct ScatterTerms {
 pub trait Accelerator {
     /// Whether a ray may take milliseconds, because it may be tested against any number of objects.
     const MAY_BE_SLOW: bool = true;
-    /// Whether the latency of comparisons matters more than the width of the lanes, as it does with few objects. The
-    /// path tracing loop is then run by [`Simd::run_promptly`].
-    const IS_PROMPT: bool = false;
 
     /// Returns the closest hit of a ray. The caller counts the ray. `stack` is memory for the traversal of a tree.
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, start: Start, stack: &mut Stack) -> ClosestHit;

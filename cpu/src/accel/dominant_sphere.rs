@@ -41,13 +41,14 @@ impl DominantSphere {
         self.0 == Some(id)
     }
 
-    /// Whether there is a dominant sphere and the centres of all other objects lie outside of it. If one is inside, the
-    /// sphere may be a room, and no ray that starts in a room escapes.
+    /// Whether there is a dominant sphere, and the centres of all other objects lie outside of it. If one is inside, or
+    /// there is none, the sphere may be a room, and no ray that starts in a room escapes.
     pub(crate) fn is_ground(self, objects: &impl Objects) -> bool {
-        self.0.map(|id| bounding_sphere(objects, id)).is_some_and(|(center, radius)| {
-            let others = (0..count(objects) as ObjectId).filter(|&id| !self.is(id));
-            others.map(|id| bounding_sphere(objects, id).0).all(|other| (other - center).length() > radius)
-        })
+        count(objects) > 1
+            && self.0.map(|id| bounding_sphere(objects, id)).is_some_and(|(center, radius)| {
+                let others = (0..count(objects) as ObjectId).filter(|&id| !self.is(id));
+                others.map(|id| bounding_sphere(objects, id).0).all(|other| (other - center).length() > radius)
+            })
     }
 
     /// Returns the objects that overlap the dominant sphere, including those that rounding may move into it. The result
@@ -148,6 +149,7 @@ mod tests {
         assert!(!is_ground("sphere: 0 -50 0 50 m\nsphere: 0 1 0 1 m\ncylinder: 2 -1 0 1 0 3 0 m\n"), "one is inside");
         assert!(!is_ground("sphere: 0 0 0 50 m\nsphere: 0 1 0 1 m\n"), "a room");
         assert!(!is_ground("sphere: 0 -3 0 3 m\nsphere: 0 1 0 1 m\n"), "no sphere is dominant");
+        assert!(!is_ground("sphere: 0 0 0 50 m\n"), "the camera may be inside");
     }
 
     #[test]

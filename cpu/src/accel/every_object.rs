@@ -15,8 +15,6 @@ use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Object
 pub struct EveryObject;
 
 impl Accelerator for EveryObject {
-    const IS_PROMPT: bool = true;
-
     #[inline(always)]
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Start, _: &mut Stack) -> ClosestHit {
         intersect(objects, every(objects), ray)

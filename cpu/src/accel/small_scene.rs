@@ -15,8 +15,8 @@ use crate::{geometry::ray::Ray, layout::Objects, simd::Simd, simd::SimdF64};
 /// lane. Fewer objects would fill too few lanes, so such a scene may be traced with a lookahead instead.
 const FEWEST_IN_LANES: usize = 4;
 
-/// The limit for a scene with a ground, which counts as an object; see [`DominantSphere::is_ground`]. Many rays escape
-/// above a ground, so a lookahead often ends several paths at once (docs/experiments.md).
+/// The limit for a scene with a ground, which counts as an object. Many rays escape above a ground, so a lookahead often
+/// ends several paths at once (docs/experiments.md).
 const FEWEST_IN_LANES_ON_GROUND: usize = 6;
 
 /// The structure for up to eight objects.
@@ -26,6 +26,8 @@ pub struct SmallScene {
     count: usize,
     /// Whether lanes hold several objects for one ray. Otherwise they hold several rays for one object.
     pub(super) uses_object_lanes: bool,
+    /// Whether the scene has a ground, above which many rays escape; see [`DominantSphere::is_ground`].
+    has_ground: bool,
     /// The objects in lanes, for one ray or several, which start within the scene's extent.
     pub object_lanes: ObjectLanes,
     /// The largest coordinate of the scene; see [`Extent::max_coordinate`].
@@ -36,15 +38,22 @@ impl SmallScene {
     /// Builds the structure over `objects`.
     pub(crate) fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Self {
         let count = count(objects);
-        let is_ground = DominantSphere::of(objects).is_ground(objects);
-        let uses_object_lanes = count >= if is_ground { FEWEST_IN_LANES_ON_GROUND } else { FEWEST_IN_LANES };
-        Self { count, uses_object_lanes, object_lanes: ObjectLanes::new(objects, max_coordinate), max_coordinate }
+        let has_ground = DominantSphere::of(objects).is_ground(objects);
+        let uses_object_lanes = count >= if has_ground { FEWEST_IN_LANES_ON_GROUND } else { FEWEST_IN_LANES };
+        let object_lanes = ObjectLanes::new(objects, max_coordinate);
+        Self { count, uses_object_lanes, has_ground, object_lanes, max_coordinate }
     }
 
     /// Whether lanes hold several objects for one ray. Otherwise lanes hold several rays for one object.
     #[inline(always)]
     pub const fn uses_object_lanes(&self) -> bool {
         self.uses_object_lanes
+    }
+
+    /// Whether the latency of comparisons matters more than the width of the lanes for a lookahead. Above a ground it
+    /// does not, because a wider lookahead ends more paths at once.
+    pub(crate) const fn looks_ahead_promptly(&self) -> bool {
+        !self.has_ground
     }
 
     /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray may hit the object. The ray
@@ -99,7 +108,6 @@ fn intersect_cylinders<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &
 
 impl Accelerator for SmallScene {
     const MAY_BE_SLOW: bool = false;
-    const IS_PROMPT: bool = true;
 
     #[inline(always)]
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Start, _: &mut Stack) -> ClosestHit {

@@ -27,9 +27,14 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
             && !small_scene.uses_object_lanes()
             && tracer.all_may_send_rays()
         {
-            return simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene, hits: 0 });
+            let kernel = TraceWithLookahead { prepared, tracer, small_scene, hits: 0 };
+            return if small_scene.looks_ahead_promptly() { simd.run_promptly(kernel) } else { simd.run(kernel) };
         }
-        dispatch!(&prepared.accel, |accel| OneByOne { prepared, tracer, accel, stack }.run(simd));
+        let is_prompt = prepared.accel.is_prompt(&prepared.objects);
+        dispatch!(&prepared.accel, |accel| {
+            let kernel = OneByOne { prepared, tracer, accel, stack };
+            if is_prompt { simd.run_promptly(kernel) } else { simd.run(kernel) }
+        });
     }
 }
 
@@ -68,12 +73,6 @@ impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
 }
 
 impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
-    /// Runs the kernel, which is compiled for the structure `A`.
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) {
-        if A::IS_PROMPT { simd.run_promptly(self) } else { simd.run(self) }
-    }
-
     /// Traces the path at index `at` of the queue to its end. The path begins at `vertex`, and `scatter_sample` gives
     /// its first ray.
     #[inline(always)]
