@@ -121,8 +121,8 @@ fn sphere_floor([radius, number, height, _]: Point) -> FamilyScene {
     )
 }
 
-/// Returns a sphere that is larger than the scene by far, whose surface passes through the origin. In half of the scenes
-/// its centre lies on an axis. In the others the surface misses the origin by the rounding of the centre.
+/// Returns a sphere that is larger than the scene by far, whose surface passes through the origin. In half of the
+/// scenes its centre lies on an axis. In the others the surface misses the origin by the rounding of the centre.
 fn endless_sphere([radius, number, height, turn]: Point) -> FamilyScene {
     let (radius, number, height) = (log(radius, 1e12, 1e300), count(number, 1.0, 100.0), log(height, 0.1, 10.0));
     let turn = (turn - 0.5).max(0.0);

@@ -97,8 +97,8 @@ impl Accel {
         if let Self::SmallScene(small_scene) = self { Some(small_scene) } else { None }
     }
 
-    /// Whether the latency of comparisons matters more than the width of the lanes: in all structures but a tree of more
-    /// than 64 objects. The path tracing loop is then run by [`Simd::run_promptly`].
+    /// Whether the latency of comparisons matters more than the width of the lanes: in all structures but a tree of
+    /// more than 64 objects. The path tracing loop is then run by [`Simd::run_promptly`].
     pub(crate) fn is_prompt(&self, objects: &impl Objects) -> bool {
         !matches!(self, Self::Bvh(_) | Self::LargeBvh(_)) || count(objects) <= flat_filter::MOST_OBJECTS
     }

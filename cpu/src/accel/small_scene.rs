@@ -15,8 +15,8 @@ use crate::{geometry::ray::Ray, layout::Objects, simd::Simd, simd::SimdF64};
 /// lane. Fewer objects would fill too few lanes, so such a scene may be traced with a lookahead instead.
 const FEWEST_IN_LANES: usize = 4;
 
-/// The limit for a scene with a ground, which counts as an object. Many rays escape above a ground, so a lookahead often
-/// ends several paths at once (docs/experiments.md).
+/// The limit for a scene with a ground, which counts as an object. Many rays escape above a ground, so a lookahead
+/// often ends several paths at once (docs/experiments.md).
 const FEWEST_IN_LANES_ON_GROUND: usize = 6;
 
 /// The structure for up to eight objects.

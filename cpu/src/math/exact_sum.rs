@@ -44,9 +44,9 @@ impl<const N: usize> ExactSum<N> {
     }
 
     /// Returns the sum, with a relative error of at most 12 u^2. Between the bits of two parts there is at least one
-    /// bit, which is zero (Shewchuk, theorem 10). So each part is at most half of the next, and the sum up to a part lies
-    /// between half and one and a half of the part. The sums but for the last one are together at most 3 times that one,
-    /// and each addition has an error of at most 3 u^2.
+    /// bit, which is zero (Shewchuk, theorem 10). So each part is at most half of the next, and the sum up to a part
+    /// lies between half and one and a half of the part. The sums but for the last one are together at most 3 times
+    /// that one, and each addition has an error of at most 3 u^2.
     #[inline(always)]
     pub(crate) fn rounded(&self) -> DoubleDouble {
         self.parts[..self.count].iter().fold(DoubleDouble::default(), |sum, &part| sum + DoubleDouble::of(part))
