@@ -47,8 +47,8 @@ pub trait Simd: Copy + 'static {
     /// Runs `kernel`, which is compiled for this instruction set as a separate function.
     fn run<K: Kernel>(self, kernel: K) -> K::Output;
 
-    /// Runs a `kernel` that works on one ray after the other, so that latency limits its speed. If comparisons have a
-    /// lower latency in another instruction set, `kernel` is compiled for that one.
+    /// Runs a `kernel` whose speed latency limits, such as one that follows one ray after the other. If comparisons
+    /// have a lower latency in another instruction set, `kernel` is compiled for that one.
     #[inline(always)]
     fn run_promptly<K: Kernel>(self, kernel: K) -> K::Output {
         self.run(kernel)

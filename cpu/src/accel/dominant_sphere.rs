@@ -1,5 +1,5 @@
 //! The dominant sphere: a sphere that is much larger than all other objects, for example a ground. Nearly every ray
-//! must be tested against it. So it is not in the acceleration structures, and is tested separately.
+//! must be tested against it. So it is not in the flat filter or a tree, and is tested separately.
 //!
 //! Only [`crate::accel::may_hit::conservative`] decides which rays cannot hit the dominant sphere. This file also
 //! predicts whether a ray enters it. A wrong prediction costs time, but never changes the closest hit.
@@ -41,8 +41,8 @@ impl DominantSphere {
         self.0 == Some(id)
     }
 
-    /// Whether there is a dominant sphere, and the centres of all other objects lie outside of it. If one is inside, or
-    /// there is none, the sphere may be a room, and no ray that starts in a room escapes.
+    /// Whether there are a dominant sphere and other objects, and the centres of all others lie outside of it.
+    /// Otherwise the sphere may be a room, and no ray that starts in a room escapes.
     pub(crate) fn is_ground(self, objects: &impl Objects) -> bool {
         count(objects) > 1
             && self.0.map(|id| bounding_sphere(objects, id)).is_some_and(|(center, radius)| {

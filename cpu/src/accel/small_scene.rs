@@ -170,8 +170,8 @@ mod tests {
         let objects = AosObjects::build(&scene).expect("it fits");
         let small_scene =
             SmallScene::new(&objects, &Extent { max_coordinate: EXTENT, moderate: true, has_tiny: false });
-        // This number is below `FEWEST_IN_LANES`, so the structure tests the objects one after the other.
-        let one_by_one = SmallScene { count: 1, ..small_scene.clone() };
+        // The other way to test the objects: one after the other, or several at once.
+        let other_way = SmallScene { uses_object_lanes: !small_scene.uses_object_lanes, ..small_scene.clone() };
         let mut draws = Uniform::new(5);
         let (mut tests_passed, mut hits) = (0, 0);
         for number in 0..4000 {
@@ -202,8 +202,8 @@ mod tests {
             for set in InstructionSet::available() {
                 let (may_hit, closest) = set.run(MayHit { small_scene: &small_scene, objects: &objects, ray });
                 assert_eq!(hit & !may_hit, 0, "{}, {ray:?}: hit {hit:b}, may hit {may_hit:b}", set.name());
-                let by_one = set.run(MayHit { small_scene: &one_by_one, objects: &objects, ray });
-                assert_eq!((may_hit, closest), by_one, "{}, {ray:?}", set.name());
+                let by_other = set.run(MayHit { small_scene: &other_way, objects: &objects, ray });
+                assert_eq!((may_hit, closest), by_other, "{}, {ray:?}", set.name());
                 assert_eq!(closest, closest_hit_among(&objects, &ray, hit), "{}, {ray:?}", set.name());
                 tests_passed += may_hit.count_ones();
                 hits += hit.count_ones();

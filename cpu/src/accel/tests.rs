@@ -476,6 +476,7 @@ fn paths_look_ahead_with_fewer_than_four_objects_or_fewer_than_six_on_a_ground()
         let accel = accel(&mut objects);
         let small_scene = accel.in_lanes().expect("the scene is small");
         assert_eq!(!small_scene.uses_object_lanes(), expected, "{others} others {around}");
+        assert_eq!(small_scene.looks_ahead_promptly(), around.is_empty(), "{others} others {around}");
     }
 }
 

@@ -3,10 +3,10 @@
 //! less time than dyadic arithmetic, because its numbers have a fixed size.
 //!
 //! With `m` for the component of `C - O` of largest magnitude, and `p` and `q` for the others, the constant coefficient
-//! is `c = (|m| - r) (|m| + r) + p^2 + q^2`. Components of `C - O` have no rounding error, and the first difference
-//! cancels before it is multiplied. So the error of `c` is relative to these terms, not to `r^2`. They are small if the
-//! ray starts near a ground of any radius. Where they cancel too, as on a huge sphere off the axes, all products
-//! are added without a rounding error.
+//! is `c = (|m| - r) (|m| + r) + p^2 + q^2`. Components of `C - O` are held without a rounding error, as two numbers
+//! each, and the first difference cancels before it is multiplied. So the error of `c` is relative to these terms, not
+//! to `r^2`. They are small if the ray starts near a ground of any radius. Where they cancel too, as on a huge sphere
+//! off the axes, all products are added without a rounding error.
 //!
 //! A lambda counts only if all numbers within its error round to one `f64`. So this step never changes the result.
 
@@ -17,8 +17,8 @@ use crate::math::{exact_sum::ExactSum, real::Real, vec3::Vec3};
 
 /// Bounds the errors of the coefficients and of the discriminant, relative to the sizes of their terms: 2^-96.
 pub const WIDE_ERROR: f64 = f64::from_bits((1023 - 96) << 52);
-/// If a component of `C - O` or the radius is at least this, 2^200, the equation is scaled, so that no square
-/// overflows.
+/// If a component of `C - O` or the radius is at least this, 2^200, the equation is scaled, so that no square of a
+/// number below 2^1022 overflows. What overflows becomes NaN, and is uncertain.
 const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
 
 /// A number with a bound of its error.
@@ -38,13 +38,13 @@ enum Root {
 }
 
 impl Bounded {
-    /// Returns a number whose error is relative to the size of its terms.
+    /// Returns a number whose error is relative to the size of its terms, but for underflow.
     #[inline(always)]
     fn of_size(value: DoubleDouble, size: f64) -> Self {
         Self { value, error_bound: size * WIDE_ERROR + UNDERFLOW }
     }
 
-    /// Returns the lambda `self / divisor`. The divisor must be accurate.
+    /// Returns the lambda `self / divisor`. The error of the divisor must be at most a quarter of it.
     #[inline(always)]
     fn root(self, divisor: Self, scale: f64) -> Root {
         let DoubleDouble { high, low } = self.value / divisor.value;
@@ -64,7 +64,8 @@ impl Bounded {
     }
 }
 
-/// The equation `a lambda^2 - 2 h lambda + c = 0`, in which `h` and `c` are multiplied by `scale`, a power of two.
+/// The equation `a lambda^2 - 2 h lambda + c = 0` times `scale`, a power of two. `h` and `c` are held so multiplied.
+/// `a` is not, because it might underflow.
 struct Equation {
     a: DoubleDouble,
     h: Bounded,
@@ -73,7 +74,7 @@ struct Equation {
 }
 
 impl Equation {
-    /// Returns the hit for this value of `c`, whose error is relative to `size_of_c`.
+    /// Returns the hit for this value of `c`, whose error is relative to `size_of_c`, but for underflow.
     #[inline(always)]
     fn hit(&self, c: DoubleDouble, size_of_c: f64) -> Decision<Option<f64>> {
         let &Self { a, h, size_of_h, scale } = self;
@@ -153,7 +154,7 @@ fn square((high, low): (f64, f64), scaled: DoubleDouble) -> DoubleDouble {
 }
 
 /// Returns `|C - O|^2 - r^2` times the power of two `scale`, from the two parts of `C - O`. Its relative error is that
-/// of [`ExactSum::rounded`].
+/// of [`ExactSum::rounded`], but for underflow.
 #[inline(always)]
 fn exact_c((high, low): (Vec3, Vec3), radius: f64, scale: f64) -> DoubleDouble {
     // Ten products and their rounding errors.
@@ -174,8 +175,8 @@ mod tests {
     use crate::math::vec3::Vec3;
     use crate::sampling::uniform::Uniform;
 
-    /// Returns a sphere of this radius and a ray that starts near its surface. The surface passes near the origin, or
-    /// the ray passes the sphere near its rim.
+    /// Returns a sphere of this radius and a ray that starts near the origin. The sphere's surface passes near the
+    /// origin, or the sphere is far, and the ray is aimed near its rim.
     fn case(radius: f64, number: usize, draws: &mut Uniform) -> (SphereRecord, Ray) {
         let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
         let (mut origin, direction, up) = (vector() * 10.0, vector(), vector().unit());

@@ -1,13 +1,12 @@
-//! Sums without a rounding error, short of overflow and underflow. They are expansions: lists of numbers whose bits do
-//! not overlap (Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", Discrete
-//! & Computational Geometry 18, 1997).
+//! Sums without a rounding error, short of overflow, and of underflow of a product. They are expansions: lists of
+//! numbers whose bits do not overlap (Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+//! predicates", Discrete & Computational Geometry 18, 1997).
 
 use crate::math::{double_double::DoubleDouble, error_free::two_product, error_free::two_sum, real::Real};
 
 /// The exact sum of at most `N` numbers.
 pub(crate) struct ExactSum<const N: usize> {
-    /// The first `count` numbers make up the sum, from the smallest to the largest. None of them is zero, but for the
-    /// last one.
+    /// The first `count` numbers make up the sum, in order of magnitude. Only the last one may be zero.
     parts: [f64; N],
     count: usize,
 }
@@ -45,8 +44,8 @@ impl<const N: usize> ExactSum<N> {
 
     /// Returns the sum, with a relative error of at most 12 u^2. Between the bits of two parts there is at least one
     /// bit, which is zero (Shewchuk, theorem 10). So each part is at most half of the next, and the sum up to a part
-    /// lies between half and one and a half of the part. The sums but for the last one are together at most 3 times
-    /// that one, and each addition has an error of at most 3 u^2.
+    /// lies between half and one and a half of the part. The sums but for the last one are together less than 3 times
+    /// that one, and each addition has an error of at most 3 u^2. A last part of zero is added without an error.
     #[inline(always)]
     pub(crate) fn rounded(&self) -> DoubleDouble {
         self.parts[..self.count].iter().fold(DoubleDouble::default(), |sum, &part| sum + DoubleDouble::of(part))
