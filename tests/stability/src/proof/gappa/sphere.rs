@@ -30,7 +30,7 @@ pub(super) fn proofs() -> Vec<Proof> {
             "lambda of a sphere",
             SPHERE_BOUND.condition_limit,
             SPHERE_BOUND.lambda_error(),
-            [3.5, OF_H, OF_A / 2.0],
+            [4.01, OF_H, OF_A / 2.0],
         ),
     ]
 }
