@@ -3,11 +3,12 @@
 //!
 //! The computed lambdas have errors, so they decide only if they are further apart than their errors
 //! ([`is_certainly_closer`]). If they are not, [`compare`] takes these steps:
-//! 1. Identical surfaces tie, and so do two caps in one plane whose axes are equal, opposite or along one coordinate
-//!    axis. Other caps are compared in [double-double](DoubleDouble) arithmetic. Rays often meet two near caps: inside
-//!    a cylinder that stands on another one, or on nested cylinders.
-//! 2. Spheres around one centre, and sides around one axis, are compared by their radii ([`compare_nested`]). Such
-//!    shells may be so near to each other that only exact lambdas differ.
+//! 1. Identical surfaces tie, and so do two caps in one plane whose axes are along one coordinate axis, or equal or
+//!    opposite if their centres differ in no coordinate in which the axis has a part. Other caps are compared in
+//!    [double-double](DoubleDouble) arithmetic. Rays often meet two near caps: inside a cylinder that stands on another
+//!    one, or on nested cylinders.
+//! 2. Spheres around one centre, and sides around one axis (with one centre, or along a coordinate axis), are compared
+//!    by their radii ([`compare_nested`]). Such shells may be so near to each other that only exact lambdas differ.
 //! 3. Both lambdas are computed by the [compensated](crate::exact::compensated_roots) formulas, with a bound of their
 //!    errors that is mostly a thousandth of the one of all accepted lambdas.
 //! 4. The exact lambdas are compared in dyadic arithmetic, without a square root. Only this step recognises equal
