@@ -25,24 +25,6 @@ use serde::Serialize;
 
 use crate::{Failure, sources, terminal};
 
-/// Writes `value` as JSON to standard output.
-///
-/// # Errors
-/// An error if standard output cannot be written.
-pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())?;
-    // JSON escapes only some of the characters that a terminal obeys. All of these have four hexadecimal digits.
-    let mut shown = String::with_capacity(text.len());
-    for letter in text.chars() {
-        if letter != '\n' && terminal::is_obeyed(letter) {
-            shown += &format!("\\u{:04x}", u32::from(letter));
-        } else {
-            shown.push(letter);
-        }
-    }
-    terminal::print(&shown)
-}
-
 /// Writes `value` to standard output: as JSON if `json` is true, and otherwise as `text`. If one of the outputs `outs`
 /// is standard output, the text goes to standard error.
 ///
@@ -55,7 +37,7 @@ pub fn print_as(
     text: impl FnOnce() -> String,
 ) -> Result<(), Failure> {
     match (json, outs.iter().any(|out| sources::is_stdout(out))) {
-        (true, _) => print_json(value),
+        (true, _) => terminal::print_json(value),
         (false, true) => {
             terminal::note(&text());
             Ok(())

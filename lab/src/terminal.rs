@@ -8,6 +8,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
 
 use crate::Failure;
 
@@ -19,6 +20,24 @@ use crate::Failure;
 /// An error if standard output is closed, full or not writable.
 pub fn print(text: &str) -> Result<(), Failure> {
     write(format!("{text}\n").as_bytes())
+}
+
+/// Writes `value` as JSON to standard output.
+///
+/// # Errors
+/// The errors of [`print()`].
+pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())?;
+    // JSON escapes only some of the characters that a terminal obeys. All of these have four hexadecimal digits.
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if letter != '\n' && is_obeyed(letter) {
+            shown += &format!("\\u{:04x}", u32::from(letter));
+        } else {
+            shown.push(letter);
+        }
+    }
+    print(&shown)
 }
 
 /// Writes `bytes` to standard output, as [`print()`] does.

@@ -130,10 +130,10 @@ impl Results {
     /// # Errors
     /// An error if the file cannot be written.
     pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
-        let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
         if path == Path::new("-") {
-            return terminal::print(&json);
+            return terminal::print_json(self);
         }
+        let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
         Ok(Output::open(path, options)?.fill(|file| writeln!(file, "{json}"))?)
     }
 

@@ -103,7 +103,7 @@ impl Arguments {
         let (frames, seconds) = (self.frames, start.elapsed().as_secs_f64());
         if self.json {
             // The folder had the frames that were not rendered.
-            super::print_json(&json!({ "frames": frames, "rendered": rendered, "seconds": seconds }))?;
+            terminal::print_json(&json!({ "frames": frames, "rendered": rendered, "seconds": seconds }))?;
         }
         if !self.quiet {
             let (name, what) = (terminal::name(&self.out), if is_one_file { "an animated PNG" } else { "a folder" });

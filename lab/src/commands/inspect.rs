@@ -85,7 +85,7 @@ impl Arguments {
             None => error.into(),
         };
         let inspection = Inspection::of(&config, &scene).map_err(explain)?;
-        if self.json { super::print_json(&inspection) } else { terminal::print(&inspection.text()?) }
+        if self.json { terminal::print_json(&inspection) } else { terminal::print(&inspection.text()?) }
     }
 }
 

@@ -107,7 +107,7 @@ impl Arguments {
             taken.nanoseconds_per_ray = all.then(|| taken.user_seconds * 1e9 / counts.rays as f64);
         }
         if self.json {
-            super::print_json(&taken)?;
+            terminal::print_json(&taken)?;
         }
         if !self.quiet {
             terminal::note(&format!("{}: {taken}", sources::output_name(&self.out)));

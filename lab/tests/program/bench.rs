@@ -38,6 +38,13 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     let merged = Results::read(&folder.file("merged.json")).expect("it was written");
     assert!(merged.timings.iter().all(|timing| timing.seconds.len() == 4));
 
+    // A text that a terminal would obey is shown in the escapes of JSON.
+    let text = fs::read_to_string(folder.file("depth.json")).expect("it was written");
+    let named = text.replacen("\"processor\": \"", "\"processor\": \"\u{202e}", 1);
+    fs::write(folder.file("named.json"), named).expect("it can be written");
+    let shown = printed(&["bench", "merge", "--out", "-", &folder.name("named.json")]);
+    assert!(shown.contains(r"\u202e") && !shown.contains('\u{202e}'), "{shown}");
+
     printed(&["report", &folder.name("depth.json"), "--out", &folder.name("report")]);
     let page = fs::read_to_string(folder.file("report/index.html")).expect("it was written");
     assert!(page.contains("Time against the maximum depth") && page.contains("aria-label"), "{page}");
