@@ -79,12 +79,9 @@ pub fn rows() -> Vec<Row> {
     let height = beside("height of a hit, due to lambda", side_lambda);
     let of_cap = of_parts.iter().find(|row| row.what == "lambda of a cap").map_or(f64::NAN, |row| row.need);
     let distance = beside("distance from a cap's centre, due to lambda", of_cap);
-    for (what, file, margins) in [
-        ("height of a crossing, compensated", compensated::ROOTS, [ERROR_OF_ROOT, crossing + height]),
-        ("distance from a cap's centre, compensated", compensated::FILE, [ROUNDINGS_OF_CAP, distance + 1.0]),
-    ] {
-        rows.push(Row::new(what, file, margins, "u lambda abs(d)"));
-    }
+    let (height, distance) = ([ERROR_OF_ROOT, crossing + height], [ROUNDINGS_OF_CAP, distance + 1.0]);
+    rows.push(Row::new("height of a crossing, compensated", compensated::ROOTS, height, "u k lambda abs(d)"));
+    rows.push(Row::new("distance from a cap's centre, compensated", compensated::FILE, distance, "u lambda abs(d)"));
     rows.extend(of_parts);
     rows
 }
