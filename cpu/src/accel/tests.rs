@@ -154,6 +154,7 @@ fn each_number_of_objects_gets_its_structure() {
         let mut objects = objects(count, size, seed);
         let accel = accel(&mut objects);
         assert!(is_expected(&accel), "{count} objects");
+        assert_eq!(accel.is_prompt(&objects), count < 64, "only large trees take the widest lanes for paths");
         let mut visited = Vec::new();
         let has_boxes = accel.visit_boxes(|_| true, |id| visited.push(file_index_of(&objects, id)));
         visited.sort_unstable();

@@ -68,7 +68,7 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
 }
 
 /// Returns the lambda, or `None` for a miss, by [double-double](sphere_wide) arithmetic. If that is uncertain,
-/// [`precise`] gives the result. Where double-double arithmetic is certain, both give the `f64` nearest to the exact
+/// [`precise`] gives the result. Where it is certain, [`precise`] would give the same: the `f64` nearest to the exact
 /// lambda.
 #[cold]
 #[inline(never)]
