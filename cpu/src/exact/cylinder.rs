@@ -3,7 +3,9 @@
 //!
 //! 1. [`filtered`]: [plain](crate::exact::cylinder_plain) formulas with a bound of their rounding errors.
 //! 2. [`compensated`]: [formulas](crate::exact::cylinder_compensated) in which less cancels.
-//! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is below, because it says what is decided.
+//! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is below, because it says what is decided. Before it,
+//!    a ray that certainly misses a sphere around the cylinder is a miss. If the ray starts so far away that the
+//!    formulas of the cylinder overflow, those of the sphere still hold.
 //!
 //! How is one hit of a cylinder decided? Read three files, in this order, each from top to bottom:
 //!
@@ -28,8 +30,10 @@ use crate::exact::cylinder_decision::{CylinderHit, decide, is_inside, with_caps}
 use crate::exact::cylinder_plain::{PlainCaps, PlainSide, is_long};
 use crate::exact::exact_lambda::{ExactLambda, ExactQuadratic};
 use crate::exact::exact_vector::{Exact3, ExactResult, NotFinite, exact_least_lambda, to_dyadic};
-use crate::exact::{error_bound::Decision, error_bound::in_scale};
-use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
+use crate::exact::{error_bound::Decision, error_bound::in_scale, sphere};
+use crate::geometry::{
+    cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord,
+};
 use crate::math::{dyadic::Dyadic, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
@@ -72,7 +76,8 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<
 }
 
 /// Intersects a ray for which [`filtered`] is uncertain. The [compensated](crate::exact::cylinder_compensated) formulas
-/// are tried first. If they are uncertain too, [`precise`] gives the result. `file_axis` is the axis of the scene file.
+/// are tried first. If they are uncertain too, and the ray does not certainly miss a sphere around the cylinder,
+/// [`precise`] gives the result. `file_axis` is the axis of the scene file.
 #[cold]
 #[inline(never)]
 pub fn compensated_or_precise(record: &CylinderRecord, file_axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
@@ -81,8 +86,14 @@ pub fn compensated_or_precise(record: &CylinderRecord, file_axis: &Vec3, ray: &R
             add(Counter::Compensated, 1);
             hit
         }
+        Decision::Uncertain if sphere::wide(&sphere_around(record), ray) == Decision::Certain(None) => None,
         Decision::Uncertain => precise(record, file_axis, ray),
     }
+}
+
+/// Returns a sphere that holds the cylinder. It is larger than needed, so no rounding error makes it too small.
+fn sphere_around(record: &CylinderRecord) -> SphereRecord {
+    SphereRecord::new(record.center, 2.0 * (record.radius + record.half_height))
 }
 
 /// Returns the hit by the [compensated](crate::exact::cylinder_compensated) formulas, if rounding certainly has not

@@ -73,13 +73,18 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
 #[cold]
 #[inline(never)]
 pub(crate) fn wide_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-    let decision =
-        run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<f64>> { sphere_wide::wide(record, ray) });
-    add(Counter::Wide, u64::from(decision != Decision::Uncertain));
-    match decision {
+    match wide(record, ray) {
         Decision::Certain(hit) => hit,
         Decision::Uncertain => precise(record, ray),
     }
+}
+
+/// Returns the lambda, or `None` for a miss, if double-double arithmetic is certain about it.
+pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
+    let decision =
+        run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<f64>> { sphere_wide::wide(record, ray) });
+    add(Counter::Wide, u64::from(decision != Decision::Uncertain));
+    decision
 }
 
 /// Returns the lambda, or `None` for a miss, by dyadic arithmetic, which takes some thousand operations.

@@ -79,14 +79,11 @@ impl Equation {
     fn hit(&self, c: DoubleDouble, size_of_c: f64) -> Decision<Option<f64>> {
         let &Self { a, h, size_of_h, scale } = self;
         let c = Bounded::of_size(c, size_of_c);
-        let product = (a * c.value) * DoubleDouble::of(scale);
+        let product = a * (c.value * DoubleDouble::of(scale));
         let size_of_d = (h.value.high.abs() + WIDE_ERROR * size_of_h) * size_of_h
-            + (a.high * size_of_c) * scale
+            + a.high * (size_of_c * scale)
             + h.value.high.powi(2);
         let d = Bounded::of_size(h.value * h.value - product, 4.0 * size_of_d);
-        if !in_scale(a.high) {
-            return Decision::Uncertain;
-        }
         if d.value.high < -d.error_bound {
             return Decision::Certain(None);
         }
@@ -131,6 +128,9 @@ pub(crate) fn wide(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     let scaled = |(high, low): (f64, f64)| DoubleDouble { high: high * scale, low: low * scale };
     let [x, y, z] = ray.direction.map(of).to_array();
     let a = x * x + y * y + z * z;
+    if !in_scale(a.high) {
+        return Decision::Uncertain;
+    }
     let [along_x, along_y, along_z] =
         [x * scaled((high.x, low.x)), y * scaled((high.y, low.y)), z * scaled((high.z, low.z))];
     let size_of_h = along_x.high.abs() + along_y.high.abs() + along_z.high.abs();
@@ -238,5 +238,7 @@ mod tests {
         }
         let endless = SphereRecord::new(Vec3::new(0.0, 0.0, f64::MAX), f64::INFINITY);
         assert_eq!(wide(&endless, &along(0.1, 1.0)), Decision::Uncertain);
+        let from_nowhere = Ray { origin: Vec3::new(f64::INFINITY, 0.0, 0.0), direction: Vec3::new(0.0, 1.0, 0.0) };
+        assert_eq!(wide(&touching, &from_nowhere), Decision::Uncertain);
     }
 }

@@ -29,6 +29,38 @@ fn nothing_is_certain_where_a_product_overflows() {
 }
 
 #[test]
+fn a_ray_that_misses_the_sphere_around_a_cylinder_misses_the_cylinder() {
+    let mut draws = Uniform::new(31);
+    let [mut misses, mut hits, mut far_misses] = [0; 3];
+    for exponent in [-305, -200, -9, 0, 9, 150, 200, 305] {
+        for number in 0..400 {
+            let size = 10.0_f64.powi(exponent);
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (axis, to_center, beside) = (vector() * size, vector(), vector());
+            let distance = size * [0.0, 1.0, 3.0, 1e3][number % 4];
+            let radius = size * draws.draw(1e-3, 1.0);
+            let record = CylinderRecord::new(to_center * distance, radius, axis);
+            // Half of the rays are aimed near the cylinder.
+            let direction = if number % 8 < 4 { to_center + beside * (size / distance.max(size)) } else { beside };
+            let ray = Ray { origin: Vec3::ZERO, direction };
+            let (exact, around) = (precise(&record, &axis, &ray), sphere::wide(&sphere_around(&record), &ray));
+            let part = |hit: Option<(f64, CylinderPart)>| hit.map(|(_, part)| part);
+            assert_eq!(part(compensated_or_precise(&record, &axis, &ray)), part(exact), "{record:?}, {ray:?}");
+            hits += usize::from(exact.is_some());
+            if around == Decision::Certain(None) {
+                assert_eq!(exact, None, "{record:?}, {ray:?}");
+                misses += 1;
+            }
+        }
+        // A ray starts so far away that every product overflows.
+        let far = Ray { origin: Vec3::new(1e160, -3e160, 1e159), direction: Vec3::new(0.3, 0.1, draws.canonical()) };
+        let near = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::from(UPRIGHT));
+        far_misses += usize::from(sphere::wide(&sphere_around(&near), &far) == Decision::Certain(None));
+    }
+    assert!(misses > 500 && hits > 300 && far_misses == 8, "{misses}, {hits}, {far_misses}");
+}
+
+#[test]
 fn the_plain_formulas_decide_rays_from_cap_to_cap_that_run_along_the_axis() {
     let axis = Vec3::from(UPRIGHT);
     let record = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
