@@ -72,8 +72,7 @@ pub fn escape(text: &[u8]) -> String {
     let mut shown = String::with_capacity(text.len());
     for chunk in text.utf8_chunks() {
         for letter in chunk.valid().chars() {
-            let turns = matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-            if letter != '\t' && (letter.is_control() || turns) {
+            if letter != '\t' && (letter.is_control() || turns(letter)) {
                 shown.extend(letter.escape_default());
             } else {
                 shown.push(letter);
@@ -82,6 +81,11 @@ pub fn escape(text: &[u8]) -> String {
         shown.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
     }
     shown
+}
+
+/// Whether a terminal may change the direction of writing at this character (Unicode's property `Bidi_Control`).
+const fn turns(letter: char) -> bool {
+    matches!(letter, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// Returns `text` without the blanks and tabs at both ends.
@@ -231,7 +235,7 @@ mod tests {
     fn control_characters_and_bytes_that_are_no_text_are_escaped() {
         assert_eq!(escape("a\tb ñ \\ \"x\"".as_bytes()), "a\tb ñ \\ \"x\"");
         assert_eq!(escape(b"\x1b[2Jx\r\n\0\x7f"), r"\u{1b}[2Jx\r\n\u{0}\u{7f}");
-        assert_eq!(escape("\u{9b}1m \u{202e}".as_bytes()), r"\u{9b}1m \u{202e}");
+        assert_eq!(escape("\u{9b}1m \u{202e} \u{61c}".as_bytes()), r"\u{9b}1m \u{202e} \u{61c}");
         assert_eq!(escape(b"\x9b1m \xff\xc3"), r"\x9b1m \xff\xc3");
     }
 
