@@ -116,9 +116,7 @@ fn refuse_one_file(outs: &[PathBuf]) -> Result<(), output::Error> {
     let targets: Vec<_> = outs.iter().map(|out| target(out)).collect();
     for (index, out) in outs.iter().enumerate().filter(|(index, _)| targets[*index] != Path::new("/dev/null")) {
         if let Some(other) = targets[..index].iter().position(|other| *other == targets[index]) {
-            let name = outs[other].to_string_lossy();
-            let text = format!("it is the same file as the output [{name}]; the outputs need a file each");
-            return Err(output::Error { path: out.clone(), cause: io::Error::new(io::ErrorKind::InvalidInput, text) });
+            return Err(output::Error::same_file(out, "output", &outs[other], "the outputs need a file each"));
         }
     }
     Ok(())

@@ -18,16 +18,18 @@
 
 mod links;
 mod place;
+mod same_file;
 pub mod stop;
 mod temporary;
 
 use std::fmt;
 use std::fs::File;
 use std::io::{self, ErrorKind, Write};
-use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
 pub use crate::links::{follow, is_stdout};
+use crate::same_file::SameFile;
+pub use crate::same_file::refuse_inputs;
 use crate::temporary::Temporary;
 
 /// Options for writing an output.
@@ -135,21 +137,6 @@ impl Write for Output {
     }
 }
 
-/// Refuses an output that is the same file as one of the inputs, even if their paths differ. Call this before the
-/// inputs are read. A device or a pipe may be both input and output.
-///
-/// # Errors
-/// [`Error`] with a message that names the first such input.
-pub fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
-    let numbers = |path: &Path| path.metadata().ok().map(|file| (file.dev(), file.ino()));
-    let Some(input) = inputs.iter().find(|input| out.is_file() && numbers(out) == numbers(input)) else {
-        return Ok(());
-    };
-    let name = input.as_os_str().to_string_lossy();
-    let text = format!("it is the same file as the input [{name}]; choose another file for the output");
-    Err(Error { path: out.to_owned(), cause: io::Error::new(ErrorKind::InvalidInput, text) })
-}
-
 /// The error of an output that cannot be written. A regular file is then unchanged, unless the message says otherwise.
 #[derive(Debug)]
 pub struct Error {
@@ -165,8 +152,17 @@ impl Error {
     #[must_use]
     pub fn message(&self, show: impl Fn(&[u8]) -> Vec<u8>) -> Vec<u8> {
         let name = show(self.path.as_os_str().as_encoded_bytes());
-        let cause = show(self.cause.to_string().as_bytes());
-        [b"Cannot write file [", &name[..], b"]: ", &cause].concat()
+        let same_file = self.cause.get_ref().and_then(|cause| cause.downcast_ref::<SameFile>());
+        let cause = same_file.map_or_else(|| self.cause.to_string().into_bytes(), SameFile::message);
+        [b"Cannot write file [", &name[..], b"]: ", &show(&cause)].concat()
+    }
+
+    /// Returns the error that the output `path` is the same file as `other`, which has the role "input" or "output".
+    /// `remedy` says what to do.
+    #[must_use]
+    pub fn same_file(path: &Path, role: &'static str, other: &Path, remedy: &'static str) -> Self {
+        let cause = SameFile { role, other: other.to_owned(), remedy };
+        Self { path: path.to_owned(), cause: io::Error::new(ErrorKind::InvalidInput, cause) }
     }
 }
 

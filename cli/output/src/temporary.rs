@@ -120,7 +120,7 @@ fn old_file(folder: &File, name: &CStr) -> io::Result<Option<(Metadata, u32)>> {
 }
 
 /// Gives the new file `file` the owner, the group and the permissions `mode` of the old file, as far as this process
-/// may do so. No user gets more rights than before.
+/// may do so. Only the user who writes may get more rights than before, as the owner of the new file.
 ///
 /// # Errors
 /// The error of the system, if the owner of `file` cannot be read.

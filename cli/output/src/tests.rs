@@ -1,6 +1,8 @@
 //! Tests that an output is replaced completely or not at all.
 
+use std::ffi::OsStr;
 use std::fs::{self, File, Permissions};
+use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::{PermissionsExt, symlink};
 
 use test_support::folder::Folder;
@@ -133,6 +135,13 @@ fn an_output_that_is_an_input_is_refused_under_any_name() {
             format!("Cannot write file [{}]: it is the same file as the input [{}]", out.display(), scene.display());
         assert!(error.starts_with(&expected), "{error}");
     }
+    // A name that is not UTF-8 is kept.
+    let input = scene.with_file_name(OsStr::from_bytes(b"\xff"));
+    fs::hard_link(&scene, &input).expect("links are allowed");
+    let message = refuse_inputs(&scene, &[&input]).expect_err("it is the scene").message(<[u8]>::to_vec);
+    assert!(message.ends_with(b"\xff]; choose another file for the output"), "{}", message.escape_ascii());
+    let message = Error::same_file(&other, "output", &scene, "write to one").to_string();
+    assert!(message.ends_with(&format!("it is the same file as the output [{}]; write to one", scene.display())));
     assert!(refuse_inputs(&other, &[&scene]).is_ok());
     assert!(refuse_inputs(&folder.file("new"), &[&scene, &folder.file("missing")]).is_ok());
     assert!(refuse_inputs(Path::new("/dev/null"), &[Path::new("/dev/null")]).is_ok());
