@@ -61,7 +61,7 @@ pub(super) fn decode(source: impl BufRead + Seek, length: u64, notes: &mut Vec<S
         return Err("a PNG whose palette ends within a colour".to_owned());
     }
     if let Some(animation) = info.animation_control {
-        notes.push(format!("of {} frames only the first is taken", animation.num_frames));
+        notes.push(format!("of an animation of {} frames only the still picture is taken", animation.num_frames));
     }
     let (color, depth) = reader.output_color_type();
     let mut rows = Rows {

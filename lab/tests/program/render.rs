@@ -188,7 +188,7 @@ fn an_animation_turns_once_and_goes_on_where_frames_are_missing() {
     assert!(through.contains("frame 2: ") && !fs::exists(&new).expect("the folder is ours"), "{through}");
     assert_eq!(animate(&film, &["--to", "scenes/materials/config.txt"]), Some(4));
     let said = run(&["compare", &film, &film]).stderr;
-    let note = "film.png: of 4 frames only the first is taken";
+    let note = "film.png: of an animation of 4 frames only the still picture is taken";
     assert!(String::from_utf8_lossy(&said).contains(note), "{}", String::from_utf8_lossy(&said));
     assert!(fs::read(film).expect("it was written").windows(4).any(|bytes| bytes == b"acTL"), "it is animated");
 }

@@ -32,8 +32,11 @@ pub(super) fn page(pair: &Pair, [first, second]: [String; 2], figures: &str) -> 
             format!("--html: a page has pictures of at most {MOST_PIXELS} pixels; choose a part by --crop").into()
         );
     }
-    // Compressed pictures, their text in base 64, numbers in base 64, and the page twice.
-    spare(64 * pixels)?;
+    // Compressed pictures, their text in base 64, and the page twice. Texts of numbers are held three times more.
+    spare(match pair {
+        Pair::Pictures(_) => 64 * pixels,
+        Pair::Numbers([first, _]) => (64 + 48 * first.channels) * pixels,
+    })?;
     let (drawn, numbers, range);
     let (pictures, channels) = match pair {
         Pair::Pictures(pictures) => {
