@@ -1,8 +1,11 @@
-//! Tests that need other tools, which are looked for at run time: the literal program needs g++, losses of power need
-//! strace, and the pictures of other systems need compilers, emulators and browsers.
+//! Tests that need other tools, which are looked for at run time: the literal program needs g++, losses of power
+//! and careless programs need strace, and the pictures of other systems need compilers, emulators and browsers.
 //!
 //! A test whose tools are missing is shown as ignored, with what it needs.
 
+#[cfg(target_os = "linux")]
+#[path = "tools/careless.rs"]
+mod careless;
 #[path = "tools/literal.rs"]
 mod literal;
 #[path = "platforms/trials.rs"]
@@ -20,6 +23,6 @@ fn main() {
     let mut trials = literal::trials();
     trials.extend(platforms::trials());
     #[cfg(target_os = "linux")]
-    trials.extend(power_loss::trials());
+    trials.extend(careless::trials().into_iter().chain(power_loss::trials()));
     libtest_mimic::run(&arguments, trials).exit();
 }

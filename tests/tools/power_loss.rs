@@ -28,7 +28,7 @@ pub fn trials() -> Vec<Trial> {
     let missing = unavailable(Disturbance::Errors);
     vec![
         trial("power_loss: a_synced_file_is_the_old_one_or_the_new_one_at_any_moment", missing, synced),
-        trial("power_loss: without_syncing_a_half_file_may_stand", missing, not_synced),
+        trial("power_loss: without_syncing_an_empty_file_may_stand", missing, not_synced),
     ]
 }
 

@@ -19,6 +19,7 @@ use std::fs;
 use std::os::unix::process::ExitStatusExt;
 use std::path::PathBuf;
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 
 use calls::Call;
 pub use syncs::check_syncs;
@@ -86,15 +87,21 @@ impl Disturbance {
 /// Returns the reason why this machine cannot run `disturbance`, or `None` if it can.
 #[must_use]
 pub fn unavailable(disturbance: Disturbance) -> Option<&'static str> {
-    let strace = ["strace", "-qq", "-o", "/dev/null", "-e", "inject=close:error=EIO:when=1000", "true"];
-    let attach = ["bash", "-c", "sleep 1 & strace -qq -o /dev/null -p $!"];
-    let unshare = ["unshare", "-pf", "strace", "-D", "-qq", "-o", "/dev/null", "true"];
-    let runs =
-        |command: &[&str]| Command::new(command[0]).args(&command[1..]).output().is_ok_and(|run| run.status.success());
-    if !runs(&strace) || !runs(&attach) {
+    static MAY_TRACE: LazyLock<bool> = LazyLock::new(|| {
+        runs(&["strace", "-qq", "-o", "/dev/null", "-e", "inject=close:error=EIO:when=1000", "true"])
+            && runs(&["bash", "-c", "sleep 1 & strace -qq -o /dev/null -p $!"])
+    });
+    static MAY_BE_PROCESS_ONE: LazyLock<bool> =
+        LazyLock::new(|| runs(&["unshare", "-pf", "strace", "-D", "-qq", "-o", "/dev/null", "true"]));
+    if !*MAY_TRACE {
         return Some("needs strace and the right to trace");
     }
-    (disturbance.is_as_process_one() && !runs(&unshare)).then_some("needs the right to be process 1")
+    (disturbance.is_as_process_one() && !*MAY_BE_PROCESS_ONE).then_some("needs the right to be process 1")
+}
+
+/// Whether a command runs, and ends with success.
+fn runs(command: &[&str]) -> bool {
+    Command::new(command[0]).args(&command[1..]).output().is_ok_and(|run| run.status.success())
 }
 
 /// Files by their paths, with their contents.
