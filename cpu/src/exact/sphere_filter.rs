@@ -11,8 +11,8 @@ use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
 /// The constants of the error bound for spheres. `tests/stability/src/proof/exact.rs` proves that an error constant of
 /// 25.5 suffices. With this condition limit the relative error of lambda is proven to be at most 5.9e-12.
-/// docs/accuracy has the largest error that `stress` finds. In ordinary pictures 99.6 % of the hits have a lambda with
-/// the bits of the plain formula, and the others have a more accurate one.
+/// docs/accuracy has the largest error that `stress` finds. In ordinary pictures nearly all hits have a lambda with the
+/// bits of the plain formula, and the others have a more accurate one (docs/accuracy/pictures.csv).
 pub const SPHERE_BOUND: BoundConstants = BoundConstants { error_constant: 32.0, condition_limit: 12288.0 };
 
 /// Computes the plain formula in the arithmetic `T`. Returns `Certain(Some(lambda))` for a hit, `Certain(None)` for a

@@ -42,7 +42,7 @@ enum What {
         #[command(flatten)]
         how: How,
     },
-    /// What each mechanism of the renderer gains on many scenes, as a table in Markdown
+    /// What mechanisms of the renderer gain on many scenes, as a table in Markdown
     #[command(after_help = "Examples:\n  render-lab bench mechanisms >mechanisms.md")]
     Mechanisms {
         /// Repeats of each time

@@ -11,8 +11,8 @@ use crate::{Float, Picture};
 use build::{Item, build};
 use margins::{Growth, Margins};
 
-/// Number of objects from which on `shader-lab` and the page render in a hierarchy. On lavapipe, `scenes/grid` with its
-/// 101 objects is then rendered 1.6 times as fast.
+/// Number of objects from which on `shader-lab` and the page render in a hierarchy. On lavapipe `scenes/grid`, with
+/// 101 objects, is rendered faster in it.
 pub const WORTHWHILE: usize = 64;
 
 /// An object is dominant if its box is this many times larger than that of the median object.

@@ -159,9 +159,8 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// The largest relative error of a lambda in whose formula nothing cancels, in units of u. docs/accuracy.md bounds the
-/// error of the compensated step by `(10 k' + 6) u`. There `k'` limits the condition number, which is at most 2 if
-/// nothing cancels.
+/// A relative error of a lambda, in units of u, from which on something has cancelled in its formula. It is about the
+/// error of the compensated step if the condition number is 2, which it is at most if nothing cancels.
 const ORDINARY_ERROR: f64 = 26.0;
 
 /// Compares an answer, which is a lambda and a part, with the oracle's. Returns the relative error of lambda, which is

@@ -18,7 +18,7 @@ use crate::{
 pub const MOST_BOXES: usize = 64;
 
 /// The least number of `f32` lanes with which the collapsed root saves time: with four lanes its test of all boxes
-/// takes longer than the visits that it saves (docs/experiments.md, row "collapsed root").
+/// takes longer than the visits that it saves.
 pub const LEAST_LANES: usize = 8;
 
 /// Returns the number of boxes that the collapsed root over `objects` objects should have, so that all nodes below it

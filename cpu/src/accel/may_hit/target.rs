@@ -8,7 +8,7 @@ use crate::math::{vec3::Vec3, vec3::broadcast};
 
 /// A bound of the rounding error in a computed hit point, relative to the scene's largest coordinate. It is 16,384 `u`,
 /// with the unit roundoff `u = EPSILON / 2`, or 1.8e-12. [`Target::cylinder`] makes a cylinder longer by this error, so
-/// that no ray whose hit point lies on a cap's rim is discarded. The true error is thousands of times smaller
+/// that no ray whose hit point lies on a cap's rim is discarded. The true error is hundreds of times smaller
 /// (docs/margins.md).
 pub const SLACK: f64 = 8192.0 * f64::EPSILON;
 

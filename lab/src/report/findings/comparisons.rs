@@ -157,10 +157,10 @@ fn gains(results: &Results, language: Language) -> Option<Vec<(f64, String)>> {
 }
 
 const REFERENCE: Words = [
-    "In the small pictures of this page the renderer is {} times as fast as the reference. docs/measurements.md has whole \
+    "In the small pictures of this page the renderer is {} times as fast as the reference. docs/measurements.md has larger \
      pictures.",
     "En las imágenes pequeñas de esta página el renderizador es {} veces más rápido que la referencia. \
-     docs/measurements.md tiene imágenes completas.",
+     docs/measurements.md tiene imágenes mayores.",
 ];
 
 /// Compares each other instruction set with the best one.

@@ -4,10 +4,10 @@
 //! Let `u` be the unit roundoff of the precision, `q` the square of the distance from the ray's origin to the object's
 //! centre, `R` the radius, `H` the half height and `d` the direction.
 //!
-//! **Spheres.** The error of the computed discriminant is at most `24 u M`, with `M = d.d (q + R^2)` (docs/margins.md).
-//! The exact discriminant changes by `d.d e` if the square of the radius changes by `e`. So the computed discriminant
-//! is that of a sphere whose radius has at most the square `R^2 + 24 u (q + R^2)`. The rounding of the root, the
-//! numerator and the quotient moves the point by at most `48 u sqrt(q + R^2)` besides.
+//! **Spheres.** The error of the computed discriminant is less than `24 u M`, with `M = d.d (q + R^2)` (docs/margins.md
+//! proves 21). The exact discriminant changes by `d.d e` if the square of the radius changes by `e`. So the computed
+//! discriminant is that of a sphere whose radius has at most the square `R^2 + 24 u (q + R^2)`. The rounding of the
+//! root, the numerator and the quotient moves the point by at most `48 u sqrt(q + R^2)` besides.
 //!
 //! **Sides of cylinders.** Across the axis, the point at a computed lambda has a distance from the axis whose square is
 //! `R^2 + f`, where `f` is the value of the exact quadratic there. The point is between the caps, so `lambda |d|` is at
