@@ -120,6 +120,18 @@ fn preparation<L: Renderable>(count: usize) {
     assert!(refused("search", 1, || Accel::new(&mut objects, &extent).map(drop)) >= lists);
 }
 
+/// Checks the search structure of a scene with many objects that are so small that they are no part of the tree.
+fn tiny_objects() {
+    let lines = text(200) + &"sphere: 1 9 1 1e-8 m0\n".repeat(200);
+    let scene = Scene::parse(lines.as_bytes()).expect("the scene is valid");
+    let config = config();
+    let camera = config.image_size().and_then(|size| Camera::new(&config, size)).expect("there is a picture");
+    let mut objects = <Aos as Layout>::Objects::build(&scene).expect("there is enough memory");
+    let extent = Extent::new(&objects, &camera, &scene.materials);
+    assert!(extent.moderate && extent.has_tiny, "the tree leaves out the tiny objects");
+    assert!(refused("tiny objects", 1, || Accel::new(&mut objects, &extent).map(drop)) >= 5);
+}
+
 /// Smallest size in bytes of a request that is refused while a picture is rendered. Blocks of fixed size are smaller.
 /// They do not depend on the input, so they are never refused.
 const LEAST: usize = 300_000;
@@ -177,6 +189,7 @@ fn each_request_that_grows_with_the_input_may_be_refused() {
         preparation::<Aos>(count);
         preparation::<Soa>(count);
     }
+    tiny_objects();
     rendering::<Aos>();
     rendering::<Soa>();
     between_mirrors();

@@ -23,8 +23,8 @@ use crate::accel::{
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
-    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects,
-    layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, input::error::with_room,
+    layout::OBJECTS, layout::Objects, layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
 };
 use std::ops::Range;
 
@@ -72,7 +72,8 @@ impl<B: Boxes> Bvh<B> {
         let is_apart = |id: &ObjectId| {
             limit.is_some_and(|limit| reach(objects, *id) > limit) || extent.has_tiny && is_tiny(objects, *id)
         };
-        let apart: Vec<_> = others.clone().filter(is_apart).collect();
+        let mut apart = with_room(others.clone().filter(is_apart).count(), OBJECTS)?;
+        apart.extend(others.clone().filter(is_apart));
         let boxes = others.filter(|id| !is_apart(id)).map(|id| (Bounds::of_object(objects, id), id));
         let tree = build(count, sphere_count, boxes, sphere_leaves)?;
         let Tree { mut nodes, mut spheres, mut cylinders, has_sphere_leaves } = tree;
