@@ -248,6 +248,8 @@ class Page {
      * typed stays in the new texts.
      */
     load(texts: Texts & Pick<Current, 'unsaved'>, { isTyped = false, isLink = false, losesTyped = this.#isTyped, name }: Loading = {}): void {
+        // What follows may say that the browser keeps no texts.
+        this.#unsay();
         const own = store.modules();
         const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
@@ -266,7 +268,6 @@ class Page {
         [this.#isTyped, this.#isLink] = [isTyped || (view.isServed && this.#saving.isAnyUnsaved), isLink];
         this.#keep();
         this.showEarlier();
-        this.#unsay();
         this.#shown = this.#texts;
         this.#studio.changed();
         if (texts.modules) {
