@@ -5,6 +5,8 @@
 //
 //     g++ -std=c++20 -O3 -ffp-contract=off tests/literal/literal.cpp -o literal
 //     ./literal CONFIG SCENE OUT.ppm [published]
+// From GCC 16 on the library draws other numbers without this.
+#define _GLIBCXX_USE_OLD_GENERATE_CANONICAL 1
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

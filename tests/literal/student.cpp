@@ -4,6 +4,8 @@
 //
 //     g++ -std=c++20 -O2 -ffp-contract=off -pthread tests/literal/student.cpp -o student
 //     MISTAKES=half_twice,no_caps ./student CONFIG SCENE OUT.ppm
+// From GCC 16 on the library draws other numbers without this.
+#define _GLIBCXX_USE_OLD_GENERATE_CANONICAL 1
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
