@@ -1,5 +1,5 @@
 //! Diagnoses a program in C++ with mistakes, `tests/literal/student.cpp`, which shares nothing with the literal
-//! renderer. One of four mistakes is made, and all of them with `RENDER_ALL=1`, as in tests/extensive.
+//! renderer. One of eight mistakes is made, and all of them with `RENDER_ALL=1`, as in tests/extensive.
 
 use std::path::Path;
 use std::process::Command;
@@ -127,7 +127,7 @@ const UNKNOWN: &[&str] =
     &["background_x", "reflectance_squared", "scale_254", "background_x,zyx", "mt32,no_caps,rounded"];
 
 /// One of this many mistakes is made, unless `RENDER_ALL` is 1: a diagnosis takes a second.
-const STEP: usize = 4;
+const STEP: usize = 8;
 
 /// Number of trials. Each has a part of the mistakes.
 const TRIALS: usize = 2;

@@ -23,7 +23,7 @@ use operations::{BASIC, COMPOSITE, Operation};
 /// Number of cases of each operation, unless `RENDER_CASES` sets another, and the largest number of them in memory.
 const CASES: u64 = 1_000_000;
 /// Number of random scenes.
-const RANDOM_SCENES: u64 = 60;
+const RANDOM_SCENES: u64 = 20;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 1_500_000;
 
@@ -88,7 +88,7 @@ fn every_picture_is_the_references_to_the_bit() {
         println!("{}: {:.1?}", case.name, rendering.time);
         compared.add(case, &rendering.pixels);
     }
-    compared.check(40_000);
+    compared.check(20_000);
 }
 
 /// Runs a module with every construct, and returns its results and the time of the device.

@@ -1,8 +1,8 @@
 //! Compares whole pictures with random numbers in WGSL with pictures in Rust: the small scenes, the repository's
 //! scenes, and random scenes, in both conventions of the scatter vectors.
 //!
-//! `RENDER_ALL=1` renders the repository's scenes in full size, which tests/extensive does. By default
-//! those with many objects or samples are smaller.
+//! `RENDER_ALL=1` renders the repository's scenes in full size and twice as many random scenes, which tests/extensive
+//! does. By default scenes with many objects or samples are smaller.
 
 mod draws;
 
@@ -18,7 +18,7 @@ use crate::common::{self, Accuracy};
 use crate::sampled::{Pipelines, Tally, record};
 use crate::scenes::{self, Case};
 
-const RANDOM_SCENES: u64 = 200;
+const RANDOM_SCENES: u64 = 100;
 /// Limit on the number of samples times objects of one picture; see [`Case::within`].
 const TESTS: usize = 15_000_000;
 /// Limit for random scenes.
@@ -82,15 +82,16 @@ fn pictures_of_the_repositorys_scenes_are_the_references_to_the_bit() {
 #[test]
 fn pictures_of_random_and_edge_scenes_are_the_references_to_the_bit() {
     let edges = scenes::edges().into_iter().map(|case| within(case, RANDOM_TESTS));
-    let cases: Vec<_> = (0..RANDOM_SCENES).map(random).chain(edges).chain([scenes::long_paths()]).collect();
-    check(&Library::standard(), &cases, all_features, 500_000);
+    let random_scenes = if everything() { 2 * RANDOM_SCENES } else { RANDOM_SCENES };
+    let cases: Vec<_> = (0..random_scenes).map(random).chain(edges).chain([scenes::long_paths()]).collect();
+    check(&Library::standard(), &cases, all_features, 250_000);
 }
 
 #[test]
 fn pictures_in_the_hierarchy_are_the_references_to_the_bit() {
     let mut cases = in_folder("tests/cases", TESTS / 20);
     cases.extend(in_folder("scenes", TESTS / 20));
-    cases.extend((0..RANDOM_SCENES / 10).map(random));
+    cases.extend((0..RANDOM_SCENES / 5).map(random));
     check(&Library::standard().in_hierarchy(), &cases, all_features, 100_000);
 }
 
