@@ -2,8 +2,8 @@
 //!
 //! A structure only decides which objects are intersected, and in which order. [`exact`](crate::exact) alone decides
 //! whether and where a ray hits an object, and the closest hit does not depend on the order. A conservative test may
-//! keep an object that the ray misses, but it never discards one that the ray hits. docs/margins.md derives the
-//! margins.
+//! keep an object that the ray misses, but it never discards the one that the ray hits first. docs/margins.md
+//! derives the margins.
 //!
 //! Uses [`exact`](crate::exact), [`layout`](crate::layout) and what these use. Begin with [`choice`], the rule that
 //! chooses a structure, then [`every_object`], the simplest structure, and [`may_hit`], the conservative tests.

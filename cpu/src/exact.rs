@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | plain, f64 | 2^-53 | nearly all rays |
 //! | compensated, f64 | 2^-53 | rays that start near a large surface, pass a far object, or run along a cylinder |
-//! | double-double, spheres only | 2^-106 | rays that start near a sphere which is larger than the scene by far |
+//! | double-double, spheres | 2^-106 | rays that start near a sphere which is larger than the scene by far |
 //! | dyadic | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!
 //! Uses [`geometry`](crate::geometry), [`math`](crate::math) and [`simd`](crate::simd). Begin with [`sphere`], then

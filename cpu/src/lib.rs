@@ -24,7 +24,7 @@
 //! A program that uses this crate needs the profile of this workspace. With Cargo's own (no `lto`, 16 codegen units)
 //! the compiler inlines less, so pictures take much longer (docs/measurements/flags.txt).
 //!
-//! The feature `internals` makes every module public, for the project's own tests, tools and measurements. These
+//! The feature `internals` makes most modules public, for the project's own tests, tools and measurements. These
 //! modules may change at any time.
 
 #![allow(rustdoc::private_intra_doc_links, reason = "the modules are read with --document-private-items")]
@@ -53,7 +53,7 @@ pub use crate::math::vec3::Vec3;
 pub use crate::render::{Renderable, render};
 pub use crate::sampling::scatter_vectors::Scatter;
 
-/// Every module, for the project's own tests, tools and measurements.
+/// Most modules, for the project's own tests, tools and measurements.
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod internals {

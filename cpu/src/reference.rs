@@ -1,11 +1,11 @@
-//! The reference: a renderer that follows docs/specification.md line by line. It is slow, and it is never optimised.
+//! The reference: a renderer that follows docs/specification.md line by line. It is slow, and takes no shortcut.
 //!
 //! Every ray is intersected with all objects, in the order of the scene file. Every shortcut of the real renderer must
-//! give the reference's bytes. The two share only the vector arithmetic, the making of a random number from a word and
-//! of unit vectors from numbers, the picture's height, the camera's window and the definition of a byte. All other
-//! formulas exist twice, so a comparison shows an error of either renderer. This holds for [`Plain`] intersections, to
-//! which records only pass numbers. With [`Exact`] intersections, the reference also shares the module `exact` with the
-//! real renderer.
+//! give the reference's bytes. The two share the vector arithmetic, the making of a random number from a word and of
+//! unit vectors from numbers, the picture's height, the camera's window and the definition of a byte. Nearly all other
+//! formulas exist twice, so a comparison can show an error of either renderer. This holds for [`Plain`] intersections,
+//! to which records only pass numbers. With [`Exact`] intersections, the reference also shares the module `exact` with
+//! the real renderer.
 //!
 //! Uses `math`, `input`, `geometry`, `exact`, `sampling` and `image`. Begin here: this is the specification as a
 //! program.

@@ -10,7 +10,7 @@
 //! - [`methods`] lets `stability` compare the intersections in WGSL with exact arithmetic;
 //! - [`renderer`] and the package [`mod@twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
-//! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
+//! - [`hierarchy`] lets a device render large scenes, and [`closest_hits`] compares it ray by ray;
 //! - [`steps`] traces single pixels step by step on both, and [`first_difference`] finds the function that differs;
 //! - [`shader_lab`] renders with a user's own modules, and [`guard`] limits what their compilation may take.
 //!

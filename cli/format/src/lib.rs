@@ -136,7 +136,7 @@ pub const CONFIG: [Line; 13] = [
     key("gamma:", &[Positive], "number > 0", "2.2", "gamma correction: a channel is its mean ^ (1 / gamma)"),
     key("camera_position:", &[Real; 3], "x y z", "0 0 -10", "where the camera stands, scene units"),
     key("camera_target:", &[Real; 3], "x y z", "0 0 0", "point in the middle of the picture, scene units"),
-    key("camera_north:", &[Real; 3], "x y z", "0 1 0", "direction that is up in the picture; any length"),
+    key("camera_north:", &[Real; 3], "x y z", "0 1 0", "direction that is up in the picture; any length but 0"),
     key("field_of_view:", &[Degrees], "number in (0, 180)", "90", "vertical opening of the view, degrees"),
     key("samples_per_pixel:", &[Count], "whole number > 0", "20", "rays a pixel; noise falls with their square root"),
     key("max_depth:", &[Count], "whole number > 0", "5", "rays a sample may send; if the last one hits, black"),

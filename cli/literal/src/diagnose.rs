@@ -2,8 +2,8 @@
 //!
 //! The cases are taken in their order. As long as the deviations found so far give the program's pictures, the next
 //! case follows. If a picture differs, each deviation that shows in this case and in none before is tried, and each two
-//! of them. So two deviations of different stages are found one after the other. Fewer deviations are tried first, and
-//! equal bytes before nearly equal ones.
+//! of them. So two deviations of different stages are mostly found one after the other. Fewer deviations are tried
+//! first, and equal bytes before nearly equal ones.
 
 use std::cmp::Ordering;
 use std::collections::{HashMap, HashSet};

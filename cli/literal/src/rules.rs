@@ -1,7 +1,7 @@
 //! The table of deviations (`rules.txt`): what people write instead of what the statement says.
 //!
-//! A deviation is a mistake, or a choice that the statement leaves open, such as another limit of lambda. It may have
-//! several values, such as several limits. [`Rules`] says which deviations a rendering has. Without any, it follows the
+//! A deviation is a mistake, or a choice that the statement leaves open, such as the order of the draws. It may have
+//! several values, such as several orders. [`Rules`] says which deviations a rendering has. Without any, it follows the
 //! statement.
 
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! The evaluated programs call no function of the system's mathematical library: its last bits differ between systems.
+//! The evaluated programs call no function of the system's mathematical library whose last bits differ between systems.
 
 use std::collections::BTreeSet;
 

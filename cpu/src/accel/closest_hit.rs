@@ -193,7 +193,8 @@ fn with_uncertain_spheres<O: Objects>(objects: &O, spheres: u64, ray: Ray, mut c
     closest
 }
 
-/// Returns lambda and part by the precise formulas, or `None` for a miss. See [`resolve_sphere`] for the parameters.
+/// Returns lambda and part by the steps after the filter, or `None` for a miss. See [`resolve_sphere`] for the
+/// parameters.
 #[cold]
 #[inline(never)]
 fn resolve_cylinder<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<(f64, CylinderPart)> {

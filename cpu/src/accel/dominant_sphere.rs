@@ -42,7 +42,7 @@ impl DominantSphere {
     }
 
     /// Whether there are a dominant sphere and other objects, and the centres of all others lie outside of it.
-    /// Otherwise the sphere may be a room, and no ray that starts in a room escapes.
+    /// Otherwise the sphere may be a room, which few rays that start in it leave.
     pub(crate) fn is_ground(self, objects: &impl Objects) -> bool {
         count(objects) > 1
             && self.0.map(|id| bounding_sphere(objects, id)).is_some_and(|(center, radius)| {

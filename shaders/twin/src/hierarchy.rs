@@ -1,5 +1,5 @@
 //! A hierarchy of boxes over the objects of a picture, for `shaders/wgsl/hierarchy.wgsl`. With it a device renders
-//! scenes of any size, and every pixel keeps its bits.
+//! large scenes, and every pixel keeps its bits.
 
 mod build;
 mod margins;

@@ -284,7 +284,7 @@ const SPANISH_MEANINGS: Record<string, string> = {
     'gamma:': 'corrección gamma: un canal es su media ^ (1 / gamma)',
     'camera_position:': 'lugar de la cámara, en unidades de la escena',
     'camera_target:': 'punto en el centro de la imagen, en unidades de la escena',
-    'camera_north:': 'dirección que está arriba en la imagen; de cualquier longitud',
+    'camera_north:': 'dirección que está arriba en la imagen; de cualquier longitud salvo 0',
     'field_of_view:': 'apertura vertical de la vista, en grados',
     'samples_per_pixel:': 'rayos por píxel; el ruido baja con su raíz cuadrada',
     'max_depth:': 'rayos que puede enviar una muestra; si el último toca algo, negro',
