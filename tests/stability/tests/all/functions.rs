@@ -1,6 +1,6 @@
 //! The tangent and the power against arithmetic of 256 bits of another library, and dyadic numbers against 1,200 bits.
 //!
-//! `RENDER_CASES` is the number of random arguments of each function; tests/extensive takes ten million.
+//! `RENDER_CASES` is the number of random arguments of each function; tests/extensive takes ten million of both.
 
 use std::cmp::Ordering;
 
