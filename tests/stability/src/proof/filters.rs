@@ -189,7 +189,8 @@ fn flat_filter() -> [Row; 3] {
 pub struct FlatNumbers {
     /// Of a sphere, less its margin.
     pub sphere: Bounded,
-    at_first: Bounded,
+    /// The bounding sphere's `f(t)`, less its margin.
+    pub at_first: Bounded,
     /// Of a cylinder, less its margin.
     pub cylinder: Bounded,
 }

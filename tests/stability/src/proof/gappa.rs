@@ -8,12 +8,17 @@
 mod background;
 mod camera;
 mod cap;
+mod compensated;
+mod compensated_underflow;
+mod filter;
 mod hypotheses;
 mod largest;
+mod relative;
 mod scripts;
 mod sphere;
+mod underflow;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 
 use super::bounded::{Bounded, Operation};
@@ -32,16 +37,41 @@ pub struct Proof {
     pub wrong: [String; 2],
 }
 
+/// How a script writes that an operation is rounded.
+#[derive(Clone, Copy, Debug)]
+enum Rounding {
+    /// To a number of 64 bits. The bound of an error depends on the unit in which the number is measured.
+    Ieee,
+    /// By a relative error of at most 2 to the power of minus this number of bits, at any magnitude. Underflow is left
+    /// out, and a formula may be measured in any unit.
+    Relative(u32),
+}
+
 /// A text in Gappa's language that defines numbers, with their rounding and without.
 #[derive(Debug)]
 struct Script {
+    rounding: Rounding,
     definitions: String,
     names: HashMap<Bounded, [String; 2]>,
+    /// The computed values of operations before they are rounded.
+    unrounded: HashMap<Bounded, String>,
+    /// The operations whose errors are computed and exported too.
+    kept: HashSet<Bounded>,
+    /// What holds beside the hypotheses that [`Script::proves`] gets.
+    hypotheses: Vec<String>,
+    /// What Gappa is told beside the hints that [`Script::proves`] gets.
+    hints: String,
 }
 
 impl Script {
     fn new() -> Self {
-        Self { definitions: "@rnd = float<ieee_64, ne>;\n".to_owned(), names: HashMap::new() }
+        Self::with_rounding(Rounding::Ieee, "@rnd = float<ieee_64, ne>;\n")
+    }
+
+    fn with_rounding(rounding: Rounding, definitions: &str) -> Self {
+        let (names, unrounded, kept) = (HashMap::new(), HashMap::new(), HashSet::new());
+        let (definitions, hypotheses, hints) = (definitions.to_owned(), Vec::new(), String::new());
+        Self { rounding, definitions, names, unrounded, kept, hypotheses, hints }
     }
 
     /// Defines a number by expressions for its computed value and its exact one, in place of the operations that
@@ -60,27 +90,40 @@ impl Script {
         if let Some(names) = self.names.get(&number) {
             return names.clone();
         }
-        let mut of = |number: Bounded| self.export(number);
-        let two = |[a, b]: [[String; 2]; 2], operator: &str| {
-            [0, 1].map(|index| format!("{} {operator} {}", a[index], b[index]))
-        };
+        if let Some(error) = self.exact_error(number) {
+            return self.define(number, [&error, "0"]);
+        }
         let [computed, exact] = match number.operation() {
             Operation::Input((family, component)) => [(); 2].map(|()| format!("x{family}_{component}")),
             Operation::Constant(bits) => [(); 2].map(|()| dyadic(f64::from_bits(bits))),
-            Operation::Sum(a, b) => rounded(two([of(a), of(b)], "+")),
-            Operation::Difference(a, b) => rounded(two([of(a), of(b)], "-")),
-            Operation::Product(a, b) => rounded(two([of(a), of(b)], "*")),
-            Operation::Quotient(a, b) => rounded(two([of(a), of(b)], "/")),
-            Operation::Fused(a, b, c) => {
-                let ([a, b], c) = ([of(a), of(b)], of(c));
-                rounded(two([two([a, b], "*"), c], "+"))
-            }
-            Operation::Root(a) => rounded(of(a).map(|a| format!("sqrt({a})"))),
-            Operation::Negative(a) => of(a).map(|a| format!("-{a}")),
-            Operation::Magnitude(a) => of(a).map(|a| format!("|{a}|")),
+            Operation::Negative(a) => self.export(a).map(|a| format!("-{a}")),
+            Operation::Magnitude(a) => self.export(a).map(|a| format!("|{a}|")),
+            Operation::Sum(a, b) if a == b && self.is_relative() => self.export(a).map(|a| format!("2 * {a}")),
+            Operation::Sum(a, b) => self.rounded(number, "add", &[a, b]),
+            Operation::Difference(a, b) => self.rounded(number, "sub", &[a, b]),
+            Operation::Product(a, b) => self.rounded(number, "mul", &[a, b]),
+            Operation::Quotient(a, b) => self.rounded(number, "div", &[a, b]),
+            Operation::Fused(a, b, c) => self.rounded(number, "fma", &[a, b, c]),
+            Operation::Root(a) => self.rounded(number, "sqrt", &[a]),
             Operation::Flipped(..) => unreachable!("no exported formula flips a sign"),
         };
         self.define(number, [&computed, &exact])
+    }
+
+    /// Returns the expressions of the computed value of a number, which is rounded, and of its exact one.
+    fn rounded(&mut self, number: Bounded, operator: &str, operands: &[Bounded]) -> [String; 2] {
+        let operands: Vec<_> = operands.iter().map(|&operand| self.export(operand)).collect();
+        let of_kind = |kind: usize| operands.iter().map(|names| names[kind].as_str()).collect::<Vec<_>>();
+        let [computed, exact] = [0, 1].map(|kind| expression(operator, &of_kind(kind)));
+        let rounded = match self.rounding {
+            Rounding::Ieee => format!("rnd({computed})"),
+            Rounding::Relative(bits) => {
+                let _ = writeln!(self.hints, "{computed} ~ e{};", number.place());
+                format!("{operator}_rel<{bits}>({})", of_kind(0).join(", "))
+            }
+        };
+        self.unrounded.insert(number, computed);
+        [rounded, exact]
     }
 
     /// Removes the definitions of computed values (`c`) or of exact ones (`e`), if a proof needs only the others. Gappa
@@ -93,7 +136,8 @@ impl Script {
 
     /// Returns the text in which the hypotheses imply the goal. The `hints` tell Gappa how to proceed.
     fn proves(&self, hypotheses: &[String], goal: &str, hints: &str) -> String {
-        format!("{}{{ {}\n  -> {goal} }}\n{hints}", self.definitions, hypotheses.join("\n  /\\ "))
+        let hypotheses = [&self.hypotheses, hypotheses].concat().join("\n  /\\ ");
+        format!("{}{{ {hypotheses}\n  -> {goal} }}\n{}{hints}", self.definitions, self.hints)
     }
 }
 
@@ -107,9 +151,17 @@ fn within(name: &str, [low, high]: [f64; 2]) -> String {
     format!("{name} in [{},{}]", dyadic(low), dyadic(high))
 }
 
-/// Returns the expressions of a computed value, which is rounded, and of the exact one.
-fn rounded([computed, exact]: [String; 2]) -> [String; 2] {
-    [format!("rnd({computed})"), exact]
+/// Returns the expression of an operation.
+fn expression(operator: &str, operands: &[&str]) -> String {
+    match (operator, operands) {
+        ("add", [a, b]) => format!("{a} + {b}"),
+        ("sub", [a, b]) => format!("{a} - {b}"),
+        ("mul", [a, b]) => format!("{a} * {b}"),
+        ("div", [a, b]) => format!("{a} / {b}"),
+        ("fma", [a, b, c]) => format!("{a} * {b} + {c}"),
+        ("sqrt", [a]) => format!("sqrt({a})"),
+        _ => unreachable!("no operation is named {operator}"),
+    }
 }
 
 /// Returns a number as Gappa writes it: `mbe` is `m` times two to the power of `e`.

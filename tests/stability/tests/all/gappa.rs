@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use stability::proof::gappa::{Proof, scripts};
 use stability::proof::rows;
 
-/// Returns whether Gappa proves a text, and what it says.
+/// Returns whether Gappa proves a text, and what it says. It must not doubt a hint.
 fn prove(text: &str) -> (bool, String) {
     let mut command = Command::new("gappa");
     let mut gappa = command
@@ -19,7 +19,8 @@ fn prove(text: &str) -> (bool, String) {
     gappa.stdin.take().expect("it is a pipe").write_all(text.as_bytes()).expect("Gappa reads the text");
     let output = gappa.wait_with_output().expect("Gappa ends");
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-    (output.status.success(), said)
+    // Gappa takes both sides of a hint as equal, and only warns if it cannot show that they are.
+    (output.status.success() && !said.contains("not trivially equal"), said)
 }
 
 #[test]

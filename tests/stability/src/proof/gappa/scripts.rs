@@ -11,13 +11,17 @@ use super::super::bounds::Arithmetic;
 use super::super::exact;
 use super::super::row::{U, family::*};
 use super::hypotheses::{MODERATE, relative};
-use super::{Proof, Script, background, camera, cap, dyadic, in_single_precision, largest, sphere, within};
+use super::{Proof, Script, background, camera, cap, compensated, compensated_underflow, dyadic, filter};
+use super::{in_single_precision, largest, sphere, within};
 
 /// Returns the proofs, those that others build on first.
 #[must_use]
 pub fn scripts() -> Vec<Proof> {
     let mut proofs = cap::proofs().to_vec();
     proofs.extend(sphere::proofs());
+    proofs.extend(compensated::proofs());
+    proofs.extend(compensated_underflow::proofs());
+    proofs.extend(filter::proofs());
     proofs.extend([order(), long_side(), side_lambda(), camera::direction()]);
     proofs.extend(
         [largest::sphere(), largest::side(), largest::cap(), largest::conservative(), background::remainder()].concat(),

@@ -1,0 +1,175 @@
+//! The proofs that underflow is negligible in the compensated formulas of a side.
+//!
+//! `P` is `|p|`, `V` is the length of the axis, and `Z^2 = V^2 (|O - C|^2 + r^2)`. If the numbers are in scale, none of
+//! them is below 2^-151, and `V` is at most 2^151. In units of these three, no input is above 1. Neither is a component
+//! of `q = (O - C) x V`, nor `c`, by the inequality of Cauchy and Schwarz.
+
+use cpu::internals::exact::compensated_roots::ERROR_OF_C;
+use cpu::internals::exact::cylinder_compensated::{SHARE_IN_D, SHARE_IN_H};
+use cpu::internals::exact::error_bound::{LARGEST_IN_SCALE, SMALLEST_IN_SCALE};
+use cpu::internals::exact::sphere_filter::SPHERE_BOUND;
+use cpu::internals::math::error_free::accurate_cross;
+
+use super::super::bounded::{Bounded, Operation};
+use super::super::row::{U, ray};
+use super::Proof;
+use super::compensated::{Side, side};
+use super::underflow::{HALF_OF_LEAST, Underflow, Unit};
+
+const OF_AXIS: Unit = [0, 1, 0];
+const OF_LENGTH: Unit = [0, -1, 1];
+const OF_CROSS: Unit = [0, 0, 1];
+const OF_C: Unit = [0, 0, 2];
+const OF_P: Unit = [1, 0, 0];
+
+/// A number that is at most 1 in its unit, after a few roundings.
+const ONE: f64 = 1.0 + 1e-9;
+/// What is negligible of the bound of an error.
+const NEGLIGIBLE: f64 = 1e-6;
+
+/// What underflow adds, as binary logarithms, which a proof shows for each.
+mod added {
+    /// To a component of `p`.
+    pub const TO_P: i32 = -921;
+    /// To both parts of a component of `q`.
+    pub const TO_CROSS: i32 = -920;
+    /// To both parts of the term of the radius.
+    pub const TO_RADIUS_TERM: i32 = -468;
+    /// To `c` and to the sum of its squares.
+    pub const TO_C: i32 = -464;
+    /// To the numbers of which roots are taken.
+    pub const TO_NEAR_ROOT: i32 = -460;
+    pub const TO_FAR_ROOT: i32 = -168;
+}
+use added::*;
+
+fn two_to(power: i32) -> f64 {
+    2.0_f64.powi(power)
+}
+
+/// Returns the proofs, those that others build on first.
+pub(super) fn proofs() -> Vec<Proof> {
+    vec![direction(), component(), radius_term(), c(), near(), far()]
+}
+
+fn begin() -> Underflow {
+    // The code compares rounded squares with these limits.
+    let [inverse, longest] = [1.0 / SMALLEST_IN_SCALE, LARGEST_IN_SCALE].map(|limit| 2.0 * limit.sqrt());
+    Underflow::new([("iP", inverse), ("iV", inverse), ("iZ", inverse), ("V", longest)])
+}
+
+fn proof(what: &'static str, script: &Underflow) -> Proof {
+    let wrong = [HALF_OF_LEAST, "1b-150"].map(ToOwned::to_owned);
+    Proof { row: "underflow of a side, compensated", what, text: script.text(), wrong }
+}
+
+/// Returns the proof for a component of `p = d x V`.
+fn direction() -> Proof {
+    let Side { axis, .. } = side();
+    let mut script = begin();
+    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
+    // A direction along the axis is much longer than `p`. Underflow of its products does not depend on their size.
+    script.given(ray().direction.to_array(), [1, -1, 0], f64::INFINITY, 0.0);
+    script.adds_at_most(accurate_cross(ray().direction, axis).x, two_to(TO_P));
+    proof("a component of d x V", &script)
+}
+
+/// Returns the proof for a component of `q = (O - C) x V`.
+fn component() -> Proof {
+    let Side { axis, from_center, cross, .. } = side();
+    let mut script = begin();
+    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
+    for (vector, most) in from_center.into_iter().zip([ONE, ONE * U]) {
+        script.given(vector.to_array(), OF_LENGTH, most, 0.0);
+    }
+    for part in cross {
+        script.adds_at_most(part.x, two_to(TO_CROSS));
+    }
+    proof("a component of (O - C) x V", &script)
+}
+
+/// Returns the proof for `r^2 |V|^2`.
+fn radius_term() -> Proof {
+    let Side { axis, radius, radius_term, .. } = side();
+    let mut script = begin();
+    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
+    script.given([radius], OF_LENGTH, ONE, 0.0);
+    for part in radius_term {
+        script.adds_at_most(part, two_to(TO_RADIUS_TERM));
+    }
+    proof("the term of the radius", &script)
+}
+
+/// Returns the proof for `c`, and for the sum of its squares.
+fn c() -> Proof {
+    let Side { cross, radius_term, squares, terms, .. } = side();
+    let mut script = begin();
+    for ((vector, term), most) in cross.into_iter().zip(radius_term).zip([ONE, 8.0 * U]) {
+        script.given(vector.to_array(), OF_CROSS, most, two_to(TO_CROSS));
+        script.given([term], OF_C, most, two_to(TO_RADIUS_TERM));
+    }
+    let most = two_to(TO_C);
+    assert!(most < NEGLIGIBLE * ERROR_OF_C * U * U, "the terms of `c` are at least 1");
+    for number in [terms.quadratic.c, squares] {
+        script.adds_at_most(number, most);
+    }
+    proof("c", &script)
+}
+
+/// Begins a script with the vectors of a discriminant.
+fn discriminant(Side { axis, from_center, direction_cross, .. }: &Side) -> Underflow {
+    let mut script = begin();
+    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
+    script.given(direction_cross.to_array(), OF_P, ONE, two_to(TO_P));
+    for (vector, most) in from_center.iter().zip([ONE, ONE * U]) {
+        script.given(vector.to_array(), OF_LENGTH, most, 0.0);
+    }
+    script
+}
+
+/// Returns the most that underflow may add to the value of a discriminant and to the size of its terms. These are at
+/// least this share of `P^2 Z^2`.
+fn negligible(share: f64) -> [f64; 2] {
+    [SPHERE_BOUND.error_constant * U, 1.0].map(|factor| NEGLIGIBLE * share * factor)
+}
+
+/// Returns the proof for `h` and for `h^2 - a c`.
+fn near() -> Proof {
+    let side = side();
+    let mut script = discriminant(&side);
+    let quadratic = &side.terms.quadratic;
+    for (vector, most) in side.cross.into_iter().zip([ONE, 8.0 * U]) {
+        script.given(vector.to_array(), OF_CROSS, most, two_to(TO_CROSS));
+    }
+    script.given([quadratic.c, side.squares], OF_C, ONE, two_to(TO_C));
+    script.root_of(quadratic.size_of_h, two_to(TO_NEAR_ROOT));
+    // The terms of `h` are at least this share of `P Z`.
+    script.adds_at_most(quadratic.h, NEGLIGIBLE * U * SHARE_IN_H.sqrt());
+    let near = quadratic.near();
+    for (number, most) in [near.value, near.size].into_iter().zip(negligible(ERROR_OF_C * U)) {
+        script.adds_at_most(number, most);
+    }
+    proof("the discriminant, near", &script)
+}
+
+/// Returns the proof for `V.V (a r^2 - ((O - C).p)^2)`.
+fn far() -> Proof {
+    let side = side();
+    let mut script = discriminant(&side);
+    script.given([side.radius], OF_LENGTH, ONE, 0.0);
+    let far = &side.terms.far;
+    script.root_of(root_of_far(far.size), two_to(TO_FAR_ROOT));
+    for (number, most) in [far.value, far.size].into_iter().zip(negligible(SHARE_IN_D)) {
+        script.adds_at_most(number, most);
+    }
+    proof("the discriminant, far", &script)
+}
+
+/// Returns the root in the size of a discriminant's terms.
+fn root_of_far(size: Bounded) -> Bounded {
+    let Operation::Product(_, sum) = size.operation() else { panic!("it is no product") };
+    let Operation::Sum(_, rest) = sum.operation() else { panic!("it is no sum") };
+    let Operation::Sum(first, _) = rest.operation() else { panic!("it is no sum of three") };
+    let Operation::Product(_, root) = first.operation() else { panic!("it is no product with a root") };
+    root
+}

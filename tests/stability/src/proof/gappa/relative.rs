@@ -1,0 +1,158 @@
+//! Scripts in which an operation is rounded by a relative error, at any magnitude. So a proof may measure the numbers
+//! of a formula in any unit, such as the length of a vector, and not only in powers of two.
+
+use super::super::bounded::{Bounded, Operation};
+use super::super::signed::two_sum;
+use super::hypotheses::relative;
+use super::{Rounding, Script, within};
+
+/// A dot product, which may be added to a number. The code adds the products one by one.
+pub(super) struct Dot {
+    /// The number to which the products are added.
+    pub(super) start: Option<Bounded>,
+    /// The sum after each product.
+    pub(super) sums: [Bounded; 3],
+    /// The two vectors.
+    pub(super) vectors: [[Bounded; 3]; 2],
+}
+
+impl Dot {
+    /// Takes a dot product by fused operations apart.
+    pub(super) fn of(last: Bounded) -> Self {
+        let Operation::Fused(x2, y2, second) = last.operation() else { panic!("it is no fused sum") };
+        let Operation::Fused(x1, y1, first) = second.operation() else { panic!("it is no fused sum of two") };
+        let (x0, y0, start) = match first.operation() {
+            Operation::Fused(x, y, start) => (x, y, Some(start)),
+            Operation::Product(x, y) => (x, y, None),
+            other => panic!("{other:?} is no product"),
+        };
+        Self { start, sums: [first, second, last], vectors: [[x0, x1, x2], [y0, y1, y2]] }
+    }
+}
+
+/// Returns the operation whose rounding error, or its negative, this number is, with the sign.
+pub(super) fn error_of(number: Bounded) -> Option<(Bounded, &'static str)> {
+    match number.operation() {
+        Operation::Sum(x, y) => two_sum(x, y).map(|[.., sum]| (sum, "-")),
+        Operation::Fused(a, b, c) => match c.operation() {
+            Operation::Negative(product) if product.operation() == Operation::Product(a, b) => Some((product, "-")),
+            Operation::Product(x, y) if a.operation() == Operation::Negative(x) && b == y => Some((c, "")),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+impl Script {
+    /// Begins a script whose operations have relative errors of at most 2 to the power of `-bits`.
+    pub(super) fn relative(bits: u32) -> Self {
+        Self::with_rounding(Rounding::Relative(bits), "")
+    }
+
+    pub(super) fn is_relative(&self) -> bool {
+        matches!(self.rounding, Rounding::Relative(_))
+    }
+
+    /// Returns the value of a number that is the rounding error of another one, if it is. It is exact by the theorems
+    /// of Knuth and Dekker, which need that the code rounds to the nearest number.
+    pub(super) fn exact_error(&mut self, number: Bounded) -> Option<String> {
+        let (of, sign) = error_of(number).filter(|_| self.is_relative())?;
+        let [computed, _] = self.export(of);
+        self.kept.insert(of);
+        Some(format!("{sign}({computed} - ({}))", self.unrounded[&of]))
+    }
+
+    /// Returns the roundings of a number's operations, which add up to its error. Those that the code computes and
+    /// subtracts are left out, and those of numbers that the proof defines.
+    pub(super) fn roundings(&mut self, number: Bounded) -> Vec<String> {
+        let [computed, _] = self.export(number);
+        let times = |factor: &str, roundings: Vec<String>| {
+            roundings.into_iter().map(|rounding| format!("{factor}{rounding}")).collect::<Vec<_>>()
+        };
+        if self.kept.contains(&number) {
+            return Vec::new();
+        }
+        let Some(unrounded) = self.unrounded.get(&number) else {
+            return match number.operation() {
+                Operation::Sum(a, b) if a == b => times("2 * ", self.roundings(a)),
+                _ => Vec::new(),
+            };
+        };
+        let own = vec![format!("({computed} - ({unrounded}))")];
+        let of_operands = match number.operation() {
+            Operation::Sum(a, b) => [self.roundings(a), self.roundings(b)].concat(),
+            Operation::Difference(a, b) => [self.roundings(a), times("-", self.roundings(b))].concat(),
+            Operation::Product(a, b) => {
+                assert_eq!(self.roundings(a), [""; 0], "the first factor is known");
+                let [factor, _] = self.export(a);
+                times(&format!("{factor} * "), self.roundings(b))
+            }
+            Operation::Fused(.., c) => self.roundings(c),
+            other => unreachable!("no number whose errors are subtracted is computed by {other:?}"),
+        };
+        [own, of_operands].concat()
+    }
+
+    /// Returns the expression of a multiple of `size`, by a factor in this range.
+    pub(super) fn multiple(&mut self, of: Bounded, size: &str, range: [f64; 2]) -> String {
+        let factor = format!("k{}", of.place());
+        self.hypotheses.push(within(&factor, range));
+        format!("{factor} * ({size})")
+    }
+
+    /// Defines a number that is given, by its exact value and a relative error of at most `error u`.
+    pub(super) fn given(&mut self, number: Bounded, exact: &str, error: f64) {
+        let computed = format!("y{}", number.place());
+        let names = self.define(number, [&computed, exact]);
+        self.hypotheses.push(relative(&names, error));
+    }
+
+    /// Defines the components of a vector of this length.
+    pub(super) fn given_vector(&mut self, vector: [Bounded; 3], length: &str, error: f64) {
+        for component in vector {
+            if !self.names.contains_key(&component) {
+                let exact = self.multiple(component, length, [-1.0, 1.0]);
+                self.given(component, &exact, error);
+            }
+        }
+    }
+
+    /// States that the exact value of a number is a multiple of `size` by a factor in this range.
+    pub(super) fn is_multiple(&mut self, number: Bounded, size: &str, range: [f64; 2]) {
+        let ([_, exact], multiple) = (self.export(number), self.multiple(number, size, range));
+        self.hypotheses.push(format!("{exact} = {multiple}"));
+    }
+
+    /// States that the sums of a dot product are at most the product of the lengths. This is the inequality of Cauchy
+    /// and Schwarz for the first components of both vectors. The sums of a vector's square are not negative.
+    pub(super) fn bound_sums(&mut self, dot: &Dot, lengths: &str) {
+        let least = if dot.vectors[0] == dot.vectors[1] { 0.0 } else { -1.0 };
+        for sum in dot.sums {
+            let ([_, exact], multiple) = (self.export(sum), self.multiple(sum, lengths, [least, 1.0]));
+            let start = dot.start.map(|start| format!("{} + ", self.export(start)[1]));
+            self.hypotheses.push(format!("{exact} = {}{multiple}", start.unwrap_or_default()));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::proof::bounded::begin;
+    use crate::proof::bounds::Arithmetic;
+    use cpu::internals::math::error_free::two_product;
+
+    #[test]
+    fn a_rounding_error_that_the_code_subtracts_is_exact() {
+        begin(Arithmetic::F64, f64::NAN);
+        let [x, y, z] = [0, 1, 2].map(|component| Bounded::input((7, component), 0.0));
+        let (product, error) = two_product(x, y);
+        let sum = error + (z + z);
+        let mut script = Script::relative(53);
+        assert_eq!(script.roundings(sum), ["(c7 - (c5 + c6))"]);
+        assert_eq!(script.roundings(product), [""; 0]);
+        for line in ["c3 = mul_rel<53>(c0, c1);\n", "e5 = 0;\nc5 = -(c3 - (c0 * c1));\n", "c6 = 2 * c2;\n"] {
+            assert!(script.definitions.contains(line), "{}", script.definitions);
+        }
+    }
+}
