@@ -8,7 +8,7 @@ use cpu::internals::input::scene::{Object, Shape, Sphere};
 use cpu::{Config, Scene, Vec3};
 use generator::{Arrangement, Options};
 use stability::random::Random;
-use test_support::project_root;
+use test_support::{everything, project_root};
 
 pub use crate::sampled::Case;
 
@@ -20,6 +20,11 @@ pub fn in_folder(folder: &str) -> Vec<Case> {
     let mut folders: Vec<_> = paths.filter(|path| path.join("scene.txt").is_file()).collect();
     folders.sort();
     folders.iter().map(|path| read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))).collect()
+}
+
+/// Returns a number of random cases: `usual`, or twice as many with `RENDER_ALL=1`, as in tests/extensive.
+pub fn number_of_random(usual: u64) -> u64 {
+    if everything() { 2 * usual } else { usual }
 }
 
 /// Returns all scenes of the repository, the edge cases, and `random` random scenes, each [within](Case::within)

@@ -23,7 +23,7 @@ use operations::{BASIC, COMPOSITE, Operation};
 /// Number of cases of each operation, unless `RENDER_CASES` sets another, and the largest number of them in memory.
 const CASES: u64 = 1_000_000;
 /// Number of random scenes.
-const RANDOM_SCENES: u64 = 20;
+const RANDOM_SCENES: u64 = 30;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 1_500_000;
 
@@ -77,7 +77,7 @@ const OF_F32_OR_COMPOSITE: [usize; 6] = [6, 7, 9, 10, 11, 14];
 fn every_picture_is_the_references_to_the_bit() {
     let gpu = common::gpu().with_form(Form::ByIntegers);
     let mut compared = Compared::default();
-    let cases = scenes::all(RANDOM_SCENES, TESTS);
+    let cases = scenes::all(scenes::number_of_random(RANDOM_SCENES), TESTS);
     // A pipeline of so many instructions takes seconds to compile, so all scenes share one.
     let deepest = cases.iter().map(|case| case.config.max_depth as u32).max().expect("there are scenes");
     let renderer =
@@ -88,7 +88,7 @@ fn every_picture_is_the_references_to_the_bit() {
         println!("{}: {:.1?}", case.name, rendering.time);
         compared.add(case, &rendering.pixels);
     }
-    compared.check(20_000);
+    compared.check(150_000);
 }
 
 /// Runs a module with every construct, and returns its results and the time of the device.

@@ -1,8 +1,8 @@
 //! Compares whole pictures with random numbers in WGSL with pictures in Rust: the small scenes, the repository's
 //! scenes, and random scenes, in both conventions of the scatter vectors.
 //!
-//! `RENDER_ALL=1` renders the repository's scenes in full size and twice as many random scenes, which tests/extensive
-//! does. By default scenes with many objects or samples are smaller.
+//! `RENDER_ALL=1` renders the repository's scenes in full size, which tests/extensive does. By default those with many
+//! objects or samples are smaller.
 
 mod draws;
 
@@ -76,15 +76,15 @@ fn pictures_of_the_repositorys_scenes_are_the_references_to_the_bit() {
     cases.extend(in_folder("scenes", TESTS));
     assert!(cases.len() >= 22, "{}", cases.len());
     let own = |case: &Case| features_of(&case.config, &case.scene).expect("it is not deep");
-    check(&Library::standard(), &cases, own, 500_000);
+    check(&Library::standard(), &cases, own, 1_000_000);
 }
 
 #[test]
 fn pictures_of_random_and_edge_scenes_are_the_references_to_the_bit() {
     let edges = scenes::edges().into_iter().map(|case| within(case, RANDOM_TESTS));
-    let random_scenes = if everything() { 2 * RANDOM_SCENES } else { RANDOM_SCENES };
-    let cases: Vec<_> = (0..random_scenes).map(random).chain(edges).chain([scenes::long_paths()]).collect();
-    check(&Library::standard(), &cases, all_features, 250_000);
+    let random = (0..scenes::number_of_random(RANDOM_SCENES)).map(random);
+    let cases: Vec<_> = random.chain(edges).chain([scenes::long_paths()]).collect();
+    check(&Library::standard(), &cases, all_features, 800_000);
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn pictures_in_the_hierarchy_are_the_references_to_the_bit() {
     let mut cases = in_folder("tests/cases", TESTS / 20);
     cases.extend(in_folder("scenes", TESTS / 20));
     cases.extend((0..RANDOM_SCENES / 5).map(random));
-    check(&Library::standard().in_hierarchy(), &cases, all_features, 100_000);
+    check(&Library::standard().in_hierarchy(), &cases, all_features, 250_000);
 }
 
 #[test]
