@@ -1,5 +1,5 @@
-"""Exact renderer of spheres and cylinders. Pictures have the bytes of render-aos and render-soa, and
-intersections are decided as by exact arithmetic."""
+"""Exact renderer of spheres and cylinders. Pictures have the bytes of render-aos and render-soa, and intersections
+are decided as by exact arithmetic."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Literal, SupportsFloat, SupportsIndex, TypedDict, final, overload

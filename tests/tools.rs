@@ -1,5 +1,5 @@
-//! Tests that need other tools, which are looked for at run time: the literal program needs g++, losses of power
-//! and careless programs need strace, and the pictures of other systems need compilers, emulators and browsers.
+//! Tests that need other tools, which are looked for at run time: the literal program needs g++, losses of power and
+//! careless programs need strace, and the pictures of other systems need compilers, emulators and browsers.
 //!
 //! A test whose tools are missing is shown as ignored, with what it needs.
 

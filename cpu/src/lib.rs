@@ -2,8 +2,7 @@
 //!
 //! Two texts become checked values ([`Config`] and [`Scene`]). [`render()`] turns these values into pixels, in one of
 //! two layouts ([`Aos`] and [`Soa`]). [`write_ppm`] turns the pixels into PPM text. Every fault of the two texts is
-//! found before the first ray. docs/design.md says what each folder
-//! holds, and which other folders it uses.
+//! found before the first ray. docs/design.md says what each folder holds, and which other folders it uses.
 //!
 //! ```
 //! use cpu::{Aos, Config, Scatter, Scene};

@@ -15,8 +15,8 @@ mod texts;
 mod values;
 mod worker;
 
-/// Exact renderer of spheres and cylinders. Pictures have the bytes of render-aos and render-soa, and
-/// intersections are decided as by exact arithmetic.
+/// Exact renderer of spheres and cylinders. Pictures have the bytes of render-aos and render-soa, and intersections are
+/// decided as by exact arithmetic.
 #[pyo3::pymodule]
 mod exact_renderer {
     #[pymodule_export]

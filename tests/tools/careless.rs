@@ -1,5 +1,5 @@
 //! Tests that the checks of [`test_support::injection`] find programs that lose files, leave additional ones, or sync
-//! nothing. They need strace.
+//! nothing. These tests need strace.
 
 use std::ffi::OsString;
 use std::fs;

@@ -3,9 +3,9 @@
 //!
 //! 1. [`filtered`]: [plain](crate::exact::cylinder_plain) formulas with a bound of their rounding errors.
 //! 2. [`compensated`]: [formulas](crate::exact::cylinder_compensated) in which less cancels.
-//! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is below, because it says what is decided. For a single
-//!    ray, a sphere around the cylinder is tried before it: a ray that certainly misses the sphere misses the cylinder.
-//!    If the ray starts so far away that the formulas of the cylinder overflow, those of the sphere still hold.
+//! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is below, because it says what is decided. Before this
+//!    step, [`compensated_or_precise`] intersects the ray with a larger sphere around the cylinder. A ray that misses
+//!    the sphere misses the cylinder. This serves rays that start so far away that the cylinder's formulas overflow.
 //!
 //! How is one hit of a cylinder decided? Read three files, in this order, each from top to bottom:
 //!

@@ -13,10 +13,10 @@ pub const INSIDE: &str = "--inside";
 /// processes, and waits for it. Returns its exit status, or `None` if the system gives no such table. Then the program
 /// is watched without it. Of the folders `hidden`, nothing but the folders `shown` can be seen there.
 ///
-/// A program that is started there can send no signal to a process outside, and mostly sees none. No process
-/// of the table can end its first process, which watches the program. When the first process ends, the system ends all
-/// others. A user without rights becomes the same user of a new user namespace, in which nobody has rights over a
-/// process outside.
+/// A program that is started there can send no signal to a process outside, and mostly sees none. No process of the
+/// table can end its first process, which watches the program. When the first process ends, the system ends all others.
+/// A user without rights becomes the same user of a new user namespace, in which nobody has rights over a process
+/// outside.
 ///
 /// # Errors
 /// This program cannot start itself.

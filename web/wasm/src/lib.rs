@@ -88,8 +88,7 @@ pub extern "C" fn digest() {
 }
 
 /// Makes the result the table of the lines of a configuration (`text` is 0) or of a scene. `render-lab help config` and
-/// `help scene` print the same tables. Each line has fields with tabs between them: tag, values, default and
-/// meaning.
+/// `help scene` print the same tables. Each line has fields with tabs between them: tag, values, default and meaning.
 #[unsafe(no_mangle)]
 pub extern "C" fn table(text: usize) {
     let lines = if text == 0 { &format::CONFIG[..] } else { &format::SCENE[..] };
