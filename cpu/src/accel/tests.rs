@@ -85,44 +85,44 @@ fn agrees_for_far_rays(accel: &Accel, objects: &AosObjects, rays: usize, far: f6
     let mut draws = Uniform::new(99);
     let mut stack = Stack::EMPTY;
     let (mut hits, mut misses) = (0, 0);
-    for set in InstructionSet::available() {
-        for number in 0..rays {
-            let mut ray = Ray {
-                origin: [(); 3].map(|()| draws.draw(-15.0, 15.0)).into(),
-                direction: [(); 3].map(|()| draws.draw(-1.0, 1.0)).into(),
-            };
-            if number % 3 == 0 {
-                // The ray goes towards the rim of a sphere. It passes the rim inside or outside, at up to a thousandth
-                // of the radius.
-                let target = objects.sphere(number % objects.sphere_count()).record;
-                let to_center = target.center - ray.origin;
-                let aside = ray.direction.perpendicular_to(to_center.unit()).unit() * target.radius;
-                let share = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-15.0, -3.0));
-                ray.direction = to_center + aside * share;
-            }
-            if far > 1.0 && number % 4 == 1 {
-                ray.origin.x *= far;
-                if number % 8 == 5 {
-                    ray.direction = Vec3::new(-ray.origin.x.signum(), 0.0, 0.0);
-                }
-            }
-            let mut start_object = NO_OBJECT;
-            for _ in 0..3 {
-                let closest = intersect_every_object(objects, ray);
-                let intersect = Intersect { accel, objects, ray, start_object, stack: &mut stack };
-                assert_eq!(set.run(intersect), closest, "{}, {ray:?}", set.name());
-                if !closest.is_hit() {
-                    misses += 1;
-                    break;
-                }
-                hits += 1;
-                start_object = closest.object;
-                let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
-                ray = Ray { origin: ray.at(closest.lambda), direction };
+    for number in 0..rays {
+        let mut ray = Ray {
+            origin: [(); 3].map(|()| draws.draw(-15.0, 15.0)).into(),
+            direction: [(); 3].map(|()| draws.draw(-1.0, 1.0)).into(),
+        };
+        if number % 3 == 0 {
+            // The ray goes towards the rim of a sphere. It passes the rim inside or outside, at up to a thousandth of
+            // the radius.
+            let target = objects.sphere(number % objects.sphere_count()).record;
+            let to_center = target.center - ray.origin;
+            let aside = ray.direction.perpendicular_to(to_center.unit()).unit() * target.radius;
+            let share = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-15.0, -3.0));
+            ray.direction = to_center + aside * share;
+        }
+        if far > 1.0 && number % 4 == 1 {
+            ray.origin.x *= far;
+            if number % 8 == 5 {
+                ray.direction = Vec3::new(-ray.origin.x.signum(), 0.0, 0.0);
             }
         }
+        let mut start_object = NO_OBJECT;
+        for _ in 0..3 {
+            let closest = intersect_every_object(objects, ray);
+            for set in InstructionSet::available() {
+                let intersect = Intersect { accel, objects, ray, start_object, stack: &mut stack };
+                assert_eq!(set.run(intersect), closest, "{}, {ray:?}", set.name());
+            }
+            if !closest.is_hit() {
+                misses += 1;
+                break;
+            }
+            hits += 1;
+            start_object = closest.object;
+            let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            ray = Ray { origin: ray.at(closest.lambda), direction };
+        }
     }
-    assert!(hits > rays / 4 && misses > rays / 4, "{hits} hits, {misses} misses");
+    assert!(hits > rays / 4 && misses > rays / 5, "{hits} hits, {misses} misses");
 }
 
 fn accel(objects: &mut AosObjects) -> Accel {
@@ -321,7 +321,7 @@ fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far:
     let mut draws = Uniform::new(17);
     let mut stack = Stack::EMPTY;
     let (mut hits, mut misses) = (0, 0);
-    for number in 0..3000 {
+    for number in 0..2000 {
         let from = number % objects.sphere_count();
         let sphere = objects.sphere(from).record;
         let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
@@ -333,7 +333,7 @@ fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far:
         if number % 3 != 0 {
             direction = target.center + direction * target.radius - start;
         }
-        let exponent = if number % 5 == 0 { draws.draw(-300.0, 300.0) } else { draws.draw(-5.0, 4.0) };
+        let exponent = if number % 17 == 0 { draws.draw(-300.0, 300.0) } else { draws.draw(-5.0, 4.0) };
         direction = match number % 100 {
             50 => Vec3::ZERO,
             51 => Vec3::new(f64::INFINITY, 1.0, 0.0),
@@ -345,7 +345,8 @@ fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far:
         let ray = Ray { origin: start, direction };
         let expected = intersect_every_object(objects, ray);
         *(if expected.is_hit() { &mut hits } else { &mut misses }) += 1;
-        for start_object in [NO_OBJECT, if is_on_surface { from as ObjectId } else { NO_OBJECT }] {
+        let start_objects = if is_on_surface { &[NO_OBJECT, from as ObjectId][..] } else { &[NO_OBJECT] };
+        for &start_object in start_objects {
             for set in InstructionSet::available() {
                 let closest = set.run(Intersect { accel, objects, ray, start_object, stack: &mut stack });
                 assert_eq!(closest, expected, "{}, {ray:?}", set.name());
@@ -354,7 +355,7 @@ fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far:
             assert_eq!(closest, expected, "with positive NaNs, {ray:?}");
         }
     }
-    assert!(hits > 600 && misses > 300, "{hits} hits, {misses} misses");
+    assert!(hits > 400 && misses > 200, "{hits} hits, {misses} misses");
 }
 
 #[test]
