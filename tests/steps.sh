@@ -3,6 +3,8 @@
 # one, only the outer one lists.
 
 set -o pipefail
+# Many tests wait for programs, so there are twice as many at once as processors.
+export RUST_TEST_THREADS=${RUST_TEST_THREADS:-$((2 * $(nproc)))}
 steps_name=$0
 steps_owner=no
 if [ -z "${STEPS_FAILED:-}" ]; then

@@ -53,5 +53,5 @@ mod unix {
 
 fn main() {
     #[cfg(unix)]
-    libtest_mimic::run(&libtest_mimic::Arguments::from_args(), unix::trials()).exit();
+    test_support::run_trials(unix::trials())
 }

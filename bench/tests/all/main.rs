@@ -3,9 +3,7 @@
 mod compare;
 mod nearest;
 
-use libtest_mimic::Arguments;
-
 fn main() {
     let trials = compare::trials().into_iter().chain(nearest::trials()).collect();
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    test_support::run_trials(trials)
 }

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use libtest_mimic::{Arguments, Failed};
+use libtest_mimic::Failed;
 use literal::cases::{Case, cases};
 use literal::develop::Picture;
 use literal::diagnose::Search;
@@ -188,5 +188,5 @@ fn main() {
         let name = format!("mistakes of a student's program are named, part {}", index + 1);
         trial(name, cpp::missing(), move || names_the_mistakes(index))
     };
-    libtest_mimic::run(&Arguments::from_args(), (0..TRIALS).map(named).collect()).exit();
+    test_support::run_trials((0..TRIALS).map(named).collect())
 }

@@ -9,11 +9,9 @@ mod injected;
 #[path = "../common/sampled.rs"]
 mod sampled;
 
-use libtest_mimic::Arguments;
-
 fn main() {
     let trials = course::trials();
     #[cfg(target_os = "linux")]
     let trials = trials.into_iter().chain(injected::trials()).collect();
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    test_support::run_trials(trials)
 }

@@ -8,8 +8,6 @@ mod injected;
 mod published;
 mod site;
 
-use libtest_mimic::Arguments;
-
 fn main() {
     let mut trials = published::trials();
     trials.extend(site::trials());
@@ -17,5 +15,5 @@ fn main() {
     trials.extend(grade::trials());
     #[cfg(target_os = "linux")]
     trials.extend(injected::trials());
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    test_support::run_trials(trials)
 }

@@ -107,3 +107,11 @@ pub fn trial(
     let trial = libtest_mimic::Trial::test(name, test);
     trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
 }
+
+/// Runs trials as a test program. `RUST_TEST_THREADS` says how many run at once, as in other test programs.
+#[cfg(feature = "programs")]
+pub fn run_trials(trials: Vec<libtest_mimic::Trial>) -> ! {
+    let mut arguments = libtest_mimic::Arguments::from_args();
+    arguments.test_threads = arguments.test_threads.or(number_of("RUST_TEST_THREADS").map(|number| number as usize));
+    libtest_mimic::run(&arguments, trials).exit()
+}
