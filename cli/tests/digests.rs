@@ -3,7 +3,8 @@
 //! `Scatter::Published` through the library. Every picture is rendered with both layouts.
 //!
 //! If there is no reference folder, the tests of its pictures are shown as ignored. With the variable
-//! `RENDER_PROGRAMS`, only the pictures of programs are compared, and the programs are those in this folder.
+//! `RENDER_PROGRAMS`, only the pictures of programs are compared, and the programs are those in this folder. In a debug
+//! build the programs are too slow for the course's pictures, so `RENDER_ALL=1` asks for these.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +12,7 @@ use cpu::{Aos, Config, Renderable, Scatter, Scene, Soa};
 use libtest_mimic::{Arguments, Failed, Trial};
 use test_support::folder::Folder;
 use test_support::golden::{self, Golden};
-use test_support::{p3, ppm};
+use test_support::{everything, p3, ppm};
 
 /// One layout's two ways to render: the built program, and the function of the library.
 #[derive(Clone, Copy)]
@@ -36,16 +37,25 @@ fn main() {
 
     let mut conformance = trials("reference", &reference);
     let mut trials = trials("case", &cases);
-    if let Some(reason) = &obstacle {
-        conformance = conformance.into_iter().map(|trial| trial.with_kind(reason).with_ignored_flag(true)).collect();
-    }
+    let is_slow = cfg!(debug_assertions) && programs().is_none() && !everything();
+    let ignored = |trial: Trial| {
+        let slow = (is_slow && is_of_programs(&trial)).then_some("a debug build needs RENDER_ALL=1");
+        let reason = obstacle.as_deref().or(slow);
+        trial.with_kind(reason.unwrap_or_default()).with_ignored_flag(reason.is_some())
+    };
+    conformance = conformance.into_iter().map(ignored).collect();
     trials.extend(conformance);
     assert_eq!(trials.len(), 2 * 32 + 2 * 8);
     if programs().is_some() {
-        trials.retain(|trial| trial.name().contains("statement/"));
+        trials.retain(is_of_programs);
         assert_eq!(trials.len(), 40, "one of two scatters is that of the programs");
     }
     libtest_mimic::run(&arguments, trials).exit();
+}
+
+/// Whether the picture is rendered by a built program, and not through the library.
+fn is_of_programs(trial: &Trial) -> bool {
+    trial.name().contains("statement/")
 }
 
 /// The folder of the programs to test instead of those that Cargo built with this test.

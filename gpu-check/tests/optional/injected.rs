@@ -1,8 +1,9 @@
 //! Tests `shader-lab` while it writes its pictures: a system call fails, or a signal comes during a call.
 //!
 //! The driver needs much time to start. So only two calls of each name that concern the pictures are disturbed, and no
-//! calls of the driver. With `RENDER_ALL=1`, every call that concerns the pictures is disturbed. The module
-//! that is rendered is a tiny one. If `strace` cannot run, these tests are shown as ignored.
+//! calls of the driver. With `RENDER_ALL=1`, as in tests/extensive, every call that concerns the pictures is disturbed,
+//! and the program is also process 1. The module that is rendered is a tiny one. If `strace` cannot run, these tests
+//! are shown as ignored.
 
 use std::ffi::OsString;
 use std::fs;
@@ -11,7 +12,7 @@ use std::path::PathBuf;
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
-use test_support::trial;
+use test_support::{everything, trial};
 
 /// Number of calls with one name that are disturbed.
 const MOST: usize = 2;
@@ -44,7 +45,9 @@ pub fn trials() -> Vec<Trial> {
     };
     let name = "injected::both_pictures_and_their_folder_are_synced_except_with_no_sync";
     let sync = trial(name, unavailable(Disturbance::Errors), sync);
-    CASES.into_iter().map(disturbed).chain([sync]).collect()
+    let as_process_one = [Disturbance::SignalAsProcessOne, Disturbance::NamedAsProcessOne];
+    let cases = CASES.into_iter().filter(|(disturbance, ..)| everything() || !as_process_one.contains(disturbance));
+    cases.map(disturbed).chain([sync]).collect()
 }
 
 fn sync() -> Result<(), Failed> {
