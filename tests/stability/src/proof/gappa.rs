@@ -47,6 +47,9 @@ enum Rounding {
     Relative(u32),
 }
 
+/// The bits of a number in single precision.
+const SINGLE: u32 = 24;
+
 /// A text in Gappa's language that defines numbers, with their rounding and without.
 #[derive(Debug)]
 struct Script {
@@ -113,15 +116,23 @@ impl Script {
     /// Returns the expressions of the computed value of a number, which is rounded, and of its exact one.
     fn rounded(&mut self, number: Bounded, operator: &str, operands: &[Bounded]) -> [String; 2] {
         let operands: Vec<_> = operands.iter().map(|&operand| self.export(operand)).collect();
-        let of_kind = |kind: usize| operands.iter().map(|names| names[kind].as_str()).collect::<Vec<_>>();
-        let [computed, exact] = [0, 1].map(|kind| expression(operator, &of_kind(kind)));
-        let rounded = match self.rounding {
-            Rounding::Ieee => format!("rnd({computed})"),
-            Rounding::Relative(bits) => {
-                let _ = writeln!(self.hints, "{computed} ~ e{};", number.place());
-                format!("{operator}_rel<{bits}>({})", of_kind(0).join(", "))
+        let [of_computed, of_exact] =
+            [0, 1].map(|kind| operands.iter().map(|names| names[kind].as_str()).collect::<Vec<_>>());
+        let mut computed = expression(operator, &of_computed);
+        let rounded = match (self.rounding, &of_computed[..]) {
+            (Rounding::Ieee, _) => format!("rnd({computed})"),
+            // Single precision has no fused operation on some machines. Where it has one, the product has no error.
+            (Rounding::Relative(SINGLE), [a, b, c]) => {
+                let product = format!("mul_rel<{SINGLE}>({a}, {b})");
+                computed = format!("{product} + {c}");
+                format!("add_rel<{SINGLE}>({product}, {c})")
             }
+            (Rounding::Relative(bits), operands) => format!("{operator}_rel<{bits}>({})", operands.join(", ")),
         };
+        if self.is_relative() {
+            let _ = writeln!(self.hints, "{computed} ~ e{};", number.place());
+        }
+        let exact = expression(operator, &of_exact);
         self.unrounded.insert(number, computed);
         [rounded, exact]
     }

@@ -2,9 +2,10 @@
 //! of a formula in any unit, such as the length of a vector, and not only in powers of two.
 
 use super::super::bounded::{Bounded, Operation};
+use super::super::row::U;
 use super::super::signed::two_sum;
 use super::hypotheses::relative;
-use super::{Rounding, Script, within};
+use super::{Rounding, Script, dyadic, within};
 
 /// A dot product, which may be added to a number. The code adds the products one by one.
 pub(super) struct Dot {
@@ -107,30 +108,40 @@ impl Script {
         self.hypotheses.push(relative(&names, error));
     }
 
-    /// Defines the components of a vector of this length.
-    pub(super) fn given_vector(&mut self, vector: [Bounded; 3], length: &str, error: f64) {
-        for component in vector {
-            if !self.names.contains_key(&component) {
-                let exact = self.multiple(component, length, [-1.0, 1.0]);
-                self.given(component, &exact, error);
-            }
-        }
-    }
-
     /// States that the exact value of a number is a multiple of `size` by a factor in this range.
     pub(super) fn is_multiple(&mut self, number: Bounded, size: &str, range: [f64; 2]) {
         let ([_, exact], multiple) = (self.export(number), self.multiple(number, size, range));
         self.hypotheses.push(format!("{exact} = {multiple}"));
     }
 
-    /// States that the sums of a dot product are at most the product of the lengths. This is the inequality of Cauchy
-    /// and Schwarz for the first components of both vectors. The sums of a vector's square are not negative.
-    pub(super) fn bound_sums(&mut self, dot: &Dot, lengths: &str) {
+    /// Defines the sums of one, two and three products of a dot product, for vectors whose lengths have the product
+    /// `lengths`. The products have relative errors of at most `error u`. Neither the sums nor, relative to the error,
+    /// the sums of the errors exceed `lengths`. This is the inequality of Cauchy and Schwarz for the first components
+    /// of both vectors. The sums of a vector's square are not negative.
+    pub(super) fn given_dot(&mut self, dot: &Dot, lengths: &str, error: f64) {
+        let Rounding::Relative(bits) = self.rounding else { panic!("the rounding is relative") };
         let least = if dot.vectors[0] == dot.vectors[1] { 0.0 } else { -1.0 };
+        let start = dot.start.map(|start| self.export(start));
+        let mut last = start.clone();
         for sum in dot.sums {
-            let ([_, exact], multiple) = (self.export(sum), self.multiple(sum, lengths, [least, 1.0]));
-            let start = dot.start.map(|start| format!("{} + ", self.export(start)[1]));
-            self.hypotheses.push(format!("{exact} = {}{multiple}", start.unwrap_or_default()));
+            let (place, multiple) = (sum.place(), self.multiple(sum, lengths, [least, 1.0]));
+            // The exact sum with the errors of the products, but without those of sums.
+            let (of_products, errors) = (format!("a{place}"), format!("b{place} * ({lengths})"));
+            self.hypotheses.push(format!("|b{place}| <= {}", dyadic(error * U)));
+            let exact = start.iter().map(|[_, exact]| exact.clone()).chain([multiple]).collect::<Vec<_>>().join(" + ");
+            self.definitions += &format!("{of_products} = {exact} + {errors};\n");
+            let mut computed = of_products.clone();
+            if let Some([sum, exact]) = last {
+                computed = format!("add_rel<{bits}>({sum}, {of_products} - {exact})");
+                let (added, error) = (format!("{sum} + ({of_products} - {exact})"), format!("({sum} - {exact})"));
+                self.hints += &format!(
+                    "{added} -> {of_products} + {error};\n\
+                     c{place} - {of_products} -> (c{place} - ({added})) + {error};\n"
+                );
+            }
+            let [computed, exact] = self.define(sum, [&computed, &exact]);
+            self.hints += &format!("{computed} - {exact} -> ({computed} - {of_products}) + {errors};\n");
+            last = Some([computed, of_products]);
         }
     }
 }
