@@ -1,9 +1,9 @@
 //! Exports proofs of margins as text for Gappa, an independent prover of bounds of rounding errors.
 //!
 //! The formulas of `cpu` run over [`Bounded`], which keeps how each number is computed. `Script` writes these
-//! operations in Gappa's language, each one with its rounding and without. No bound of our own prover is exported.
-//! What Gappa cannot know is given as a hypothesis: the inequality of Cauchy and Schwarz, and bounds that an earlier
-//! script proves.
+//! operations in Gappa's language, each one with its rounding and without. Two scripts take bounds of our own prover:
+//! `cap` and `side_lambda`. Hypotheses are ranges and relative errors of given numbers, the inequality of Cauchy and
+//! Schwarz, that errors of `two_sum` and `two_product` are exact, and results of earlier scripts.
 
 mod background;
 mod camera;
@@ -40,14 +40,15 @@ pub struct Proof {
 /// How a script writes that an operation is rounded.
 #[derive(Clone, Copy, Debug)]
 enum Rounding {
-    /// To a number of 64 bits. The bound of an error depends on the unit in which the number is measured.
+    /// Rounding to f64, with underflow. It depends on the unit, unless units differ by a power of two.
     Ieee,
     /// By a relative error of at most 2 to the power of minus this number of bits, at any magnitude. Underflow is left
     /// out, and a formula may be measured in any unit.
     Relative(u32),
 }
 
-/// The bits of a number in single precision.
+/// The bits of numbers in double and in single precision.
+const DOUBLE: u32 = 53;
 const SINGLE: u32 = 24;
 
 /// A text in Gappa's language that defines numbers, with their rounding and without.
@@ -120,7 +121,7 @@ impl Script {
             [0, 1].map(|kind| operands.iter().map(|names| names[kind].as_str()).collect::<Vec<_>>());
         let mut computed = expression(operator, &of_computed);
         let rounded = match (self.rounding, &of_computed[..]) {
-            (Rounding::Ieee, _) => format!("rnd({computed})"),
+            (Rounding::Ieee, _) => self.round(&computed),
             // Single precision has no fused operation on some machines. Where it has one, the product has no error.
             (Rounding::Relative(SINGLE), [a, b, c]) => {
                 let product = format!("mul_rel<{SINGLE}>({a}, {b})");
@@ -135,6 +136,14 @@ impl Script {
         let exact = expression(operator, &of_exact);
         self.unrounded.insert(number, computed);
         [rounded, exact]
+    }
+
+    /// Returns the expression of a value that is rounded.
+    fn round(&self, value: &str) -> String {
+        match self.rounding {
+            Rounding::Ieee => format!("rnd({value})"),
+            Rounding::Relative(bits) => format!("add_rel<{bits}>({value}, 0)"),
+        }
     }
 
     /// Removes the definitions of computed values (`c`) or of exact ones (`e`), if a proof needs only the others. Gappa
@@ -155,6 +164,11 @@ impl Script {
 /// Returns the change of a text to single precision.
 fn in_single_precision() -> [String; 2] {
     ["ieee_64", "ieee_32"].map(ToOwned::to_owned)
+}
+
+/// Returns the change of a text to numbers with one bit less.
+fn one_bit_less(bits: u32) -> [String; 2] {
+    [bits, bits - 1].map(|bits| format!("rel<{bits}>"))
 }
 
 /// Returns that a number lies between two others.

@@ -6,7 +6,7 @@ use cpu::internals::render::ray_error::ROUNDINGS;
 use super::super::bounded::{Bounded, begin};
 use super::super::bounds::Arithmetic;
 use super::super::row::{U, family::*};
-use super::{Proof, Script, dyadic, in_single_precision, within};
+use super::{DOUBLE, Proof, Script, dyadic, one_bit_less, within};
 
 /// Returns the proof of the error of a component, relative to `|P| + s`, which is 1 here. Neither a component of `P` or
 /// `O`, nor a product of a side and a place, nor a sum of these exceeds it, because `|O| <= |P| + |O - P|`.
@@ -20,7 +20,7 @@ pub(super) fn direction() -> Proof {
     let [right, down] = [delta_x.x * (column + x), delta_y.x * (row + y)];
     let target = origin.x + right;
     let at_most_one = [position.x, origin.x, right, down, target, target + down, direction];
-    let mut script = Script::new();
+    let mut script = Script::relative(DOUBLE);
     // The places within the picture, of which neither whole pixels nor offsets are rounded.
     for (number, name) in [(column + x, "right"), (row + y, "down")] {
         script.define(number, [name; 2]);
@@ -33,6 +33,6 @@ pub(super) fn direction() -> Proof {
         row: "direction of a camera ray",
         what: "the error of a component relative to |P| + s",
         text: script.proves(&hypotheses, &format!("|{computed} - {exact}| <= {}", dyadic(ROUNDINGS * U)), ""),
-        wrong: in_single_precision(),
+        wrong: one_bit_less(DOUBLE),
     }
 }

@@ -8,7 +8,7 @@ use super::super::bounds::Arithmetic;
 use super::super::parts::{axis_and_half_height, record};
 use super::super::row::{U, family::*, ray};
 use super::hypotheses::{MODERATE, products, relative};
-use super::{Proof, Script, dyadic, in_single_precision, within};
+use super::{DOUBLE, Proof, Script, dyadic, in_single_precision, one_bit_less, within};
 
 /// The relative error of a component of a unit axis, in units of `u`, which the first proof shows.
 const OF_AXIS: f64 = 3.53;
@@ -65,7 +65,7 @@ fn parallel() -> Proof {
     let Operation::Sum(size, margin) = with_margin.operation() else { panic!("the margin is added") };
     let Operation::Product(length, _) = margin.operation() else { panic!("the margin is a product") };
     assert_eq!(size, slope.abs(), "the code compares the magnitude of the slope");
-    let mut script = Script::new();
+    let mut script = Script::relative(DOUBLE);
     script.define(size, ["S", "s"]);
     script.define(length, ["m", "1"]);
     let ([computed, _], [margin, _]) = (script.export(with_margin), script.export(margin));
@@ -80,7 +80,7 @@ fn parallel() -> Proof {
         row: "slope of a ray along an axis",
         what: "the slope with its margin is at least the exact slope",
         text: script.proves(&hypotheses, &format!("{computed} - s >= 0"), &hints),
-        wrong: in_single_precision(),
+        wrong: one_bit_less(DOUBLE),
     }
 }
 

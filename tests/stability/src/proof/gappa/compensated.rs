@@ -5,17 +5,15 @@
 
 use cpu::Vec3;
 use cpu::internals::exact::compensated_roots::ERROR_OF_C;
-use cpu::internals::exact::cylinder_compensated::SideTerms;
+use cpu::internals::exact::cylinder_compensated::{SHARE_IN_C, SideTerms};
 use cpu::internals::math::error_free::{accurate_cross, cross_with_error, vector_difference};
 
 use super::super::bounded::{Bounded, Operation, begin};
 use super::super::bounds::Arithmetic;
 use super::super::parts::{FILE_AXIS, record};
 use super::super::row::{U, ray};
-use super::{Proof, Script, dyadic, within};
+use super::{DOUBLE, Proof, Script, dyadic, one_bit_less, within};
 
-/// The precision of the numbers.
-const BITS: u32 = 53;
 const ROW: &str = "c of a side, compensated";
 
 /// What a proof shows of a component of `A x V`, relative to the sum of the magnitudes of both products: the size of
@@ -27,6 +25,7 @@ const OF_RADIUS: [f64; 2] = [5.7, 27.0];
 /// The error of `c`, in units of `u^2` and of its terms.
 const OF_C: f64 = 63.0;
 const _: () = assert!(OF_C < ERROR_OF_C, "the margin covers the error");
+const _: () = assert!(SHARE_IN_C == 4.0, "`F` is `4 X^2`");
 
 /// The numbers of a side.
 pub(super) struct Side {
@@ -88,13 +87,13 @@ pub(super) fn proofs() -> [Proof; 3] {
 }
 
 fn proof(what: &'static str, text: String) -> Proof {
-    Proof { row: ROW, what, text, wrong: [BITS, BITS - 1].map(|bits| format!("rel<{bits}>")) }
+    Proof { row: ROW, what, text, wrong: one_bit_less(DOUBLE) }
 }
 
 /// Returns the proof of a component of `A x V`. The sum of the magnitudes of both products is at most 1.
 fn component() -> Proof {
     let Side { axis, from_center: [from_center, _], cross: [cross, rest], .. } = side();
-    let mut script = Script::relative(BITS);
+    let mut script = Script::relative(DOUBLE);
     script.define(axis.z, ["w"; 2]);
     script.define(axis.y, ["1 - w"; 2]);
     script.hypotheses.push(within("w", [0.0, 1.0]));
@@ -113,7 +112,7 @@ fn component() -> Proof {
 fn radius_term() -> Proof {
     let Side { axis, radius, radius_term: [squared, rest], .. } = side();
     let Operation::Product(of_radius, of_axis) = squared.operation() else { panic!("it is no product") };
-    let mut script = Script::relative(BITS);
+    let mut script = Script::relative(DOUBLE);
     script.definitions += "w2 = 1 - w0 - w1;\n";
     for (name, component) in ["w0", "w1", "w2"].into_iter().zip(axis.to_array()) {
         let root = format!("sqrt({name})");
@@ -142,7 +141,7 @@ fn goal(second: &str, error: &str, [of_second, of_error]: [f64; 2]) -> String {
 /// `X`, by the inequality of Cauchy and Schwarz.
 fn c() -> Proof {
     let Side { cross: [cross, rests], radius_term: [squared, rest], parts_of_c: [difference, error], .. } = side();
-    let mut script = Script::relative(BITS);
+    let mut script = Script::relative(DOUBLE);
     script.definitions += "R = 1 - Q - F;\nX = 1b-1 * sqrt(F);\n";
     script.hypotheses.extend(["Q", "R", "F"].map(|name| within(name, [0.0, 1.0])));
     // What the code leaves out: the squares of the second parts, and the errors of both parts.

@@ -5,7 +5,7 @@
 //! of `q = (O - C) x V`, nor `c`, by the inequality of Cauchy and Schwarz.
 
 use cpu::internals::exact::compensated_roots::ERROR_OF_C;
-use cpu::internals::exact::cylinder_compensated::{SHARE_IN_D, SHARE_IN_H};
+use cpu::internals::exact::cylinder_compensated::{SHARE_IN_C, SHARE_IN_D, SHARE_IN_H};
 use cpu::internals::exact::error_bound::{LARGEST_IN_SCALE, SMALLEST_IN_SCALE};
 use cpu::internals::exact::sphere_filter::SPHERE_BOUND;
 use cpu::internals::math::error_free::accurate_cross;
@@ -24,6 +24,7 @@ const OF_P: Unit = [1, 0, 0];
 
 /// A number that is at most 1 in its unit, after a few roundings.
 const ONE: f64 = 1.0 + 1e-9;
+const _: () = assert!(SHARE_IN_C >= 1.0, "the terms of `c` are at least 1");
 /// What is negligible of the bound of an error.
 const NEGLIGIBLE: f64 = 1e-6;
 

@@ -16,7 +16,7 @@ use super::super::filters::flat_numbers;
 use super::super::row::U;
 use super::hypotheses::relative;
 use super::relative::Dot;
-use super::{Proof, SINGLE, Script, dyadic, within};
+use super::{Proof, SINGLE, Script, dyadic, one_bit_less, within};
 
 /// The relative error of a number that is rounded once to 24 bits after a few roundings to 53 bits: 1.001 units of 24
 /// bits, in units of `u`, because `given` takes `u`.
@@ -30,11 +30,6 @@ pub(super) fn proofs() -> [Proof; 3] {
     [product(), passed(), misses_cylinder()]
 }
 
-/// Returns the change of a text to numbers with one bit less.
-fn less_precise() -> [String; 2] {
-    [SINGLE, SINGLE - 1].map(|bits| format!("rel<{bits}>"))
-}
-
 /// Returns the proof of the relative error of a product of given numbers.
 fn product() -> Proof {
     let [x, y, product] = ["x", "y", "p"].map(|name| [format!("c{name}"), format!("e{name}")]);
@@ -43,7 +38,7 @@ fn product() -> Proof {
         "ep = ex * ey;\ncp = mul_rel<{SINGLE}>(cx, cy);\n{{ {given_x}\n  /\\ {given_y}\n  -> {} }}\n",
         relative(&product, OF_PRODUCT)
     );
-    Proof { row: PASSED, what: "the relative error of a product of given numbers", text, wrong: less_precise() }
+    Proof { row: PASSED, what: "the relative error of a product of given numbers", text, wrong: one_bit_less(SINGLE) }
 }
 
 /// Begins a proof about the numbers `-2 h` and `c` of a bounding sphere, for a direction of this length. The text
@@ -91,7 +86,7 @@ fn passed() -> Proof {
         row: PASSED,
         what: "the error of f(t) relative to S",
         text: script.proves(&[], &goal, "$ C in 8, O in 8;\n"),
-        wrong: less_precise(),
+        wrong: one_bit_less(SINGLE),
     }
 }
 
@@ -134,7 +129,7 @@ fn misses_cylinder() -> Proof {
         row: "the line misses an infinite cylinder",
         what: "the error of four times the discriminant relative to a S",
         text: script.proves(&[], &goal, "$ C in 16, O in 16;\n"),
-        wrong: less_precise(),
+        wrong: one_bit_less(SINGLE),
     }
 }
 

@@ -22,7 +22,8 @@ pub(super) fn products(script: &mut Script, dot: Bounded, error: f64) -> Vec<Str
     for (index, product) in [first, second, third].into_iter().enumerate() {
         assert!(matches!(product.operation(), Operation::Product(..)), "a dot product adds products");
         let before = format!("p{index}");
-        let [_, exact] = script.define(product, [&format!("rnd({before})"), &format!("r{index} * w{index}")]);
+        let rounded = script.round(&before);
+        let [_, exact] = script.define(product, [&rounded, &format!("r{index} * w{index}")]);
         hypotheses.push(within(&format!("r{index}"), [-1.0, 1.0]));
         hypotheses.push(within(&format!("w{index}"), [0.0, 1.0]));
         hypotheses.push(relative(&[before, exact], error));
