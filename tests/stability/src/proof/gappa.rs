@@ -33,7 +33,7 @@ pub struct Proof {
     pub what: &'static str,
     /// The text that Gappa reads. Gappa ends with status 0 if it proves the text.
     pub text: String,
-    /// A part of the text, and what makes the text wrong in its place: less precision, or a constant below the need.
+    /// Two strings. The test replaces the first by the second, and Gappa must then refuse the text.
     pub wrong: [String; 2],
 }
 

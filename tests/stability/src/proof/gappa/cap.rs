@@ -12,8 +12,8 @@ use super::{DOUBLE, Proof, Script, dyadic, in_single_precision, one_bit_less, wi
 
 /// The relative error of a component of a unit axis, in units of `u`, which the first proof shows.
 const OF_AXIS: f64 = 3.53;
-/// The error of the slope of a ray along an axis relative to `|d|_1`, and that of the distance of a cap's plane, which
-/// is no proof of Gappa's but the need of its row.
+/// The error of the slope of a ray along an axis relative to `|d|_1`, and that of the distance of a cap's plane. The
+/// latter is no proof of Gappa's but the need of its row, less the one rounding of the comparison, as in `parts.rs`.
 const OF_SLOPE: f64 = 6.85;
 const OF_PLANE: f64 = 7.5;
 

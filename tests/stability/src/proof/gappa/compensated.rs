@@ -1,7 +1,7 @@
-//! The proofs of the error of `c` of a side by the compensated formula, beside the rounding of `c`. It is of the order
+//! The proofs of the error of `c` of a side by the compensated formula, before the last rounding. It is of the order
 //! of `u^2`, because the code adds the errors of its own operations. Underflow is left out.
 //!
-//! With the vectors `A = O - C` and `V`, `c` is `|A x V|^2 - r^2 |V|^2`.
+//! With the vectors `O - C` and `V`, `c` is `|(O - C) x V|^2 - r^2 |V|^2`.
 
 use cpu::Vec3;
 use cpu::internals::exact::compensated_roots::ERROR_OF_C;
@@ -16,13 +16,14 @@ use super::{DOUBLE, Proof, Script, dyadic, one_bit_less, within};
 
 const ROW: &str = "c of a side, compensated";
 
-/// What a proof shows of a component of `A x V`, relative to the sum of the magnitudes of both products: the size of
-/// its second part in units of `u`, and the error of both parts in units of `u^2`.
+/// What a proof shows of a component of `(O - C) x V`, relative to the sum of the magnitudes of both products: the size
+/// of its second part in units of `u`, and the error of both parts in units of `u^2`.
 const OF_COMPONENT: [f64; 2] = [3.2, 8.6];
 /// What a proof shows of `r^2 |V|^2`, relative to itself: the size of its second part in units of `u`, and the error of
 /// both parts in units of `u^2`.
 const OF_RADIUS: [f64; 2] = [5.7, 27.0];
-/// The error of `c`, in units of `u^2` and of its terms.
+/// The error of `c` relative to `size_of_c`, in units of `u^2`. The rest of the margin covers the rounding of
+/// `size_of_c`.
 const OF_C: f64 = 63.0;
 const _: () = assert!(OF_C < ERROR_OF_C, "the margin covers the error");
 const _: () = assert!(SHARE_IN_C == 4.0, "`F` is `4 X^2`");
@@ -32,9 +33,9 @@ pub(super) struct Side {
     /// The axis of the scene file, and the radius.
     pub(super) axis: Vec3<Bounded>,
     pub(super) radius: Bounded,
-    /// `A` and its rounding error.
+    /// `O - C` and its rounding error.
     pub(super) from_center: [Vec3<Bounded>; 2],
-    /// The two parts of `A x V`.
+    /// The two parts of `(O - C) x V`.
     pub(super) cross: [Vec3<Bounded>; 2],
     /// `d x V`.
     pub(super) direction_cross: Vec3<Bounded>,
@@ -90,7 +91,7 @@ fn proof(what: &'static str, text: String) -> Proof {
     Proof { row: ROW, what, text, wrong: one_bit_less(DOUBLE) }
 }
 
-/// Returns the proof of a component of `A x V`. The sum of the magnitudes of both products is at most 1.
+/// Returns the proof of a component of `(O - C) x V`. The sum of the magnitudes of both products is at most 1.
 fn component() -> Proof {
     let Side { axis, from_center: [from_center, _], cross: [cross, rest], .. } = side();
     let mut script = Script::relative(DOUBLE);
@@ -136,9 +137,9 @@ fn goal(second: &str, error: &str, [of_second, of_error]: [f64; 2]) -> String {
     format!("|{second}| <= {} /\\ |{error}| <= {}", dyadic(of_second * U), dyadic(of_error * U * U))
 }
 
-/// Returns the proof of the error of `c` before its own rounding. `Q` is `|A x V|^2`, `R` is `r^2 |V|^2`, `X` is
-/// `|A| |V|`, and `F` is `4 X^2`. The terms `Q + R + F` are 1. The products of a component of `A x V` add up to at most
-/// `X`, by the inequality of Cauchy and Schwarz.
+/// Returns the proof of the error of `c` before its own rounding. `Q` is `|(O - C) x V|^2`, `R` is `r^2 |V|^2`, `X` is
+/// `|O - C| |V|`, and `F` is `4 X^2`. The terms `Q + R + F` are 1. The products of a component of `(O - C) x V`
+/// add up to at most `X`, by the inequality of Cauchy and Schwarz.
 fn c() -> Proof {
     let Side { cross: [cross, rests], radius_term: [squared, rest], parts_of_c: [difference, error], .. } = side();
     let mut script = Script::relative(DOUBLE);

@@ -25,10 +25,10 @@ const OF_P: Unit = [1, 0, 0];
 /// A number that is at most 1 in its unit, after a few roundings.
 const ONE: f64 = 1.0 + 1e-9;
 const _: () = assert!(SHARE_IN_C >= 1.0, "the terms of `c` are at least 1");
-/// What is negligible of the bound of an error.
+/// The share of an error bound that is negligible.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// What underflow adds, as binary logarithms, which a proof shows for each.
+/// The most that underflow adds, in units of P, V and Z, as binary logarithms. A script proves each.
 mod added {
     /// To a component of `p`.
     pub const TO_P: i32 = -921;

@@ -54,8 +54,8 @@ impl Script {
         matches!(self.rounding, Rounding::Relative(_))
     }
 
-    /// Returns the value of a number that is the rounding error of another one, if it is. It is exact by the theorems
-    /// of Knuth and Dekker, which need that the code rounds to the nearest number.
+    /// If the number is the rounding error of another number, returns its value. That of a sum is exact by Knuth's
+    /// theorem, that of a product because the code uses a fused operation.
     pub(super) fn exact_error(&mut self, number: Bounded) -> Option<String> {
         let (of, sign) = error_of(number).filter(|_| self.is_relative())?;
         let [computed, _] = self.export(of);
@@ -64,7 +64,7 @@ impl Script {
     }
 
     /// Returns the roundings of a number's operations, which add up to its error. Those that the code computes and
-    /// subtracts are left out, and those of numbers that the proof defines.
+    /// adds back are left out, and those of numbers that the proof defines.
     pub(super) fn roundings(&mut self, number: Bounded) -> Vec<String> {
         let [computed, _] = self.export(number);
         let times = |factor: &str, roundings: Vec<String>| {
@@ -84,7 +84,7 @@ impl Script {
             Operation::Sum(a, b) => [self.roundings(a), self.roundings(b)].concat(),
             Operation::Difference(a, b) => [self.roundings(a), times("-", self.roundings(b))].concat(),
             Operation::Product(a, b) => {
-                assert_eq!(self.roundings(a), [""; 0], "the first factor is known");
+                assert_eq!(self.roundings(a), [""; 0], "the error of the first factor is added back");
                 let [factor, _] = self.export(a);
                 times(&format!("{factor} * "), self.roundings(b))
             }
@@ -108,7 +108,7 @@ impl Script {
         self.hypotheses.push(relative(&names, error));
     }
 
-    /// States that the exact value of a number is a multiple of `size` by a factor in this range.
+    /// Assumes, without proof, that the exact value of a number is a multiple of `size` by a factor in this range.
     pub(super) fn is_multiple(&mut self, number: Bounded, size: &str, range: [f64; 2]) {
         let ([_, exact], multiple) = (self.export(number), self.multiple(number, size, range));
         self.hypotheses.push(format!("{exact} = {multiple}"));

@@ -16,7 +16,7 @@ use super::{dyadic, expression, within};
 /// The powers of `P`, `V` and `Z` in a unit.
 pub(super) type Unit = [i32; 3];
 
-/// The largest error of a product by underflow: half of the smallest number.
+/// The largest error of a product by underflow: half of the smallest positive f64.
 pub(super) const HALF_OF_LEAST: &str = "1b-1075";
 
 /// The expressions of a number without underflow, and of what underflow adds to it.
