@@ -60,7 +60,7 @@ struct Script {
     /// The computed values of operations before they are rounded.
     unrounded: HashMap<Bounded, String>,
     /// The operations whose errors are computed and exported too.
-    kept: HashSet<Bounded>,
+    compensated: HashSet<Bounded>,
     /// What holds beside the hypotheses that [`Script::proves`] gets.
     hypotheses: Vec<String>,
     /// What Gappa is told beside the hints that [`Script::proves`] gets.
@@ -73,9 +73,9 @@ impl Script {
     }
 
     fn with_rounding(rounding: Rounding, definitions: &str) -> Self {
-        let (names, unrounded, kept) = (HashMap::new(), HashMap::new(), HashSet::new());
+        let (names, unrounded, compensated) = (HashMap::new(), HashMap::new(), HashSet::new());
         let (definitions, hypotheses, hints) = (definitions.to_owned(), Vec::new(), String::new());
-        Self { rounding, definitions, names, unrounded, kept, hypotheses, hints }
+        Self { rounding, definitions, names, unrounded, compensated, hypotheses, hints }
     }
 
     /// Defines a number by expressions for its computed value and its exact one, in place of the operations that
@@ -121,7 +121,7 @@ impl Script {
             [0, 1].map(|kind| operands.iter().map(|names| names[kind].as_str()).collect::<Vec<_>>());
         let mut computed = expression(operator, &of_computed);
         let rounded = match (self.rounding, &of_computed[..]) {
-            (Rounding::Ieee, _) => self.round(&computed),
+            (Rounding::Ieee, _) => format!("rnd({computed})"),
             // Single precision has no fused operation on some machines. Where it has one, the product has no error.
             (Rounding::Relative(SINGLE), [a, b, c]) => {
                 let product = format!("mul_rel<{SINGLE}>({a}, {b})");
@@ -138,17 +138,9 @@ impl Script {
         [rounded, exact]
     }
 
-    /// Returns the expression of a value that is rounded.
-    fn round(&self, value: &str) -> String {
-        match self.rounding {
-            Rounding::Ieee => format!("rnd({value})"),
-            Rounding::Relative(bits) => format!("add_rel<{bits}>({value}, 0)"),
-        }
-    }
-
     /// Removes the definitions of computed values (`c`) or of exact ones (`e`), if a proof needs only the others. Gappa
     /// then takes a tenth of the time.
-    fn keep(&mut self, kind: char) {
+    fn keep_only(&mut self, kind: char) {
         let removed = if kind == 'c' { 'e' } else { 'c' };
         let lines = self.definitions.lines().filter(|line| !line.starts_with(removed));
         self.definitions = lines.map(|line| format!("{line}\n")).collect();

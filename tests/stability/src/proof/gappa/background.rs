@@ -106,7 +106,7 @@ fn second(d: [Short; 3], e: [Short; 3], numbers: [Short; 2], range: [f64; 2]) ->
     let mut script = Script::new();
     let names = numbers.map(|Short(number)| script.export(number)[1].clone());
     let [_, bound] = script.export((half * (squared(d) / squared(e))).0);
-    script.keep('e');
+    script.keep_only('e');
     let hypotheses = [within(&names[0], range), within(&names[1], [-1.0, 1.0])];
     let [most, less] = [remainder_factor(), 0.1].map(|most| dyadic(most / 2.0));
     let goal = format!("|{bound}| <= {most}");

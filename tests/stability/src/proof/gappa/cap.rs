@@ -7,7 +7,8 @@ use super::super::bounded::{Bounded, Operation, begin, compared};
 use super::super::bounds::Arithmetic;
 use super::super::parts::{axis_and_half_height, record};
 use super::super::row::{U, family::*, ray};
-use super::hypotheses::{MODERATE, products, relative};
+use super::hypotheses::{MODERATE, relative};
+use super::relative::{Dot, product};
 use super::{DOUBLE, Proof, Script, dyadic, in_single_precision, one_bit_less, within};
 
 /// The relative error of a component of a unit axis, in units of `u`, which the first proof shows.
@@ -17,9 +18,13 @@ const OF_AXIS: f64 = 3.53;
 const OF_SLOPE: f64 = 6.85;
 const OF_PLANE: f64 = 7.5;
 
-/// Returns the proofs.
-pub(super) fn proofs() -> [Proof; 4] {
-    [axis(), slope(), parallel(), cap()]
+/// The relative error of a term of the slope, which the second proof shows.
+const OF_TERM: f64 = OF_AXIS + 1.001;
+const SLOPE: &str = "slope of a ray along an axis";
+
+/// Returns the proofs, those that others build on first.
+pub(super) fn proofs() -> [Proof; 5] {
+    [axis(), product(SLOPE, DOUBLE, [0.0, OF_AXIS], OF_TERM), slope(), parallel(), cap()]
 }
 
 fn axis() -> Proof {
@@ -30,7 +35,7 @@ fn axis() -> Proof {
     let hypotheses = [0, 1, 2].map(|component| within(&format!("|x17_{component}|"), MODERATE));
     let goal = relative(&[computed, exact], OF_AXIS);
     Proof {
-        row: "slope of a ray along an axis",
+        row: SLOPE,
         what: "the relative error of a component of the unit axis",
         text: script.proves(&hypotheses, &goal, ""),
         wrong: in_single_precision(),
@@ -42,15 +47,15 @@ fn axis() -> Proof {
 fn slope() -> Proof {
     begin(Arithmetic::F64, f64::NAN);
     let slope = ray().direction.dot(record().axis);
-    let mut script = Script::new();
-    let hypotheses = products(&mut script, slope, OF_AXIS);
+    let mut script = Script::relative(DOUBLE);
+    script.given_dot(&Dot::of_products(slope), "1", OF_TERM);
     let [computed, exact] = script.export(slope);
     let goal = format!("|{computed} - {exact}| <= {}", dyadic(OF_SLOPE * U));
     Proof {
-        row: "slope of a ray along an axis",
+        row: SLOPE,
         what: "the error of the slope relative to |d|_1",
-        text: script.proves(&hypotheses, &goal, "$ w1 in 32, w2 in 32;\n"),
-        wrong: in_single_precision(),
+        text: script.proves(&[], &goal, ""),
+        wrong: one_bit_less(DOUBLE),
     }
 }
 
@@ -77,7 +82,7 @@ fn parallel() -> Proof {
     let size = &script.export(size)[0];
     let hints = format!("{computed} - s -> ({computed} - ({size} + {margin})) + ({size} - s) + {margin};\n");
     Proof {
-        row: "slope of a ray along an axis",
+        row: SLOPE,
         what: "the slope with its margin is at least the exact slope",
         text: script.proves(&hypotheses, &format!("{computed} - s >= 0"), &hints),
         wrong: one_bit_less(DOUBLE),

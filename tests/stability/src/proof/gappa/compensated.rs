@@ -26,7 +26,7 @@ const OF_RADIUS: [f64; 2] = [5.7, 27.0];
 /// `size_of_c`.
 const OF_C: f64 = 63.0;
 const _: () = assert!(OF_C < ERROR_OF_C, "the margin covers the error");
-const _: () = assert!(SHARE_IN_C == 4.0, "`F` is `4 X^2`");
+const _: () = assert!(SHARE_IN_C == 4.0, "`f4` is `4 x^2`");
 
 /// The numbers of a side.
 pub(super) struct Side {
@@ -39,13 +39,13 @@ pub(super) struct Side {
     pub(super) cross: [Vec3<Bounded>; 2],
     /// `d x V`.
     pub(super) direction_cross: Vec3<Bounded>,
-    /// `r^2 |V|^2` and the part that is its rounding error.
+    /// `r^2 |V|^2` and its second part.
     pub(super) radius_term: [Bounded; 2],
     /// The two numbers of which the code adds up `c`.
     pub(super) parts_of_c: [Bounded; 2],
-    /// The sum of the squares in `c`.
+    /// `|(O - C) x V|^2 + r^2 |V|^2`.
     pub(super) squares: Bounded,
-    /// All results.
+    /// What the code returns.
     pub(super) terms: SideTerms<Bounded>,
 }
 
@@ -91,7 +91,8 @@ fn proof(what: &'static str, text: String) -> Proof {
     Proof { row: ROW, what, text, wrong: one_bit_less(DOUBLE) }
 }
 
-/// Returns the proof of a component of `(O - C) x V`. The sum of the magnitudes of both products is at most 1.
+/// Returns the proof of a component of `(O - C) x V`. The sum of the magnitudes of both products is at most 1, which
+/// loses nothing: the formula scales with each factor.
 fn component() -> Proof {
     let Side { axis, from_center: [from_center, _], cross: [cross, rest], .. } = side();
     let mut script = Script::relative(DOUBLE);
@@ -124,7 +125,7 @@ fn radius_term() -> Proof {
     script.hypotheses.push(within(&radius, [1.0; 2]));
     let ([first, exact], [second, _]) = (script.export(squared), script.export(rest));
     let error = format!("{first} + {second} - {exact}");
-    // The code leaves out the product of both errors.
+    // The code leaves out the product of the errors of `r^2` and of `V.V`.
     let of_radius = script.export(of_radius);
     let [computed_axis, exact_axis] = script.export(of_axis);
     let left_out = format!("({} - {}) * ({exact_axis} - {computed_axis})", of_radius[1], of_radius[0]);
@@ -137,34 +138,35 @@ fn goal(second: &str, error: &str, [of_second, of_error]: [f64; 2]) -> String {
     format!("|{second}| <= {} /\\ |{error}| <= {}", dyadic(of_second * U), dyadic(of_error * U * U))
 }
 
-/// Returns the proof of the error of `c` before its own rounding. `Q` is `|(O - C) x V|^2`, `R` is `r^2 |V|^2`, `X` is
-/// `|O - C| |V|`, and `F` is `4 X^2`. The terms `Q + R + F` are 1. The products of a component of `(O - C) x V`
-/// add up to at most `X`, by the inequality of Cauchy and Schwarz.
+/// Returns the proof of the error of `c` before its own rounding. `q2` is `|(O - C) x V|^2`, `r2` is `r^2 |V|^2`, `x`
+/// is `|O - C| |V|`, and `f4` is `4 x^2`. The terms `q2 + r2 + f4` are 1. The products of a component of `(O - C) x V`
+/// add up to at most `x`, by the inequality of Cauchy and Schwarz. Of a component, `s0`, `s1` or `s2` is the second
+/// part relative to `x`, and `m0`, `m1` or `m2` the error of both parts; `s` and `m` are those of `r2`.
 fn c() -> Proof {
     let Side { cross: [cross, rests], radius_term: [squared, rest], parts_of_c: [difference, error], .. } = side();
     let mut script = Script::relative(DOUBLE);
-    script.definitions += "R = 1 - Q - F;\nX = 1b-1 * sqrt(F);\n";
-    script.hypotheses.extend(["Q", "R", "F"].map(|name| within(name, [0.0, 1.0])));
+    script.definitions += "r2 = 1 - q2 - f4;\nx = 1b-1 * sqrt(f4);\n";
+    script.hypotheses.extend(["q2", "r2", "f4"].map(|name| within(name, [0.0, 1.0])));
     // What the code leaves out: the squares of the second parts, and the errors of both parts.
     let mut left_out = String::new();
     let at_most = |script: &mut Script, name: &str, most: f64| script.hypotheses.push(within(name, [-most, most]));
     for (index, (number, rest)) in cross.to_array().into_iter().zip(rests.to_array()).enumerate() {
-        let exact = script.multiple(number, "sqrt(Q)", [-1.0, 1.0]);
+        let exact = script.multiple(number, "sqrt(q2)", [-1.0, 1.0]);
         let [second, of_both] = [format!("s{index}"), format!("m{index}")];
         at_most(&mut script, &second, OF_COMPONENT[0] * U);
         at_most(&mut script, &of_both, OF_COMPONENT[1] * U * U);
-        let [second, _] = script.define(rest, [&format!("X * {second}"), "0"]);
-        let [_, exact] = script.define(number, [&format!("{exact} - {second} + X * {of_both}"), &exact]);
-        left_out += &format!(" - {second} * {second} + X * {of_both} * (2 * {exact} + X * {of_both})");
+        let [second, _] = script.define(rest, [&format!("x * {second}"), "0"]);
+        let [_, exact] = script.define(number, [&format!("{exact} - {second} + x * {of_both}"), &exact]);
+        left_out += &format!(" - {second} * {second} + x * {of_both} * (2 * {exact} + x * {of_both})");
     }
     at_most(&mut script, "s", OF_RADIUS[0] * U);
     at_most(&mut script, "m", OF_RADIUS[1] * U * U);
-    let [second, _] = script.define(rest, ["R * s", "0"]);
-    script.define(squared, [&format!("R - {second} + R * m"), "R"]);
+    let [second, _] = script.define(rest, ["r2 * s", "0"]);
+    script.define(squared, [&format!("r2 - {second} + r2 * m"), "r2"]);
     let ([difference, exact], [computed, _]) = (script.export(difference), script.export(error));
     let before = format!("{difference} + {computed} - {exact}");
     let hints =
-        format!("{before} -> {}{left_out} - R * m;\n$ Q in 16, F in 16;\n", script.roundings(error).join(" + "));
+        format!("{before} -> {}{left_out} - r2 * m;\n$ q2 in 16, f4 in 16;\n", script.roundings(error).join(" + "));
     let goal = format!("|{before}| <= {}", dyadic(OF_C * U * U));
     proof("the error of c before it is rounded, relative to its terms", script.proves(&[], &goal, &hints))
 }

@@ -1,8 +1,8 @@
 //! The proofs that underflow is negligible in the compensated formulas of a side.
 //!
-//! `P` is `|p|`, `V` is the length of the axis, and `Z^2 = V^2 (|O - C|^2 + r^2)`. If the numbers are in scale, none of
-//! them is below 2^-151, and `V` is at most 2^151. In units of these three, no input is above 1. Neither is a component
-//! of `q = (O - C) x V`, nor `c`, by the inequality of Cauchy and Schwarz.
+//! `P` is the length of `p = d x V`, `V` that of the axis, and `Z^2` is `V^2 (|O - C|^2 + r^2)`. In scale, `P`, `V` and
+//! `Z` are at least 2^-151, and `V` is at most 2^151. In units of these three, no input but the direction is above 1.
+//! Neither is a component of `q = (O - C) x V`, nor `c`, by the inequality of Cauchy and Schwarz.
 
 use cpu::internals::exact::compensated_roots::ERROR_OF_C;
 use cpu::internals::exact::cylinder_compensated::{SHARE_IN_C, SHARE_IN_D, SHARE_IN_H};
@@ -14,13 +14,13 @@ use super::super::bounded::{Bounded, Operation};
 use super::super::row::{U, ray};
 use super::Proof;
 use super::compensated::{Side, side};
-use super::underflow::{HALF_OF_LEAST, Underflow, Unit};
+use super::underflow::{HALF_OF_LEAST, UnderflowScript, Unit};
 
-const OF_AXIS: Unit = [0, 1, 0];
-const OF_LENGTH: Unit = [0, -1, 1];
-const OF_CROSS: Unit = [0, 0, 1];
-const OF_C: Unit = [0, 0, 2];
-const OF_P: Unit = [1, 0, 0];
+const UNIT_OF_AXIS: Unit = [0, 1, 0];
+const UNIT_OF_LENGTH: Unit = [0, -1, 1];
+const UNIT_OF_CROSS: Unit = [0, 0, 1];
+const UNIT_OF_C: Unit = [0, 0, 2];
+const UNIT_OF_P: Unit = [1, 0, 0];
 
 /// A number that is at most 1 in its unit, after a few roundings.
 const ONE: f64 = 1.0 + 1e-9;
@@ -28,7 +28,7 @@ const _: () = assert!(SHARE_IN_C >= 1.0, "the terms of `c` are at least 1");
 /// The share of an error bound that is negligible.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// The most that underflow adds, in units of P, V and Z, as binary logarithms. A script proves each.
+/// The most that underflow adds, in units of `P`, `V` and `Z`, as binary logarithms. A script proves each.
 mod added {
     /// To a component of `p`.
     pub const TO_P: i32 = -921;
@@ -39,8 +39,8 @@ mod added {
     /// To `c` and to the sum of its squares.
     pub const TO_C: i32 = -464;
     /// To the numbers of which roots are taken.
-    pub const TO_NEAR_ROOT: i32 = -460;
-    pub const TO_FAR_ROOT: i32 = -168;
+    pub const TO_NEAR_RADICAND: i32 = -460;
+    pub const TO_FAR_RADICAND: i32 = -168;
 }
 use added::*;
 
@@ -53,13 +53,13 @@ pub(super) fn proofs() -> Vec<Proof> {
     vec![direction(), component(), radius_term(), c(), near(), far()]
 }
 
-fn begin() -> Underflow {
-    // The code compares rounded squares with these limits.
+fn begin() -> UnderflowScript {
+    // The code compares rounded squares with these limits. The factor 2 covers their rounding.
     let [inverse, longest] = [1.0 / SMALLEST_IN_SCALE, LARGEST_IN_SCALE].map(|limit| 2.0 * limit.sqrt());
-    Underflow::new([("iP", inverse), ("iV", inverse), ("iZ", inverse), ("V", longest)])
+    UnderflowScript::new([("iP", inverse), ("iV", inverse), ("iZ", inverse), ("V", longest)])
 }
 
-fn proof(what: &'static str, script: &Underflow) -> Proof {
+fn proof(what: &'static str, script: &UnderflowScript) -> Proof {
     let wrong = [HALF_OF_LEAST, "1b-150"].map(ToOwned::to_owned);
     Proof { row: "underflow of a side, compensated", what, text: script.text(), wrong }
 }
@@ -68,7 +68,7 @@ fn proof(what: &'static str, script: &Underflow) -> Proof {
 fn direction() -> Proof {
     let Side { axis, .. } = side();
     let mut script = begin();
-    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
+    script.given(axis.to_array(), UNIT_OF_AXIS, ONE, 0.0);
     // A direction along the axis is much longer than `p`. Underflow of its products does not depend on their size.
     script.given(ray().direction.to_array(), [1, -1, 0], f64::INFINITY, 0.0);
     script.adds_at_most(accurate_cross(ray().direction, axis).x, two_to(TO_P));
@@ -79,9 +79,9 @@ fn direction() -> Proof {
 fn component() -> Proof {
     let Side { axis, from_center, cross, .. } = side();
     let mut script = begin();
-    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
+    script.given(axis.to_array(), UNIT_OF_AXIS, ONE, 0.0);
     for (vector, most) in from_center.into_iter().zip([ONE, ONE * U]) {
-        script.given(vector.to_array(), OF_LENGTH, most, 0.0);
+        script.given(vector.to_array(), UNIT_OF_LENGTH, most, 0.0);
     }
     for part in cross {
         script.adds_at_most(part.x, two_to(TO_CROSS));
@@ -93,8 +93,8 @@ fn component() -> Proof {
 fn radius_term() -> Proof {
     let Side { axis, radius, radius_term, .. } = side();
     let mut script = begin();
-    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
-    script.given([radius], OF_LENGTH, ONE, 0.0);
+    script.given(axis.to_array(), UNIT_OF_AXIS, ONE, 0.0);
+    script.given([radius], UNIT_OF_LENGTH, ONE, 0.0);
     for part in radius_term {
         script.adds_at_most(part, two_to(TO_RADIUS_TERM));
     }
@@ -106,8 +106,8 @@ fn c() -> Proof {
     let Side { cross, radius_term, squares, terms, .. } = side();
     let mut script = begin();
     for ((vector, term), most) in cross.into_iter().zip(radius_term).zip([ONE, 8.0 * U]) {
-        script.given(vector.to_array(), OF_CROSS, most, two_to(TO_CROSS));
-        script.given([term], OF_C, most, two_to(TO_RADIUS_TERM));
+        script.given(vector.to_array(), UNIT_OF_CROSS, most, two_to(TO_CROSS));
+        script.given([term], UNIT_OF_C, most, two_to(TO_RADIUS_TERM));
     }
     let most = two_to(TO_C);
     assert!(most < NEGLIGIBLE * ERROR_OF_C * U * U, "the terms of `c` are at least 1");
@@ -118,12 +118,12 @@ fn c() -> Proof {
 }
 
 /// Begins a script with the vectors of a discriminant.
-fn discriminant(Side { axis, from_center, direction_cross, .. }: &Side) -> Underflow {
+fn discriminant(Side { axis, from_center, direction_cross, .. }: &Side) -> UnderflowScript {
     let mut script = begin();
-    script.given(axis.to_array(), OF_AXIS, ONE, 0.0);
-    script.given(direction_cross.to_array(), OF_P, ONE, two_to(TO_P));
+    script.given(axis.to_array(), UNIT_OF_AXIS, ONE, 0.0);
+    script.given(direction_cross.to_array(), UNIT_OF_P, ONE, two_to(TO_P));
     for (vector, most) in from_center.iter().zip([ONE, ONE * U]) {
-        script.given(vector.to_array(), OF_LENGTH, most, 0.0);
+        script.given(vector.to_array(), UNIT_OF_LENGTH, most, 0.0);
     }
     script
 }
@@ -140,10 +140,10 @@ fn near() -> Proof {
     let mut script = discriminant(&side);
     let quadratic = &side.terms.quadratic;
     for (vector, most) in side.cross.into_iter().zip([ONE, 8.0 * U]) {
-        script.given(vector.to_array(), OF_CROSS, most, two_to(TO_CROSS));
+        script.given(vector.to_array(), UNIT_OF_CROSS, most, two_to(TO_CROSS));
     }
-    script.given([quadratic.c, side.squares], OF_C, ONE, two_to(TO_C));
-    script.root_of(quadratic.size_of_h, two_to(TO_NEAR_ROOT));
+    script.given([quadratic.c, side.squares], UNIT_OF_C, ONE, two_to(TO_C));
+    script.root_of(quadratic.size_of_h, two_to(TO_NEAR_RADICAND));
     // The terms of `h` are at least this share of `P Z`.
     script.adds_at_most(quadratic.h, NEGLIGIBLE * U * SHARE_IN_H.sqrt());
     let near = quadratic.near();
@@ -157,9 +157,9 @@ fn near() -> Proof {
 fn far() -> Proof {
     let side = side();
     let mut script = discriminant(&side);
-    script.given([side.radius], OF_LENGTH, ONE, 0.0);
+    script.given([side.radius], UNIT_OF_LENGTH, ONE, 0.0);
     let far = &side.terms.far;
-    script.root_of(root_of_far(far.size), two_to(TO_FAR_ROOT));
+    script.root_of(root_of_far(far.size), two_to(TO_FAR_RADICAND));
     for (number, most) in [far.value, far.size].into_iter().zip(negligible(SHARE_IN_D)) {
         script.adds_at_most(number, most);
     }

@@ -14,8 +14,7 @@ use super::super::bounded::{Bounded, Operation};
 use super::super::bounds::Arithmetic;
 use super::super::filters::flat_numbers;
 use super::super::row::U;
-use super::hypotheses::relative;
-use super::relative::Dot;
+use super::relative::{Dot, product};
 use super::{Proof, SINGLE, Script, dyadic, one_bit_less, within};
 
 /// The relative error of a number that is rounded once to 24 bits after a few roundings to 53 bits: 1.001 units of 24
@@ -27,18 +26,7 @@ const PASSED: &str = "the ray has passed a bounding sphere";
 
 /// Returns the proofs, that one first that the others build on.
 pub(super) fn proofs() -> [Proof; 3] {
-    [product(), passed(), misses_cylinder()]
-}
-
-/// Returns the proof of the relative error of a product of given numbers.
-fn product() -> Proof {
-    let [x, y, product] = ["x", "y", "p"].map(|name| [format!("c{name}"), format!("e{name}")]);
-    let [given_x, given_y] = [&x, &y].map(|names| relative(names, ONCE));
-    let text = format!(
-        "ep = ex * ey;\ncp = mul_rel<{SINGLE}>(cx, cy);\n{{ {given_x}\n  /\\ {given_y}\n  -> {} }}\n",
-        relative(&product, OF_PRODUCT)
-    );
-    Proof { row: PASSED, what: "the relative error of a product of given numbers", text, wrong: one_bit_less(SINGLE) }
+    [product(PASSED, SINGLE, [ONCE; 2], OF_PRODUCT), passed(), misses_cylinder()]
 }
 
 /// Begins a proof about the numbers `-2 h` and `c` of a bounding sphere, for a direction of this length. The text

@@ -90,7 +90,7 @@ fn proofs(row: &'static str, parts: &[Part], known: &Known) -> Vec<Proof> {
     }
     let least = known.least.map(|(number, factor, power)| (script.export(number)[0].clone(), factor, power));
     script.definitions += &format!("sum = {};\n", computed.join(" + "));
-    script.keep('c');
+    script.keep_only('c');
     let of_part =
         |part: &Part| {
             let Part { direction: [shortest, longest], size, extent } = *part;

@@ -1,11 +1,15 @@
 //! Scripts in which an operation is rounded by a relative error, at any magnitude. So a proof may measure the numbers
 //! of a formula in any unit, such as the length of a vector, and not only in powers of two.
+//!
+//! The letters before the number of an operation are: `c` for the computed value, `e` for the exact one, `y` for a
+//! given value, `k` for a factor in a known range, and of a dot product `a` for the sum of the products with their
+//! errors, and `b` for these errors.
 
 use super::super::bounded::{Bounded, Operation};
 use super::super::row::U;
 use super::super::signed::two_sum;
 use super::hypotheses::relative;
-use super::{Rounding, Script, dyadic, within};
+use super::{Proof, Rounding, Script, dyadic, one_bit_less, within};
 
 /// A dot product, which may be added to a number. The code adds the products one by one.
 pub(super) struct Dot {
@@ -18,6 +22,17 @@ pub(super) struct Dot {
 }
 
 impl Dot {
+    /// Takes a dot product apart whose products are rounded before they are added.
+    pub(super) fn of_products(last: Bounded) -> Self {
+        let Operation::Sum(second, third) = last.operation() else { panic!("it is no sum") };
+        let Operation::Sum(first, middle) = second.operation() else { panic!("it is no sum of three") };
+        let factors = [first, middle, third].map(|product| {
+            let Operation::Product(x, y) = product.operation() else { panic!("it adds products") };
+            [x, y]
+        });
+        Self { start: None, sums: [first, second, last], vectors: [0, 1].map(|index| factors.map(|both| both[index])) }
+    }
+
     /// Takes a dot product by fused operations apart.
     pub(super) fn of(last: Bounded) -> Self {
         let Operation::Fused(x2, y2, second) = last.operation() else { panic!("it is no fused sum") };
@@ -31,7 +46,8 @@ impl Dot {
     }
 }
 
-/// Returns the operation whose rounding error, or its negative, this number is, with the sign.
+/// Returns the operation whose rounding error this number is. With the sign `-` the number is the exact value minus the
+/// rounded one, and without a sign the rounded value minus the exact one.
 pub(super) fn error_of(number: Bounded) -> Option<(Bounded, &'static str)> {
     match number.operation() {
         Operation::Sum(x, y) => two_sum(x, y).map(|[.., sum]| (sum, "-")),
@@ -42,6 +58,17 @@ pub(super) fn error_of(number: Bounded) -> Option<(Bounded, &'static str)> {
         },
         _ => None,
     }
+}
+
+/// Returns the proof of the relative error of a product, for factors with these relative errors, all in units of `u`.
+pub(super) fn product(row: &'static str, bits: u32, factors: [f64; 2], error: f64) -> Proof {
+    let [x, y, product] = ["x", "y", "p"].map(|name| [format!("c{name}"), format!("e{name}")]);
+    let [given_x, given_y] = [relative(&x, factors[0]), relative(&y, factors[1])];
+    let text = format!(
+        "ep = ex * ey;\ncp = mul_rel<{bits}>(cx, cy);\n{{ {given_x}\n  /\\ {given_y}\n  -> {} }}\n",
+        relative(&product, error)
+    );
+    Proof { row, what: "the relative error of a product of given numbers", text, wrong: one_bit_less(bits) }
 }
 
 impl Script {
@@ -59,7 +86,7 @@ impl Script {
     pub(super) fn exact_error(&mut self, number: Bounded) -> Option<String> {
         let (of, sign) = error_of(number).filter(|_| self.is_relative())?;
         let [computed, _] = self.export(of);
-        self.kept.insert(of);
+        self.compensated.insert(of);
         Some(format!("{sign}({computed} - ({}))", self.unrounded[&of]))
     }
 
@@ -70,7 +97,7 @@ impl Script {
         let times = |factor: &str, roundings: Vec<String>| {
             roundings.into_iter().map(|rounding| format!("{factor}{rounding}")).collect::<Vec<_>>()
         };
-        if self.kept.contains(&number) {
+        if self.compensated.contains(&number) {
             return Vec::new();
         }
         let Some(unrounded) = self.unrounded.get(&number) else {
@@ -89,7 +116,7 @@ impl Script {
                 times(&format!("{factor} * "), self.roundings(b))
             }
             Operation::Fused(.., c) => self.roundings(c),
-            other => unreachable!("no number whose errors are subtracted is computed by {other:?}"),
+            other => unreachable!("no number whose errors are added back is computed by {other:?}"),
         };
         [own, of_operands].concat()
     }
@@ -117,7 +144,8 @@ impl Script {
     /// Defines the sums of one, two and three products of a dot product, for vectors whose lengths have the product
     /// `lengths`. The products have relative errors of at most `error u`. Neither the sums nor, relative to the error,
     /// the sums of the errors exceed `lengths`. This is the inequality of Cauchy and Schwarz for the first components
-    /// of both vectors. The sums of a vector's square are not negative.
+    /// of both vectors; `lengths` may also be a bound of the sum of the products' magnitudes. The sums of a vector's
+    /// square are not negative.
     pub(super) fn given_dot(&mut self, dot: &Dot, lengths: &str, error: f64) {
         let Rounding::Relative(bits) = self.rounding else { panic!("the rounding is relative") };
         let least = if dot.vectors[0] == dot.vectors[1] { 0.0 } else { -1.0 };
@@ -154,7 +182,7 @@ mod tests {
     use cpu::internals::math::error_free::two_product;
 
     #[test]
-    fn a_rounding_error_that_the_code_subtracts_is_exact() {
+    fn a_rounding_error_that_the_code_adds_back_is_exact() {
         begin(Arithmetic::F64, f64::NAN);
         let [x, y, z] = [0, 1, 2].map(|component| Bounded::input((7, component), 0.0));
         let (product, error) = two_product(x, y);

@@ -8,14 +8,17 @@ use cpu::internals::geometry::sphere::SphereRecord;
 use super::super::bounded::{Bounded, Operation, begin};
 use super::super::bounds::Arithmetic;
 use super::super::row::{U, family::*, ray};
-use super::hypotheses::{MODERATE, products, relative};
-use super::{Proof, Script, dyadic, in_single_precision, within};
+use super::hypotheses::{MODERATE, relative};
+use super::relative::{Dot, product};
+use super::{DOUBLE, Proof, Script, dyadic, in_single_precision, one_bit_less, within};
 
 /// The errors of the quadratic of a sphere in units of `u`, which a proof shows for each: of `a` and of `q = |O - C|^2`
 /// relative to themselves, of `h` relative to `|d| |O - C|`, and of the discriminant relative to `M`.
 const OF_A: f64 = 3.01;
 const OF_Q: f64 = 5.01;
 const OF_H: f64 = 4.3;
+/// The relative error of a term of `h`, in units of `u`.
+const OF_TERM: f64 = 2.001;
 const OF_DISCRIMINANT: f64 = 22.0;
 
 /// Returns the proofs, those that others build on first.
@@ -23,6 +26,7 @@ pub(super) fn proofs() -> Vec<Proof> {
     vec![
         square("a of a sphere", "the relative error of d.d", OF_A, |direction, _| direction.dot(direction), 0.0),
         square("discriminant of a sphere", "the relative error of |O - C|^2", OF_Q, |_, r_c| r_c.dot(r_c), 1.0),
+        product("discriminant of a sphere", DOUBLE, [0.0, 1.0], OF_TERM),
         half_of_b(),
         discriminant(),
         numerator(),
@@ -73,15 +77,15 @@ fn sphere() -> [Bounded; 4] {
 /// the products' magnitudes. A component of `C - O` has been rounded once.
 fn half_of_b() -> Proof {
     let [_, h, ..] = sphere();
-    let mut script = Script::new();
-    let hypotheses = products(&mut script, h, 1.0);
+    let mut script = Script::relative(DOUBLE);
+    script.given_dot(&Dot::of_products(h), "1", OF_TERM);
     let [computed, exact] = script.export(h);
     let goal = format!("|{computed} - {exact}| <= {}", dyadic(OF_H * U));
     Proof {
         row: "discriminant of a sphere",
         what: "the error of h relative to |d| |O - C|",
-        text: script.proves(&hypotheses, &goal, "$ w1 in 32, w2 in 32;\n"),
-        wrong: in_single_precision(),
+        text: script.proves(&[], &goal, ""),
+        wrong: one_bit_less(DOUBLE),
     }
 }
 

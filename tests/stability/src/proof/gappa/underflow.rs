@@ -1,9 +1,12 @@
 //! Scripts that bound what underflow adds to numbers.
 //!
-//! A number `c` is computed, and `e` is what it would be without underflow, with the same relative rounding errors. The
-//! scripts have `e` and `t = c - e`. Underflow of a product adds an error of at most 2^-1075, and sums add none.
-//! Numbers are measured in units that are products of `P`, `V` and `Z`. So they are at most about 1, and the error of
-//! underflow is divided by the unit.
+//! For a computed number, `e` is what it would be without underflow, with the same relative rounding errors, and `t` is
+//! what underflow adds to `e`. Underflow of a product adds an error of at most 2^-1075, and sums add none. Numbers are
+//! measured in units that are products of `P`, `V` and `Z`. So all but the direction are at most about 1, and the error
+//! of underflow is divided by the unit.
+//!
+//! The letters before the number of an operation are: `e` and `t`, `d` for its relative rounding error, `n` for its own
+//! underflow, `g` for what underflow adds to a root, and `m` for the sign of a magnitude. `iP` is `1 / P`.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -30,15 +33,15 @@ struct Names {
 
 /// A text in Gappa's language that defines numbers without underflow, and what it adds.
 #[derive(Debug, Default)]
-pub(super) struct Underflow {
+pub(super) struct UnderflowScript {
     definitions: String,
     names: HashMap<Bounded, Names>,
     hypotheses: Vec<String>,
     goals: Vec<String>,
 }
 
-impl Underflow {
-    /// Begins a script in which the units and their inverses are at most these numbers.
+impl UnderflowScript {
+    /// Begins a script in which the units or inverses of units with these names are at most these numbers.
     pub(super) fn new(units: [(&str, f64); 4]) -> Self {
         let hypotheses = units.map(|(name, most)| within(name, [0.0, most])).to_vec();
         Self { hypotheses, ..Self::default() }
@@ -64,9 +67,11 @@ impl Underflow {
     }
 
     /// Adds the goal that underflow adds at most `most` to the number of which a root is taken, and states what follows
-    /// for the root: the difference of two roots is at most the root of the difference. The number consists of squares.
+    /// for the root: the difference of two roots is at most the root of the difference. The number must consist of
+    /// squares, so that it is not negative.
     pub(super) fn root_of(&mut self, root: Bounded, most: f64) {
         let Operation::Root(of) = root.operation() else { panic!("it is no root") };
+        assert_eq!(most.sqrt() * most.sqrt(), most, "the root is not rounded");
         self.adds_at_most(of, most);
         let Names { value, .. } = self.export(of);
         self.hypotheses.push(format!("{value} >= 0"));
@@ -106,7 +111,7 @@ impl Underflow {
                 let (value, added, unit) = self.operation(number);
                 let rounding = self.rounding(number);
                 let added = added.map(|added| format!("({added}) * {rounding}"));
-                let added = sum([added, self.least(number, number, unit)]);
+                let added = sum([added, self.own_underflow(number, number, unit)]);
                 self.define(number, format!("({value}) * {rounding}"), added, unit)
             }
         };
@@ -153,7 +158,7 @@ impl Underflow {
         (expression(operator, &values), parts, unit)
     }
 
-    /// Defines the rounding error of an operation, or its negative if there is no sign. The code computes it by a fused
+    /// Defines the rounding error of the operation `of`, with the sign of [`error_of`]. The code computes it by a fused
     /// operation if it is that of a product, and then the error of the product's underflow is a part of it.
     fn error(&mut self, number: Bounded, of: Bounded, sign: &str) -> Names {
         _ = self.export(of);
@@ -161,8 +166,8 @@ impl Underflow {
         _ = self.rounding(of);
         let rounding = format!("d{}", of.place());
         let added = added.map(|added| format!("({added}) * {rounding}"));
-        let added = sum([added, self.least(of, of, unit)]).map(|added| format!("{sign}({added})"));
-        let added = sum([added, self.least(number, of, unit)]);
+        let added = sum([added, self.own_underflow(of, of, unit)]).map(|added| format!("{sign}({added})"));
+        let added = sum([added, self.own_underflow(number, of, unit)]);
         self.define(number, format!("{sign}(({value}) * {rounding})"), added, unit)
     }
 
@@ -171,7 +176,7 @@ impl Underflow {
         format!("(1 + {})", self.at_most('d', number, &dyadic(U)))
     }
 
-    /// States that a variable for a number is at most this. Returns its name.
+    /// States that a variable for a number has at most this magnitude. Returns its name.
     fn at_most(&mut self, kind: char, number: Bounded, most: &str) -> String {
         let name = format!("{kind}{}", number.place());
         let hypothesis = format!("|{name}| <= {most}");
@@ -182,7 +187,7 @@ impl Underflow {
     }
 
     /// Returns what underflow of the number adds in this unit, if the operation `of` is a product.
-    fn least(&mut self, number: Bounded, of: Bounded, unit: Unit) -> Option<String> {
+    fn own_underflow(&mut self, number: Bounded, of: Bounded, unit: Unit) -> Option<String> {
         if !matches!(of.operation(), Operation::Product(..) | Operation::Fused(..)) {
             return None;
         }
@@ -211,7 +216,7 @@ mod tests {
     fn underflow_of_a_product_is_divided_by_the_unit() {
         begin(Arithmetic::F64, f64::NAN);
         let [x, y] = [0, 1].map(|component| Bounded::input((7, component), 0.0));
-        let mut script = Underflow::new([("iP", 4.0), ("iV", 4.0), ("iZ", 4.0), ("V", 4.0)]);
+        let mut script = UnderflowScript::new([("iP", 4.0), ("iV", 4.0), ("iZ", 4.0), ("V", 4.0)]);
         script.given([x], [1, 0, 0], 1.0, 0.5);
         script.given([y], [0, -2, 0], 2.0, 0.0);
         script.adds_at_most(x * y, 8.0);
