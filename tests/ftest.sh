@@ -22,8 +22,6 @@ if [ "${1:-}" = programs ]; then
 fi
 step cargo test "${packages[@]}" --test '*' --no-fail-fast "$@"
 step "${release[@]}"
-target=${CARGO_TARGET_DIR:-target}
-[[ $target == /* ]] || target=$PWD/$target
 # With the same packages as above: others would be compiled again, with other features.
-step env RENDER_PROGRAMS="$target/release" cargo test "${packages[@]}" --test digests "$@"
+step env RENDER_PROGRAMS="$(release_folder)" cargo test "${packages[@]}" --test digests "$@"
 finish

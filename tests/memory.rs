@@ -114,6 +114,7 @@ fn preparation<L: Renderable>(lines: &str, least: usize) {
     let mut objects = L::Objects::build(&scene).expect("there is enough memory");
     let extent = Extent::new(&objects, &camera, &scene.materials);
     assert!(extent.moderate, "there is something to prepare");
+    assert_eq!(extent.has_tiny, lines.contains("1e-8"), "only the last scene has objects apart from the tree");
     assert!(refused("objects", 1, || L::Objects::build(&scene).map(drop)) >= 2);
     let requests = refused("search", 1, || Accel::new(&mut objects, &extent).map(drop));
     assert!(requests >= least, "only {requests}");

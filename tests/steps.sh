@@ -62,6 +62,13 @@ finish() {
     return 1
 }
 
+# Prints the path of the folder into which `cargo build --release` puts the programs.
+release_folder() {
+    local target=${CARGO_TARGET_DIR:-target}
+    [[ $target == /* ]] || target=$PWD/$target
+    echo "$target/release"
+}
+
 # Prints the names of the instruction sets that this machine has. The message about an unknown set lists them.
 sets_of_this_machine() {
     local said

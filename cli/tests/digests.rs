@@ -9,7 +9,7 @@
 use std::path::{Path, PathBuf};
 
 use cpu::{Aos, Config, Renderable, Scatter, Scene, Soa};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::golden::{self, Golden};
 use test_support::{everything, p3, ppm};
@@ -28,7 +28,6 @@ const RENDERERS: [Renderer; 2] = [
 ];
 
 fn main() {
-    let arguments = Arguments::from_args();
     let folder = golden::reference_folder();
     let obstacle = obstacle(&folder);
     let cases = golden::cases();
@@ -50,7 +49,7 @@ fn main() {
         trials.retain(is_of_programs);
         assert_eq!(trials.len(), 40, "one of two scatters is that of the programs");
     }
-    libtest_mimic::run(&arguments, trials).exit();
+    test_support::run_trials(trials)
 }
 
 /// Whether the picture is rendered by a built program, and not through the library.

@@ -3,9 +3,10 @@
 //!
 //! 1. [`filtered`]: [plain](crate::exact::cylinder_plain) formulas with a bound of their rounding errors.
 //! 2. [`compensated`]: [formulas](crate::exact::cylinder_compensated) in which less cancels.
-//! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is below, because it says what is decided. Before this
-//!    step, [`compensated_or_precise`] intersects the ray with a larger sphere around the cylinder. A ray that misses
-//!    the sphere misses the cylinder. This serves rays that start so far away that the cylinder's formulas overflow.
+//! 3. [`precise`]: dyadic arithmetic, which has no rounding. It is in this file, and defines what steps 1 and 2 must
+//!    decide. Before it, [`compensated_or_precise`] intersects the ray with a larger sphere around the cylinder. A ray
+//!    that misses the sphere misses the cylinder. This helps if the ray starts so far away that the cylinder's formulas
+//!    overflow.
 //!
 //! How is one hit of a cylinder decided? Read three files, in this order, each from top to bottom:
 //!

@@ -91,8 +91,8 @@ fn proof(what: &'static str, text: String) -> Proof {
     Proof { row: ROW, what, text, wrong: one_bit_less(DOUBLE) }
 }
 
-/// Returns the proof of a component of `(O - C) x V`. The sum of the magnitudes of both products is at most 1, which
-/// loses nothing: the formula scales with each factor.
+/// Returns the proof of the error of a component of `(O - C) x V`. The magnitudes of its two products add up to at most
+/// 1. This holds in a suitable unit, because the component and its error are proportional to each factor.
 fn component() -> Proof {
     let Side { axis, from_center: [from_center, _], cross: [cross, rest], .. } = side();
     let mut script = Script::relative(DOUBLE);

@@ -1,4 +1,4 @@
-//! The proofs that underflow is negligible in the compensated formulas of a side.
+//! The proofs that underflow adds almost nothing to the errors of the compensated formulas of a side.
 //!
 //! `P` is the length of `p = d x V`, `V` that of the axis, and `Z^2` is `V^2 (|O - C|^2 + r^2)`. In scale, `P`, `V` and
 //! `Z` are at least 2^-151, and `V` is at most 2^151. In units of these three, no input but the direction is above 1.
@@ -30,15 +30,15 @@ const NEGLIGIBLE: f64 = 1e-6;
 
 /// The most that underflow adds, in units of `P`, `V` and `Z`, as binary logarithms. A script proves each.
 mod added {
-    /// To a component of `p`.
+    /// What underflow adds to a component of `p`.
     pub const TO_P: i32 = -921;
-    /// To both parts of a component of `q`.
+    /// What it adds to each of the two parts of a component of `q`.
     pub const TO_CROSS: i32 = -920;
-    /// To both parts of the term of the radius.
+    /// What it adds to each of the two parts of `r^2 |V|^2`.
     pub const TO_RADIUS_TERM: i32 = -468;
-    /// To `c` and to the sum of its squares.
+    /// What it adds to `c` and to the sum of its squares.
     pub const TO_C: i32 = -464;
-    /// To the numbers of which roots are taken.
+    /// What it adds to the numbers of which roots are taken.
     pub const TO_NEAR_RADICAND: i32 = -460;
     pub const TO_FAR_RADICAND: i32 = -168;
 }

@@ -4,8 +4,8 @@
 //! of the bounding sphere's radius. `S = C^2 + O^2 + R2` is 1. The scripts have `-2 C` and `-sqrt(2) C.n`, which the
 //! code stores. The code may use fused operations or not. Underflow is left out.
 //!
-//! A proof shows that the rounding error is at most the constant. Only our own prover checks that the code applies the
-//! margin, and with the right sign.
+//! These proofs show that the rounding error is at most the constant. They do not show that the code adds or subtracts
+//! the margin where it must. Our own prover shows that.
 
 use cpu::internals::accel::may_hit::filter_ray::{CYLINDER_MARGIN, SPHERE_MARGIN};
 use cpu::internals::geometry::ray::LAMBDA_MIN;

@@ -11,7 +11,8 @@ use super::super::signed::two_sum;
 use super::hypotheses::relative;
 use super::{Proof, Rounding, Script, dyadic, one_bit_less, within};
 
-/// A dot product, which may be added to a number. The code adds the products one by one.
+/// A dot product of two vectors of three components. The code adds the three products one after the other, to a first
+/// number if there is one.
 pub(super) struct Dot {
     /// The number to which the products are added.
     pub(super) start: Option<Bounded>,
@@ -50,7 +51,8 @@ impl Dot {
 /// rounded one, and without a sign the rounded value minus the exact one.
 pub(super) fn error_of(number: Bounded) -> Option<(Bounded, &'static str)> {
     match number.operation() {
-        Operation::Sum(x, y) => two_sum(x, y).map(|[.., sum]| (sum, "-")),
+        // Knuth's algorithm computes the exact sum minus the rounded one.
+        Operation::Sum(x, y) => two_sum(x, y).map(|[_, _, rounded_sum]| (rounded_sum, "-")),
         Operation::Fused(a, b, c) => match c.operation() {
             Operation::Negative(product) if product.operation() == Operation::Product(a, b) => Some((product, "-")),
             Operation::Product(x, y) if a.operation() == Operation::Negative(x) && b == y => Some((c, "")),
