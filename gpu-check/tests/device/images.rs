@@ -56,7 +56,10 @@ fn f32_pictures_are_near_the_reference_and_with_the_arithmetic_of_ieee_their_twi
         }
         let expected = by_reference(case);
         let before = all.unexplained;
-        running::within(accuracy, || all.count(case, &rendering.pixels, &expected));
+        match accuracy {
+            Accuracy::Ieee => all.count::<true>(case, &rendering.pixels, &expected),
+            Accuracy::Wgsl => all.count::<false>(case, &rendering.pixels, &expected),
+        }
         if all.unexplained > before {
             faults.push(format!("{}: {} pixels are beyond the bound", case.name, all.unexplained - before));
         }
@@ -87,9 +90,10 @@ struct Reasons {
 }
 
 impl Reasons {
-    /// Counts the pixels of a picture.
-    fn count(&mut self, case: &Case, single: &[Vec3<f32>], wide: &[Vec3]) {
-        let running = Picture::<Running>::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
+    /// Counts the pixels of a picture. `IEEE` says which arithmetic the device has, as for [`Running`].
+    fn count<const IEEE: bool>(&mut self, case: &Case, single: &[Vec3<f32>], wide: &[Vec3]) {
+        let running =
+            Picture::<Running<IEEE>>::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
         for (index, (single, wide)) in single.iter().zip(wide).enumerate() {
             let (color, decided) = running::observe(|| running.color(index));
             let channels = single.to_array().into_iter().zip(wide.to_array());
