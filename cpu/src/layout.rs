@@ -140,11 +140,7 @@ pub(crate) fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, E
 mod tests {
     use super::*;
     use crate::image::Rgb;
-    use crate::input::config::Config;
     use crate::input::size::Size;
-    use crate::reference;
-    use crate::render::render;
-    use crate::sampling::scatter_vectors::Scatter;
 
     const SCENE: &str = "matte: a 1 1 1\nmatte: b 0 0 0\nsphere: 1 2 3 4 a\ncylinder: 5 6 7 8 0 2 0 b\n\
         sphere: 0 0 0 1 b\ncylinder: 0 0 0 1 3 0 0 a\nsphere: 9 9 9 2 a\n";
@@ -283,19 +279,6 @@ mod tests {
                 #[should_panic(expected = "out of bounds")]
                 fn no_pixel_is_written_beyond_the_last() {
                     black::<L>().set_pixel(6, Rgb::default());
-                }
-
-                #[test]
-                fn a_picture_is_that_of_the_reference() {
-                    let config = b"image_width: 16\nsamples_per_pixel: 4\n";
-                    let config = Config::parse(&config[..]).expect("it is valid");
-                    let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
-                    let picture = render::<L>(&config, &scene, Scatter::Statement).expect("it is small");
-                    let expected = reference::render(&config, &scene, Scatter::Statement);
-                    let expected: <L as Layout>::Image = expected.expect("it is small");
-                    for at in 0..picture.size().pixels() {
-                        assert_eq!(picture.pixel(at), expected.pixel(at), "pixel {at}");
-                    }
                 }
             }
         };
