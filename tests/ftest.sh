@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs all functional tests: the built programs, whole pictures, properties, hard rays, and the shaders against the CPU.
-# The last command checks the digests of the programs as users build them, with --release.
+# The digests of pictures are those of the programs as users build them, with --release.
 #
 #   tests/ftest.sh [programs | OPTION OF cargo test]...
 #
@@ -11,17 +11,16 @@ cd "$(dirname "$0")/.."
 
 [ "${1:-}" != --help ] || { sed -n '2,8s/^# \{0,1\}//p' tests/ftest.sh; exit; }
 . tests/steps.sh
-# The programs that users build take a minute of one processor, because they are optimised across packages. So their
-# build begins now. Its messages come from the same command below, which waits for it.
-release=(cargo build --release -p cli --bins)
-"${release[@]}" >/dev/null 2>&1 &
 packages=(--workspace)
 if [ "${1:-}" = programs ]; then
     shift
     packages=(-p cli)
 fi
-step cargo test "${packages[@]}" --test '*' --no-fail-fast "$@"
+# The programs that users build take a minute of one processor, because they are optimised across packages. So the tests
+# are compiled at the same time. The messages of the first build come from the same command below, which waits for it.
+release=(cargo build --release -p cli --bins)
+"${release[@]}" >/dev/null 2>&1 &
+cargo build "${packages[@]}" --test '*' || true
 step "${release[@]}"
-# With the same packages as above: others would be compiled again, with other features.
-step env RENDER_PROGRAMS="$(release_folder)" cargo test "${packages[@]}" --test digests "$@"
+step env RENDER_PROGRAMS="$(release_folder)" cargo test "${packages[@]}" --test '*' --no-fail-fast "$@"
 finish

@@ -4,6 +4,7 @@ mod attacks;
 mod bench;
 mod check;
 mod checkpoint;
+mod class;
 mod compare;
 mod completion;
 mod diagnose;
@@ -20,7 +21,6 @@ mod rubric;
 mod scenes;
 mod scripts;
 mod slurm;
-mod teams;
 
 use std::process::{Command, Output};
 

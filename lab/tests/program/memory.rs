@@ -7,7 +7,7 @@ use crate::bash;
 
 /// Returns the width and the height of the pictures. With `RENDER_ALL=1` they have the most pixels that are read.
 fn side() -> usize {
-    if test_support::everything() { 8192 } else { 1024 }
+    if test_support::everything() { 8192 } else { 768 }
 }
 
 /// Address space in KiB that a command on a tiny picture takes, and half as much: the program, its stack, its heap and
