@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs all functional tests: the built programs, whole pictures, properties, hard rays, and the shaders against the CPU.
-# The digests of pictures are those of the programs as users build them, with --release.
+# The programs whose pictures are compared with digests are those that users build, with --release.
 #
 #   tests/ftest.sh [programs | OPTION OF cargo test]...
 #

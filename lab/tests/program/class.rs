@@ -1,5 +1,7 @@
 //! Twenty teams whose programs fail in all ways: each has a row with its reason, however the grading is run: with two
 //! jobs, and with `RENDER_ALL=1`, as in tests/extensive, with one job, and with interruptions.
+//!
+//! Tests begin in the order of their names. By the name of this module, the test that waits longest is among the first.
 
 use std::fs;
 use std::os::unix::fs::{PermissionsExt, symlink};
