@@ -149,6 +149,20 @@ fn a_background_alone() {
     check("", 0..=0, |accel| matches!(accel, Accel::SmallScene(_)));
 }
 
+/// Tests pixels whose bytes follow from bounds of the background. In one picture all rays have the same colour, and in
+/// the other one those of a pixel have nearly the same.
+#[test]
+fn a_background_whose_bytes_need_no_ray() {
+    let colors = "background_dark_color: .3 .4 .5\nbackground_light_color: .3 .4 .5\n";
+    for lines in [colors, "field_of_view: .01\n"] {
+        let config = format!("image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\n{lines}");
+        let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+        let picture = equals_reference(&config, &Scene::default(), Scatter::Statement);
+        let picture = picture.unwrap_or_else(|difference| panic!("{difference}")).expect("the picture is small");
+        assert!((0..15).all(|at| picture.image.pixel(at) == picture.image.pixel(0)), "{lines}");
+    }
+}
+
 #[test]
 fn two_objects_with_lookahead() {
     check(
