@@ -120,3 +120,33 @@ impl<T: Rounding> CapPlane<T> {
         Self::at(record, ray, center, (to_center.dot(record.axis), Self::size(record, to_center)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::uniform::Uniform;
+
+    #[test]
+    fn the_size_of_a_long_cylinder_is_that_of_its_terms() {
+        let mut draws = Uniform::new(5);
+        for _ in 0..20_000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (center, axis, origin, off) = (vector(), vector(), vector() * 3.0, vector());
+            // The ray runs along the axis, across it, or anywhere between.
+            let direction = axis + off * 10.0_f64.powf(draws.draw(-6.0, 3.0));
+            let record = CylinderRecord::new(center, 10.0_f64.powf(draws.draw(-3.0, 0.5)), axis);
+            let view = record.seen_from(origin);
+            let across = direction.perpendicular_to(record.axis).length();
+            let a = across * across;
+            let of = |is_long| size(&record, &view, a, direction.dot(direction), is_long) / HEADROOM;
+            // `m = |d'| S (|d| S + |d'| |O - C|)`, and `M`, of which a share is added.
+            let (radius, from_center) = (record.radius, origin - center);
+            let s = from_center.perpendicular_to(record.axis).length().hypot(radius);
+            let size = across * s * (direction.length() * s + across * from_center.length());
+            let whole = direction.length().powi(2) * from_center.length().hypot(radius).powi(2);
+            let (least, most) = (0.999 * size + whole * SHARE_OF_WHOLE, 2.001 * size + whole * SHARE_OF_WHOLE * 1.001);
+            assert!(of(true) >= least && of(true) <= most, "{} is not {least} to {most}: {record:?}", of(true));
+            assert!((of(false) / whole - 1.0).abs() < 1e-12, "{} is not {whole}: {record:?}", of(false));
+        }
+    }
+}

@@ -178,6 +178,15 @@ mod tests {
     }
 
     #[test]
+    fn a_sum_has_every_value_once() {
+        // Sums of whole numbers are exact, so a value that is left out or counted twice shows.
+        let values: Vec<f64> = (0..40_u32).map(|number| f64::from(number * number + 1)).collect();
+        for count in 0..=values.len() {
+            assert_eq!(sum(&values[..count]), values[..count].iter().sum::<f64>(), "{count}");
+        }
+    }
+
+    #[test]
     fn a_channel_of_ones_is_one_in_every_sample() {
         let background = Background { dark: Vec3::new(1.0, 0.0, 0.0), light: Vec3::new(1.0, 0.0, 1.0) };
         let mut draws = crate::sampling::uniform::Uniform::new(3);
