@@ -215,6 +215,41 @@ mod tests {
     }
 
     #[test]
+    fn a_root_is_certain_only_if_no_midpoint_is_within_its_error() {
+        let power = |exponent: i64| times_power_of_two(1.0, exponent);
+        // The midpoints between 1 and its neighbours, less 1. Each error comes from another number.
+        for midpoint in [power(-53), -power(-54)] {
+            for (of_dividend, of_divisor) in [(power(-80), 0.0), (0.0, power(-80)), (0.0, 0.0)] {
+                for (scale, share) in
+                    [1.0, power(-9), power(60)].into_iter().flat_map(|scale| [(scale, 0.5), (scale, 2.0)])
+                {
+                    let error = 2.0 * (of_dividend + of_divisor + WIDE_ERROR);
+                    let low = midpoint - midpoint.signum() * share * error;
+                    let dividend = Bounded { value: DoubleDouble { high: 1.0, low }, error_bound: of_dividend };
+                    let divisor = Bounded { value: DoubleDouble::of(1.0), error_bound: of_divisor };
+                    let is_certain = matches!(dividend.root(divisor, scale), Root::Hits(lambda) if lambda == scale);
+                    assert_eq!(is_certain, share > 1.0, "{midpoint:e}, {of_dividend:e}, {of_divisor:e}, {scale:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_root_fails_only_if_it_certainly_rounds_to_less_than_the_limit() {
+        let root = |value: f64, error_bound: f64| {
+            Bounded { value: DoubleDouble::of(value), error_bound }
+                .root(Bounded::of_size(DoubleDouble::of(1.0), 0.0), 1.0)
+        };
+        assert!(matches!(root(LAMBDA_MIN.next_down().next_down(), 0.0), Root::Fails));
+        assert!(matches!(root(LAMBDA_MIN.next_down(), 0.0), Root::Uncertain));
+        assert!(matches!(root(LAMBDA_MIN, 0.0), Root::Hits(LAMBDA_MIN)));
+        assert!(matches!(root(LAMBDA_MIN / 2.0, LAMBDA_MIN / 5.0), Root::Fails));
+        assert!(matches!(root(LAMBDA_MIN / 2.0, LAMBDA_MIN / 3.0), Root::Uncertain));
+        assert!(matches!(root(-1.0, 0.0), Root::Fails));
+        assert!(matches!(root(f64::INFINITY, 0.0), Root::Uncertain));
+    }
+
+    #[test]
     fn most_rays_above_a_ground_of_any_radius_are_certain() {
         let mut draws = Uniform::new(5);
         for radius in [1e12, 1e18, 1e30, 1e100, 1e200, 1e300] {
