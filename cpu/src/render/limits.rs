@@ -72,3 +72,16 @@ impl Limits {
         self.stop.load(Ordering::Relaxed)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_span_is_shorter_the_more_objects_there_are() {
+        let samples = [1, 8192, 16_384, 1 << 17, 1 << 30].map(|objects| Limits::prompt(objects).samples);
+        assert_eq!(samples, [1024, 1024, 512, 64, 8]);
+        assert_eq!(Limits::prompt(0).samples, Limits::default().samples);
+        assert_eq!([1000, 1001].map(|objects| Limits::prompt(objects).every_ray), [false, true]);
+    }
+}
