@@ -208,6 +208,13 @@ mod tests {
     }
 
     #[test]
+    fn the_number_of_a_part_gives_the_part() {
+        use CylinderPart::{Bottom, Side, Top};
+
+        assert_eq!([Side, Top, Bottom].map(|part| CylinderPart::of_number(part.number())), [Side, Top, Bottom]);
+    }
+
+    #[test]
     fn rays_hit_sides_and_caps_where_they_should() {
         use CylinderPart::{Bottom, Side, Top};
 

@@ -270,4 +270,31 @@ mod tests {
         }
         assert!(hits > 500, "{hits}");
     }
+
+    #[test]
+    fn rays_that_touch_a_surface_but_for_the_rounding_of_its_radius_hit_it_or_miss_it() {
+        let (mut draws, mut hits) = (Uniform::new(3), [0; 2]);
+        for number in 0..2000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1000.0, 1000.0).round()));
+            let (direction, other) = (vector(), vector());
+            // The ray touches the sphere, or the side of a cylinder along z. Nothing but the radius is rounded.
+            let is_sphere = number % 2 == 0;
+            let touched = direction.cross(if is_sphere { other } else { Vec3::new(0.0, 0.0, other.z) });
+            let (origin, radius) = (touched - direction * f64::from(1 << (2 + number % 20)), touched.length());
+            let [sphere, tube] = if is_sphere { [radius, 1.0] } else { [1.0, radius] };
+            let away = "1e12 0 0";
+            let [of_sphere, of_tube] = if is_sphere { ["0 0 0", away] } else { [away, "0 0 0"] };
+            let text =
+                format!("matte: m 1 1 1\nsphere: {of_sphere} {sphere} m\ncylinder: {of_tube} {tube} 0 0 1e12 m\n");
+            let Ok(scene) = Scene::parse(text.as_bytes()) else { continue };
+            let (objects, ray) = (AosObjects::build(&scene).expect("it fits"), Ray { origin, direction });
+            let expected = intersect_every_object(&objects, ray);
+            hits[usize::from(is_sphere)] += usize::from(expected.is_hit());
+            for set in InstructionSet::available() {
+                assert_eq!(set.run(Intersect(&objects, ray)), expected.lambda, "{}: {ray:?}, {text}", set.name());
+            }
+        }
+        // The radius of about half of the objects is rounded up.
+        assert!(hits.iter().all(|hits| (300..700).contains(hits)), "{hits:?}");
+    }
 }
