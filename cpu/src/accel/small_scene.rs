@@ -158,6 +158,9 @@ mod tests {
             let may_hit = each.of_lane(0);
             assert_eq!(each.any, if may_hit == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.of_lane(lane) == may_hit), "{each:?}");
+            // A lane whose direction is too short gets all objects, and all other lanes keep theirs.
+            let with_short = self.small_scene.object_lanes.objects_may_hit_lanes(&ray, 0b10);
+            assert_eq!([0, 1].map(|lane| with_short.of_lane(lane)), [may_hit, (1 << count(self.objects)) - 1]);
             assert_eq!(self.small_scene.objects_may_hit::<S::F64, _>(self.objects, &self.ray), may_hit);
             let (start, mut stack) = (Start { object: NO_OBJECT, enters: false }, Stack::EMPTY);
             (may_hit, self.small_scene.closest_hit::<S, _>(self.objects, &self.ray, start, &mut stack))
