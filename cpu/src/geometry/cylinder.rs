@@ -182,9 +182,15 @@ mod tests {
     #[test]
     fn the_normal_of_the_side_starts_at_the_axis() {
         let record = CylinderRecord::new(Vec3::new(5.0, 6.0, 7.0), 2.0, Vec3::new(0.0, 4.0, 0.0));
-        assert_eq!(record.outward(CylinderPart::Side, Vec3::new(7.0, 6.5, 7.0)), Vec3::new(2.0, 0.0, 0.0));
-        assert_eq!(record.outward(CylinderPart::Top, Vec3::new(5.0, 8.0, 7.0)), Vec3::new(0.0, 1.0, 0.0));
-        assert_eq!(record.outward(CylinderPart::Bottom, Vec3::new(5.0, 4.0, 7.0)), Vec3::new(0.0, -1.0, 0.0));
+        for (part, point, normal) in [
+            (CylinderPart::Side, [7.0, 6.5, 7.0], [2.0, 0.0, 0.0]),
+            (CylinderPart::Top, [5.0, 8.0, 7.0], [0.0, 1.0, 0.0]),
+            (CylinderPart::Bottom, [5.0, 4.0, 7.0], [0.0, -1.0, 0.0]),
+        ] {
+            let point = Vec3::from(point);
+            let normals = [record.outward(part, point), record.outward_lanes(part.number(), point)];
+            assert_eq!(normals, [Vec3::from(normal); 2]);
+        }
     }
 
     #[test]
@@ -237,8 +243,14 @@ mod tests {
             ("a null direction", [0.0, 1.0, 0.0], [0.0; 3], None),
             ("in the plane of the top", [0.0, 2.0, -3.0], [0.0, 0.0, 1.0], Some((2.0, Side))),
         ] {
-            let ray = Ray { origin: origin.into(), direction: direction.into() };
-            assert_eq!(upright.intersect(&ray), expected, "{what}");
+            let (origin, direction) = (Vec3::from(origin), Vec3::from(direction));
+            assert_eq!(upright.intersect(&Ray { origin, direction }), expected, "{what}");
+            // Elsewhere and with a longer or shorter direction, the ray hits the same part.
+            let moved = CylinderRecord::new(Vec3::new(8.0, -16.0, 32.0), 1.0, Vec3::new(0.0, 4.0, 0.0));
+            for scale in [0.25, 4.0] {
+                let ray = Ray { origin: origin + moved.center, direction: direction * scale };
+                assert_eq!(moved.intersect(&ray), expected.map(|(lambda, part)| (lambda / scale, part)), "{what}");
+            }
         }
     }
 }
