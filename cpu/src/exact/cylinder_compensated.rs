@@ -201,6 +201,37 @@ pub(crate) fn lambda(record: &CylinderRecord, file_axis: Vec3, ray: &Ray, part: 
 mod tests {
     use super::*;
     use crate::exact::{cylinder, error_bound::Decision};
+    use crate::math::{double_double::DoubleDouble, real::Real};
+    use crate::sampling::uniform::Uniform;
+
+    /// Returns the lambda at which the ray meets the plane of the top cap, with 100 bits.
+    fn lambda_of_top(center: Vec3, file_axis: Vec3, ray: &Ray) -> DoubleDouble {
+        let wide = |vector: Vec3| vector.map(DoubleDouble::of);
+        let two = |vector: Vec3| wide(vector + vector);
+        let to_plane = (two(center) + wide(file_axis) - two(ray.origin)).dot(wide(file_axis));
+        to_plane / two(ray.direction).dot(wide(file_axis))
+    }
+
+    #[test]
+    fn the_lambda_of_a_cap_is_within_half_of_its_bound() {
+        let (mut draws, mut certain, mut worst) = (Uniform::new(29), 0, 0.0_f64);
+        for _ in 0..20_000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (center, file_axis, in_disc, off) = (vector() * 10.0, vector(), vector(), vector());
+            let record = CylinderRecord::new(center, 1.0, file_axis);
+            // The ray runs nearly along the cap, or it starts near its plane.
+            let slope = 10.0_f64.powf(draws.draw(-5.0, 0.0));
+            let direction = off.perpendicular_to(record.axis).unit() + record.axis * slope;
+            let target = record.top + in_disc.perpendicular_to(record.axis) * 0.5;
+            let origin = target - direction * 10.0_f64.powf(draws.draw(-2.0, 2.0));
+            let ray = Ray { origin, direction };
+            let Some((lambda, error_bound)) = lambda(&record, file_axis, &ray, CylinderPart::Top) else { continue };
+            let error = (lambda_of_top(center, file_axis, &ray) - DoubleDouble::of(lambda)).abs().high;
+            assert!(error <= error_bound / 2.0, "{error:e} exceeds half of {error_bound:e}: {record:?}, {ray:?}");
+            (certain, worst) = (certain + 1, worst.max(error / error_bound));
+        }
+        assert!(certain > 10_000 && worst > 0.01, "{certain}, {worst}");
+    }
 
     #[test]
     fn an_axis_out_of_scale_is_uncertain() {
