@@ -79,3 +79,12 @@ fn nested_shells_and_tubes_have_the_order_of_the_exact_lambdas() {
     }
     assert!(orders.iter().all(|&count| count > 1000) && decided > 6000, "{orders:?}, {decided}");
 }
+
+#[test]
+fn a_dot_product_that_underflows_tells_no_exit() {
+    let direction = Vec3::new(1e-170, 0.0, 0.0);
+    let ray = Ray { origin: Vec3::ZERO, direction };
+    let [inner, outer] = [1e-170, 1.5e-170].map(|radius| Surface::Sphere(SphereRecord::new(Vec3::ZERO, radius)));
+    assert_eq!(inner.is_left_at(1.0, &ray), None);
+    assert_eq!(compare(&ray, [&inner, &outer], [1.0, 1.5]), Some(Ordering::Less));
+}
