@@ -173,6 +173,10 @@ fn rays_are_tested_against_a_small_part_of_many_objects() {
         assert!(rays > 20 && tests < rays * objects as u64 / 4, "{tests} tests by {rays} rays of {objects} objects");
         assert_eq!(skipped(Counter::NodeVisits) > 0, has_tree);
         assert_eq!(skipped(Counter::UnfilteredTests), 0);
+        let tubes = row_of_spheres(objects, "m").replace("sphere", "cylinder").replace(" .3 m", " .3 0 .6 0 m");
+        let tubes = count("", &format!("{MATTE}{tubes}"));
+        let (rays, tests) = (tubes(Counter::PathRays), tubes(Counter::CylinderTests));
+        assert!(rays > 20 && tests < rays * objects as u64 / 4, "{tests} tests by {rays} rays of {objects} cylinders");
         // The added grain of dust is too small for conservative tests, so it is apart, and every ray tests it.
         let dusty = count("", &format!("{text}sphere: 0 9 0 1e-9 m\n"));
         let (rays, tests) = (dusty(Counter::PathRays), dusty(Counter::SphereTests));
@@ -311,6 +315,10 @@ fn near_hits_are_compared_by_the_first_step_that_decides() {
     assert!(equal[0] > 100 && equal[1] == 0, "{equal:?}");
     let shells = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 2.9999999999 m\n");
     assert!(shells[0] > 100 && shells[1] * 100 < shells[0], "{shells:?}");
+    let moved = steps("", "sphere: 0 0 0 3 m\nsphere: 0 1e-10 1e-10 3 m\n");
+    assert!(moved[0] > 100 && moved[1] * 100 < moved[0], "{moved:?}");
+    let tubes = steps("", "cylinder: 0 0 0 3 1 2 -2 m\ncylinder: 1e-10 1e-10 0 3 1 2 -2 m\n");
+    assert!(tubes[0] > 100 && tubes[1] * 100 < tubes[0], "{tubes:?}");
     // The top of the tilted glass and that of the table are the same plane, but their axes have different lengths.
     let tilted = "camera_position: 0 8 -9\n";
     let tilted = steps(tilted, "cylinder: 0 0 0 2 0 2 2 m\ncylinder: 0 .5 .5 2 0 1 1 m\n");
