@@ -191,6 +191,12 @@ mod tests {
                 let (below, from) = table.bounds[usize::from(byte)];
                 assert!(below < 0.0 || quantize(below, gamma) < byte, "gamma {gamma}, below {byte}");
                 assert!(from.is_infinite() || quantize(from, gamma) >= byte, "gamma {gamma}, from {byte}");
+                if below > 0.0 && from.is_finite() {
+                    // Between the bounds a power decides.
+                    for mean in [below.next_up(), f64::midpoint(below, from), from.next_down()] {
+                        assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+                    }
+                }
                 let (last, _) = table.bounds[usize::from(byte) + 1];
                 if from <= last && byte < 255 {
                     assert_eq!(table.quantize_interval(from, last, byte), Some(byte), "gamma {gamma}");
