@@ -78,6 +78,18 @@ fn a_root_fails_only_if_it_certainly_rounds_to_less_than_the_limit() {
 }
 
 #[test]
+fn a_dot_product_of_the_size_of_its_error_gives_no_certain_root() {
+    // The exact `h` is between 3/4 and 5/4 of its value, and `c` is 0, so the discriminant is `h^2`.
+    let hit = |h: f64| {
+        let (size_of_h, a) = (1.0, DoubleDouble::of(1.0));
+        let h = Bounded { value: DoubleDouble::of(h), error_bound: WIDE_ERROR * size_of_h };
+        Equation { a, h, size_of_h, scale: 1.0 }.hit(DoubleDouble::of(0.0), 0.0)
+    };
+    assert_eq!(hit(4.0 * WIDE_ERROR), Decision::Uncertain);
+    assert_eq!(hit(0.5), Decision::Certain(Some(1.0)));
+}
+
+#[test]
 fn most_rays_above_a_ground_of_any_radius_are_certain() {
     let mut draws = Uniform::new(5);
     for radius in [1e12, 1e18, 1e30, 1e100, 1e200, 1e300] {
