@@ -69,6 +69,12 @@ mod tests {
     }
 
     #[test]
+    fn an_interval_has_the_share_of_the_radius_and_the_rounding_on_both_sides() {
+        assert_eq!(interval(1.0, 0.0, (0.0, 0.5), 0.125), [0.125, 0.875]);
+        assert_eq!(interval(0.25, 0.75, (0.5, 0.25), 0.0), [0.3125, 0.4375]);
+    }
+
+    #[test]
     fn a_null_direction_has_no_colour() {
         assert!(Background::new(&Config::default()).color(Vec3::ZERO).x.is_nan());
     }

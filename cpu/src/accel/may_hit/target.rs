@@ -93,3 +93,16 @@ impl Target {
         Self { center, axis, radius_squared, bounding_radius_squared, half_height }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cylinder_is_higher_by_the_slack_and_within_its_bounding_sphere() {
+        let record = CylinderRecord::new(Vec3::ZERO, 3.0, Vec3::new(0.0, 8.0, 0.0));
+        let target = Target::cylinder(&record, 1e6);
+        assert_eq!((target.radius_squared, target.bounding_radius_squared), (9.0, 25.0));
+        assert_eq!(target.half_height, 4.0 + 1e6 * SLACK);
+    }
+}
