@@ -165,7 +165,8 @@ fn primary_rays_are_tested_against_objects_near_their_span_alone() {
 
 #[test]
 fn rays_are_tested_against_a_small_part_of_many_objects() {
-    // The scenes get a small scene, a flat filter and a BVH. Only a BVH has nodes to visit.
+    // The scenes of spheres get a small scene, a flat filter and a BVH. Only a BVH has nodes to visit. Of its collapsed
+    // root, all boxes together would lead to more than 20 visits a ray.
     for (objects, has_tree) in [(8, false), (60, false), (1000, true)] {
         let text = format!("{MATTE}{}", row_of_spheres(objects, "m"));
         let skipped = count("", &text);
@@ -174,10 +175,21 @@ fn rays_are_tested_against_a_small_part_of_many_objects() {
         let visits = skipped(Counter::NodeVisits);
         assert!(visits < 20 * rays && (visits > 0) == has_tree, "{visits} visits of nodes by {rays} rays");
         assert_eq!(skipped(Counter::UnfilteredTests), 0);
-        let tubes = row_of_spheres(objects, "m").replace("sphere", "cylinder").replace(" .3 m", " .3 0 .6 0 m");
-        let tubes = count("", &format!("{MATTE}{tubes}"));
-        let (rays, tests) = (tubes(Counter::PathRays), tubes(Counter::CylinderTests));
-        assert!(rays > 20 && tests < rays * objects as u64 / 4, "{tests} tests by {rays} rays of {objects} cylinders");
+        // All objects are cylinders, or every other one, for which 60 objects get a flat filter too.
+        let spheres = row_of_spheres(objects, "m");
+        for step in [1, 2] {
+            let line = |(at, line): (usize, &str)| match at % step {
+                0 => line.replace("sphere", "cylinder").replace(" .3 m", " .3 0 .6 0 m\n"),
+                _ => format!("{line}\n"),
+            };
+            let tubes: String = spheres.lines().enumerate().map(line).collect();
+            let tubes = count("", &format!("{MATTE}{tubes}"));
+            let (rays, tests) = (tubes(Counter::PathRays), tubes(Counter::CylinderTests));
+            assert!(
+                rays > 20 && tests < rays * objects as u64 / 4,
+                "{tests} tests by {rays} rays of {objects} objects"
+            );
+        }
         // The added grain of dust is too small for conservative tests, so it is apart, and every ray tests it.
         let dusty = count("", &format!("{text}sphere: 0 9 0 1e-9 m\n"));
         let (rays, tests) = (dusty(Counter::PathRays), dusty(Counter::SphereTests));
@@ -316,6 +328,7 @@ fn near_hits_are_compared_by_the_first_step_that_decides() {
     assert!(equal[0] > 100 && equal[1] == 0, "{equal:?}");
     let shells = steps("", "sphere: 0 0 0 3 m\nsphere: 0 0 0 2.9999999999 m\n");
     assert!(shells[0] > 100 && shells[1] * 100 < shells[0], "{shells:?}");
+    // These surfaces are not nested, so the compensated formulas decide.
     let moved = steps("", "sphere: 0 0 0 3 m\nsphere: 0 1e-10 1e-10 3 m\n");
     assert!(moved[0] > 100 && moved[1] * 100 < moved[0], "{moved:?}");
     let tubes = steps("", "cylinder: 0 0 0 3 1 2 -2 m\ncylinder: 1e-10 1e-10 0 3 1 2 -2 m\n");

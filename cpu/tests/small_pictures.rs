@@ -149,10 +149,10 @@ fn a_background_alone() {
     check("", 0..=0, |accel| matches!(accel, Accel::SmallScene(_)));
 }
 
-/// Tests pixels whose bytes follow from bounds of the background. In one picture all rays have the same colour, and in
-/// the other one those of a pixel have nearly the same.
+/// Tests pixels whose bytes follow from bounds of the background (the counters show that). In one picture all rays have
+/// the same colour, and in the other one nearly the same.
 #[test]
-fn a_background_whose_bytes_need_no_ray() {
+fn a_background_of_one_byte_in_each_channel() {
     let colors = "background_dark_color: .3 .4 .5\nbackground_light_color: .3 .4 .5\n";
     for lines in [colors, "field_of_view: .01\n"] {
         let config = format!("image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\n{lines}");
@@ -161,6 +161,21 @@ fn a_background_whose_bytes_need_no_ray() {
         let picture = picture.unwrap_or_else(|difference| panic!("{difference}")).expect("the picture is small");
         assert!((0..15).all(|at| picture.image.pixel(at) == picture.image.pixel(0)), "{lines}");
     }
+}
+
+/// Tests camera rays that rounding turns into null vectors, because the camera is far from the origin and its target
+/// near. Their colour is no number, so their pixels are black, although both ends of the background are white.
+#[test]
+fn a_white_background_with_rays_without_a_direction() {
+    let config = "image_width: 8\naspect_ratio: 4 3\nsamples_per_pixel: 8\nfield_of_view: 30\n\
+        background_dark_color: 1 1 1\nbackground_light_color: 1 1 1\n\
+        camera_position: -900000000.0000001 -900000000.0000006 -900000000.0000006\n\
+        camera_target: -900000000.0000002 -900000000.0000005 -900000000.0000007\ncamera_north: -2 -2 1\n";
+    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+    let picture = equals_reference(&config, &Scene::default(), Scatter::Statement);
+    let image = picture.unwrap_or_else(|difference| panic!("{difference}")).expect("the picture is small").image;
+    let black = (0..48).filter(|&at| image.pixel(at).red == 0).count();
+    assert!(black > 0 && black < 48, "{black} of 48 pixels are black");
 }
 
 #[test]

@@ -161,11 +161,11 @@ mod tests {
     #[test]
     fn the_union_holds_both() {
         let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
-        let right = Bounds { low: [2.0, -1.0, 0.0], high: [3.0, 0.5, 2.0] };
-        let both = Bounds { low: [0.0, -1.0, 0.0], high: [3.0, 1.0, 2.0] };
+        let right = Bounds { low: [2.0, -1.0, 0.0], high: [3.0, 0.5, 3.0] };
+        let both = Bounds { low: [0.0, -1.0, 0.0], high: [3.0, 1.0, 3.0] };
         assert_eq!(left.union(&right), both);
         assert_eq!(Bounds::EMPTY.union(&left), left);
-        assert_eq!((both.half_area(), Bounds::EMPTY.half_area()), (16.0, 0.0));
+        assert_eq!((both.half_area(), Bounds::EMPTY.half_area()), (21.0, 0.0));
         assert_eq!(right.twice_middle(0), 5.0);
         let long = |axis: usize| Bounds { low: [0.0; 3], high: [0, 1, 2].map(|at| if at == axis { 3.0 } else { 1.0 }) };
         assert_eq!([0, 1, 2].map(|axis| long(axis).longest_axis()), [0, 1, 2]);

@@ -158,7 +158,7 @@ mod tests {
             let may_hit = each.of_lane(0);
             assert_eq!(each.any, if may_hit == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.of_lane(lane) == may_hit), "{each:?}");
-            // A lane whose direction is too short gets all objects, and all other lanes keep theirs.
+            // Lane 1, marked as too short, gets all objects, and lane 0 keeps its own.
             let with_short = self.small_scene.object_lanes.objects_may_hit_lanes(&ray, 0b10);
             assert_eq!([0, 1].map(|lane| with_short.of_lane(lane)), [may_hit, (1 << count(self.objects)) - 1]);
             assert_eq!(self.small_scene.objects_may_hit::<S::F64, _>(self.objects, &self.ray), may_hit);

@@ -143,9 +143,10 @@ fn spheres_have_the_first_numbers_and_cylinders_the_others() {
 #[test]
 fn each_number_of_objects_gets_its_structure() {
     type Case = (usize, f64, usize, fn(&Accel) -> bool);
-    let cases: [Case; 5] = [
+    let cases: [Case; 6] = [
         (7, 3.0, 2000, |accel| matches!(accel, Accel::SmallScene(_))),
         (40, 2.0, 1000, |accel| matches!(accel, Accel::FlatFilter(_))),
+        (60, 2.0, 1000, |accel| matches!(accel, Accel::Bvh(_))),
         (90, 2.0, 1000, |accel| matches!(accel, Accel::Bvh(_))),
         (1000, 1.0, 300, |accel| matches!(accel, Accel::Bvh(_))),
         (MOST_IN_FLOAT_BOXES, 0.05, 40, |accel| matches!(accel, Accel::LargeBvh(_))),

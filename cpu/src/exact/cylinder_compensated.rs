@@ -219,7 +219,7 @@ mod tests {
             let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
             let (center, file_axis, in_disc, off) = (vector() * 10.0, vector(), vector(), vector());
             let record = CylinderRecord::new(center, 1.0, file_axis);
-            // The ray runs nearly along the cap, or it starts near its plane.
+            // The slope is from 1e-5 to 1, and the ray starts 0.01 to 100 directions before the cap.
             let slope = 10.0_f64.powf(draws.draw(-5.0, 0.0));
             let direction = off.perpendicular_to(record.axis).unit() + record.axis * slope;
             let target = record.top + in_disc.perpendicular_to(record.axis) * 0.5;

@@ -127,7 +127,7 @@ mod tests {
     use crate::sampling::uniform::Uniform;
 
     #[test]
-    fn the_size_of_a_long_cylinder_is_that_of_its_terms() {
+    fn the_size_of_a_long_cylinder_is_once_to_twice_that_of_its_terms() {
         let mut draws = Uniform::new(5);
         for _ in 0..20_000 {
             let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
@@ -139,7 +139,7 @@ mod tests {
             let across = direction.perpendicular_to(record.axis).length();
             let a = across * across;
             let of = |is_long| size(&record, &view, a, direction.dot(direction), is_long) / HEADROOM;
-            // `m = |d'| S (|d| S + |d'| |O - C|)`, and `M`, of which a share is added.
+            // `size` is `|d'| S (|d| S + |d'| |O - C|)`. `whole` is `|d|^2 (|O - C|^2 + r^2)`, of which a share is added.
             let (radius, from_center) = (record.radius, origin - center);
             let s = from_center.perpendicular_to(record.axis).length().hypot(radius);
             let size = across * s * (direction.length() * s + across * from_center.length());

@@ -180,7 +180,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_normal_of_the_side_starts_at_the_axis() {
+    fn normals_of_side_and_caps_are_right_also_in_lanes() {
         let record = CylinderRecord::new(Vec3::new(5.0, 6.0, 7.0), 2.0, Vec3::new(0.0, 4.0, 0.0));
         for (part, point, normal) in [
             (CylinderPart::Side, [7.0, 6.5, 7.0], [2.0, 0.0, 0.0]),

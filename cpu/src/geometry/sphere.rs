@@ -140,6 +140,10 @@ mod tests {
         // `(2 lambda - 3)^2 = 1`, so `4 lambda^2 - 12 lambda + 8 = 0`: the roots are 1 and 2, or `(6 -+ 2) / 4`.
         let view = UNIT.seen_from(Vec3::new(0.0, 0.0, -3.0));
         assert_eq!(view.quadratic(Vec3::new(0.0, 0.0, 2.0), 4.0), (6.0, 4.0));
+    }
+
+    #[test]
+    fn a_view_has_the_terms_of_any_sphere() {
         let view = SphereRecord::new(Vec3::ONE, 2.0).seen_from(Vec3::new(1.0, 1.0, -2.0));
         assert_eq!((view.to_center, view.c, view.squares), (Vec3::new(0.0, 0.0, 3.0), 5.0, 13.0));
     }

@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn an_interval_has_the_share_of_the_radius_and_the_rounding_on_both_sides() {
+    fn an_interval_reaches_the_scaled_radius_and_the_rounding_to_both_sides() {
         assert_eq!(interval(1.0, 0.0, (0.0, 0.5), 0.125), [0.125, 0.875]);
         assert_eq!(interval(0.25, 0.75, (0.5, 0.25), 0.0), [0.3125, 0.4375]);
     }

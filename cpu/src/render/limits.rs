@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_span_is_shorter_the_more_objects_there_are() {
+    fn prompt_limits_follow_the_number_of_objects() {
         let samples = [1, 8192, 16_384, 1 << 17, 1 << 30].map(|objects| Limits::prompt(objects).samples);
         assert_eq!(samples, [1024, 1024, 512, 64, 8]);
         assert_eq!(Limits::prompt(0).samples, Limits::default().samples);

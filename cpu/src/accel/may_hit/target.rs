@@ -99,7 +99,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cylinder_is_higher_by_the_slack_and_within_its_bounding_sphere() {
+    fn only_the_half_height_of_a_cylinder_has_the_slack() {
         let record = CylinderRecord::new(Vec3::ZERO, 3.0, Vec3::new(0.0, 8.0, 0.0));
         let target = Target::cylinder(&record, 1e6);
         assert_eq!((target.radius_squared, target.bounding_radius_squared), (9.0, 25.0));

@@ -47,7 +47,8 @@ fn what_is_certain_is_the_precise_answer_to_the_last_bit() {
 #[test]
 fn a_root_is_certain_only_if_no_midpoint_is_within_its_error() {
     let power = |exponent: i64| times_power_of_two(1.0, exponent);
-    // The midpoints between 1 and its neighbours, less 1. Each error comes from another number.
+    // The midpoints between 1 and its neighbours, less 1. The error comes from the dividend, from the divisor, or only
+    // from the division.
     for midpoint in [power(-53), -power(-54)] {
         for (of_dividend, of_divisor) in [(power(-80), 0.0), (0.0, power(-80)), (0.0, 0.0)] {
             for (scale, share) in [1.0, power(-9), power(60)].into_iter().flat_map(|scale| [(scale, 0.5), (scale, 2.0)])
@@ -78,8 +79,8 @@ fn a_root_fails_only_if_it_certainly_rounds_to_less_than_the_limit() {
 }
 
 #[test]
-fn a_dot_product_of_the_size_of_its_error_gives_no_certain_root() {
-    // The exact `h` is between 3/4 and 5/4 of its value, and `c` is 0, so the discriminant is `h^2`.
+fn a_dot_product_of_four_times_its_error_is_uncertain() {
+    // `c` is 0, so the discriminant is `h^2`. In the first case the exact `h` is between 3/4 and 5/4 of the computed one.
     let hit = |h: f64| {
         let (size_of_h, a) = (1.0, DoubleDouble::of(1.0));
         let h = Bounded { value: DoubleDouble::of(h), error_bound: WIDE_ERROR * size_of_h };

@@ -56,7 +56,7 @@ fn directions_of_any_length_give_the_closest_hit() {
 }
 
 #[test]
-fn rays_that_touch_a_surface_but_for_the_rounding_of_its_radius_hit_it_or_miss_it() {
+fn rays_that_touch_a_surface_up_to_the_rounding_of_its_radius_have_the_exact_hits() {
     let (mut draws, mut hits) = (Uniform::new(3), [0; 2]);
     for number in 0..2000 {
         let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1000.0, 1000.0).round()));
@@ -69,6 +69,7 @@ fn rays_that_touch_a_surface_but_for_the_rounding_of_its_radius_hit_it_or_miss_i
         let away = "1e12 0 0";
         let [of_sphere, of_tube] = if is_sphere { ["0 0 0", away] } else { [away, "0 0 0"] };
         let text = format!("matte: m 1 1 1\nsphere: {of_sphere} {sphere} m\ncylinder: {of_tube} {tube} 0 0 1e12 m\n");
+        // The radius is 0 if both vectors are along one line. Such a scene is refused.
         let Ok(scene) = Scene::parse(text.as_bytes()) else { continue };
         let (objects, ray) = (AosObjects::build(&scene).expect("it fits"), Ray { origin, direction });
         let expected = intersect_every_object(&objects, ray);
