@@ -139,7 +139,7 @@ mod tests {
             let across = direction.perpendicular_to(record.axis).length();
             let a = across * across;
             let of = |is_long| size(&record, &view, a, direction.dot(direction), is_long) / HEADROOM;
-            // `size` is `|d'| S (|d| S + |d'| |O - C|)`. `whole` is `|d|^2 (|O - C|^2 + r^2)`, of which a share is added.
+            // `size` is `|d'| S (|d| S + |d'| |O - C|)`, and a share of `whole`, `|d|^2 (|O - C|^2 + r^2)`, is added.
             let (radius, from_center) = (record.radius, origin - center);
             let s = from_center.perpendicular_to(record.axis).length().hypot(radius);
             let size = across * s * (direction.length() * s + across * from_center.length());

@@ -80,7 +80,7 @@ fn a_root_fails_only_if_it_certainly_rounds_to_less_than_the_limit() {
 
 #[test]
 fn a_dot_product_of_four_times_its_error_is_uncertain() {
-    // `c` is 0, so the discriminant is `h^2`. In the first case the exact `h` is between 3/4 and 5/4 of the computed one.
+    // `c` is 0, so the discriminant is `h^2`. In the first case the exact `h` is 3/4 to 5/4 of the computed one.
     let hit = |h: f64| {
         let (size_of_h, a) = (1.0, DoubleDouble::of(1.0));
         let h = Bounded { value: DoubleDouble::of(h), error_bound: WIDE_ERROR * size_of_h };
