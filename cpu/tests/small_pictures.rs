@@ -7,6 +7,8 @@
 use std::ops::{ControlFlow, RangeInclusive};
 
 use cpu::internals::accel::choice::Accel;
+#[cfg(debug_assertions)]
+use cpu::internals::counters::{Counter, reset, snapshot};
 use cpu::internals::{Ended, InstructionSet, Limits, Prepared, Streams, render_from, render_linear};
 use cpu::reference::{self, Counts, Exact, Plain, render_recorded};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
@@ -149,17 +151,22 @@ fn a_background_alone() {
     check("", 0..=0, |accel| matches!(accel, Accel::SmallScene(_)));
 }
 
-/// Tests pixels whose bytes follow from bounds of the background (the counters show that). In one picture all rays have
-/// the same colour, and in the other one nearly the same.
+/// Tests pixels whose bytes follow from bounds of the background. In one picture all rays have the same colour, and in
+/// the other one nearly the same.
 #[test]
 fn a_background_of_one_byte_in_each_channel() {
     let colors = "background_dark_color: .3 .4 .5\nbackground_light_color: .3 .4 .5\n";
     for lines in [colors, "field_of_view: .01\n"] {
+        #[cfg(debug_assertions)]
+        reset();
         let config = format!("image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\n{lines}");
         let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
         let picture = equals_reference(&config, &Scene::default(), Scatter::Statement);
         let picture = picture.unwrap_or_else(|difference| panic!("{difference}")).expect("the picture is small");
         assert!((0..15).all(|at| picture.image.pixel(at) == picture.image.pixel(0)), "{lines}");
+        // Debug builds count such pixels.
+        #[cfg(debug_assertions)]
+        assert!(snapshot()[Counter::BackgroundPixels as usize] >= 15, "{lines}");
     }
 }
 
